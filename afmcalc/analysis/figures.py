@@ -220,9 +220,8 @@ def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
         AfmcalcError: no one clutch with a control unit, or a pocket that cannot be cut.
     """
     from .shop import shop_drawing
-    from .wall import CHORD
 
     check_request(name, request)
     (answers,) = request.subjects
     synthesis, _ = answers.ask("synthesize")
-    return shop_drawing(answers.clutch, synthesis, request.cutter, CHORD if request.chord is None else request.chord)
+    return shop_drawing(answers.clutch, synthesis, request.cutter, request.chord)

@@ -26,6 +26,9 @@ Grade = Literal["pass", "note", "warning", "fail"]
 _GRADES: dict[str, Grade] = {"info": "note", "warning": "warning", "error": "fail"}
 
 
+_AS_SET = "T_min ≥ T_н"
+
+
 class Utilisation(Result):
     """One limit, and how much of it a design uses."""
 
@@ -41,6 +44,11 @@ class Utilisation(Result):
     def shown_unit(self) -> str:
         """Unit: what is held against a limit is a temperature, not a difference of two."""
         return "K abs" if self.unit == "K" else self.unit
+
+    @property
+    def is_setting(self) -> bool:
+        """Whether it is met exactly because the spring is set so: then it limits nothing."""
+        return self.symbol == _AS_SET and math.isclose(self.value, self.limit)
 
 
 class _Limit(NamedTuple):
@@ -121,7 +129,7 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Limit]:
         yield _Limit("feedback-idle", name, "C ≥ 2R f_1/d", "1", gain, least, least=True)
     lowest, nominal = float(clutch.torque_min), float(clutch.nominal_torque)
     name = term("least torque in service")
-    yield _Limit("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True)
+    yield _Limit("below-nominal-torque", name, _AS_SET, "N*m", lowest, nominal, least=True)
     if clutch.sleeve is not None:
         returned = clutch.sleeve.torque_returning_min
         name, machine = term("least torque, friction falling under load"), float(clutch.machine_torque)

@@ -14,7 +14,7 @@ from ..errors import CalculationError
 from ..messages import say
 from ..spec import Spec
 from .synthesize import SynthesisResult
-from .wall import CHORD, Wall, WallPoint, wall_of
+from .wall import Wall, WallPoint, wall_of
 
 Points: TypeAlias = list[tuple[float, float]]
 """(along the axis, around the circle), m."""
@@ -76,7 +76,7 @@ class ShopDrawing(NamedTuple):
 
 
 def shop_drawing(
-    clutch: Clutch, unit: SynthesisResult, cutter: float | None = None, chord: float = CHORD
+    clutch: Clutch, unit: SynthesisResult, cutter: float | None = None, chord: float | None = None
 ) -> ShopDrawing:
     """Lay out the pockets of a control unit as synthesized.
 
@@ -84,12 +84,13 @@ def shop_drawing(
         clutch: the clutch.
         unit: its control unit.
         cutter: diameter of the cutter, m; its axis stands on the section. None for one of ``CUTTER``.
-        chord: how far a chord may lie off the wall, m.
+        chord: how far a chord may lie off the wall, m; None for ``Wall.chord``.
 
     Raises:
         CalculationError: the wall cannot be cut, or not with this cutter.
     """
     wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
+    chord = wall.chord if chord is None else chord
     if not wall.can_be_cut:
         assert wall.undercut_radius is not None
         message = say(

@@ -25,6 +25,8 @@ DEFAULT_CLEARANCE = 0.002
 """s and y where the spec gives none, m: S21 takes 2…3 mm."""
 CHORD = 1e-6
 """How far a chord may lie off the wall unless told, m."""
+CHORD_SHARE = 1e-5
+"""The same of a ball above 200 mm, of its radius: a wall of some metres needs no more chords."""
 _WITHIN = 8
 """Places of a chord at which it is held against the wall."""
 
@@ -126,14 +128,21 @@ class Wall(NamedTuple):
             low, high = (middle, high) if self.contact_depth(middle) > 0 else (low, middle)
 
     @property
+    def chord(self) -> float:
+        """How far a chord may lie off the wall unless told, m."""
+        return max(CHORD, CHORD_SHARE * self.ball_radius)
+
+    @property
     @unnoted()
     def width(self) -> float:
         """Width of the pocket at the face, m."""
         return 2 * self.at(self.mouth).wall_around
 
     @unnoted()
-    def points(self, chord: float = CHORD) -> list[WallPoint]:
+    def points(self, chord: float | None = None) -> list[WallPoint]:
         """Places from the stop to the mouth, so near that chords between them keep within ``chord`` of the wall."""
+        if chord is None:
+            chord = self.chord
         end, enough = self.mouth, 1
         while self._farthest_off(end, enough) > chord:
             enough *= 2

@@ -27,8 +27,8 @@ def serve(
 ) -> None:
     """A page in the browser on which a clutch is designed live; Ctrl-C ends it.
 
-    Every change is calculated at once, by what the other commands ask. The page is for this machine alone. It saves
-    to --output FILE, with --force to SPEC itself.
+    Every change is calculated at once, as the other commands calculate it. The page is for this machine alone. It
+    saves to --output FILE, with --force to SPEC itself.
 
     \b
     afmcalc serve clutch.toml
@@ -70,7 +70,7 @@ def serve(
     how: dict[str, Any] = {"log_config": None, "log_level": "critical", "access_log": False, "server_header": False}
     how |= {"http": "h11", "ws": "none", "loop": "asyncio", "lifespan": "on", "timeout_graceful_shutdown": 0}
     with shown_in(units):
-        Server(Config(page, limit_concurrency=100, **how)).run([listening])
+        Server(Config(page, **how)).run([listening])
 
 
 def _listen(port: int) -> socket.socket:

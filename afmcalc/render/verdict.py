@@ -56,16 +56,16 @@ def verdict(check: "CheckResult", findings: Iterable[Finding]) -> Verdict:
     whole = required in ("none", "met") and checked == "passed"
     failed = required == "missed" or checked == "failed"
     used: list[tuple[float, bool | None, Utilisation | RequirementRow]] = [
-        *((limit.utilisation, limit.verdict == "pass", limit) for limit in check.limits),
+        *((limit.utilisation, limit.verdict == "pass", limit) for limit in check.limits if not limit.is_setting),
         *((row.utilisation, row.passed, row) for row in check.requirements if row.utilisation is not None),
     ]
     limit = ""
     if used:
         share, held, most = max(used, key=lambda each: each[0])
         limit = told(
-            "What limits the clutch first is “{name}” ({symbol}): it uses {utilisation:.3g} of that limit."
+            "What limits the clutch first is “{name}” ({symbol}): it uses {utilisation:.1%} of that limit."
             if held
-            else "The clutch goes farthest beyond “{name}” ({symbol}): {utilisation:.3g} of that limit.",
+            else "The clutch goes farthest beyond “{name}” ({symbol}): {utilisation:.1%} of that limit.",
             name=worded(most.name), symbol=most.symbol, utilisation=share,
         )  # fmt: skip
     sentence = translate(SENTENCES[f"{required}/{checked}"])

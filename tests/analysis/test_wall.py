@@ -61,6 +61,20 @@ def test_the_wall_is_a_ball_s_radius_from_the_path(wall):
             assert abs(along[0] * off[1] - along[1] * off[0]) <= CHORD * (1 + 1e-3)
 
 
+@given(walls(), st.floats(1, 1e6))
+def test_a_wall_of_metres_is_a_larger_picture_of_one_of_millimetres(wall, times):
+    """The same chords, so many times as long: not more of them."""
+    wall = wall._replace(
+        steepening=wall.steepening * wall.ball_radius / 0.1,
+        ball_radius=0.1,
+        face_gap=wall.face_gap / wall.ball_radius * 0.1,
+    )
+    large = wall._replace(steepening=wall.steepening / times, ball_radius=0.1 * times, face_gap=wall.face_gap * times)
+    assert wall.chord == pytest.approx(CHORD)
+    assert large.chord == pytest.approx(CHORD * times)
+    assert abs(len(large.points()) - len(wall.points())) <= 1
+
+
 @given(walls(), st.floats(0, 20), st.floats(0, 5e-3), st.floats(0, 5e-3))
 def test_the_smallest_ball_touches_below_the_face_all_along(wall, steeper, travel, clearance):
     """r_ш sin α ≥ ξ + s/2 + y at every place, with equality at one, also where such a ball undercuts the wall."""

@@ -38,11 +38,14 @@ def changed(text, by):
 
 
 def state(draw, given, reach=0.15):
-    """One to four of its numbers, each a little larger or smaller, sometimes one left out."""
+    """One to four of its numbers, each a little larger or smaller, sometimes one of several of a table left out."""
     fields = {}
     for key in draw.sample(sorted(given), draw.randint(1, min(4, len(given)))):
-        fields[key] = "" if draw.random() < 0.05 else changed(given[key], draw.uniform(1 - reach, 1 + reach))
-    return fields
+        # with its last key the table goes, which --set KEY= alone does not do
+        alone = sum(other.rpartition(".")[0] == key.rpartition(".")[0] for other in given) == 1
+        left_out = draw.random() < 0.05 and not alone
+        fields[key] = "" if left_out else changed(given[key], draw.uniform(1 - reach, 1 + reach))
+    return {key: text for key, text in fields.items() if text != given[key]}
 
 
 def sentences(run):
@@ -197,6 +200,8 @@ def test_empty_is_absent(served):
     given = served.live({"friction.mean": ""})
     assert "--set friction.mean= " in given["command"] + " " or "--set 'friction.mean='" in given["command"]
     assert cells(given["fragments"]["numbers"])["torque.mean"]
+    # a table that nothing is left of is absent, too
+    assert "--set drive= " in served.live({"drive.dynamic_factor": ""})["command"] + " "
 
 
 def test_compared_with_what_is_pinned(served):
