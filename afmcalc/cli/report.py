@@ -24,6 +24,7 @@ def report(
     pdf: Annotated[
         bool, Option("--pdf", help="Print it to PDF too, beside FILE, with a headless browser found here.")
     ] = False,
+    with_source: Annotated[bool, Option("--with-source", help="The spec as given, as an appendix.")] = False,
     model: Annotated[StressRule, Option(help="Rule for the damaging stress of the life.")] = "mean-stress",
     organisation: Annotated[str | None, _entry("Title block: who answers for the calculation.")] = None,
     project: Annotated[str | None, _entry("Title block: project the clutch belongs to.")] = None,
@@ -67,7 +68,8 @@ def report(
         source = decoded(raw, name)
         read, given = spec_of(source, common.overrides), text_as_given(source)
         title, digest = title_block(read, options), sha256(raw).hexdigest()
-        return render(Subject(dossier(read, model), given, title, digest, read.label, common.overrides, __version__))
+        told = dossier(read, model)
+        return render(Subject(told, given, title, digest, read.label, common.overrides, __version__, with_source))
 
     _write(common, page, spec=spec, pdf=pdf)
 

@@ -209,11 +209,9 @@ def _caption(section: ClutchSection) -> str:
         overlap = finding("parts-collide", "error", value=missing, first=term(one), second=term(other))
         said.append(told("Red: {overlap}.", overlap=overlap.message))  # in the words of check
     if section.assumed:
-        blocks: dict[str, list[str]] = {}
-        for path, value in section.assumed.items():
-            block, _, name = path.rpartition(".")
-            blocks.setdefault(block, []).append(f"{name} = {measured(value, keys()[path].unit or '')}")
-        listed = "; ".join(f"[{block}] {', '.join(filled)}" for block, filled in blocks.items())
+        listed = "; ".join(
+            f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items()
+        )
         said.append(told("* and dashed: drawn at a default, for the spec does not give {keys}.", keys=listed))
     if "bore" in section.measures:
         said.append(translate("The key is drawn at 0.3 by 0.2 of the bore."))

@@ -43,12 +43,29 @@ def chapters(dossier: Dossier) -> list[Chapter]:
     return [
         Chapter(
             topic,
-            _TABLES.get(topic.name, lambda result: blocks(document(result)))(topic.result),
+            [_captioned(topic, table) for table in _tables(topic)],
             [block_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations],
             [] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
         )
         for topic in dossier.topics
     ]
+
+
+def _tables(topic: Topic) -> list[TextTable]:
+    return _TABLES[topic.name](topic.result) if topic.name in _TABLES else _laid_out(topic.result)
+
+
+def _captioned(topic: Topic, table: TextTable) -> TextTable:
+    """Name a table that has no name after its topic, and after its columns where it has several."""
+    title, heads = translate(topic.title), table.header[2:-1]
+    return table if table.title else table._replace(title=f"{title}: {', '.join(heads)}" if heads[1:] else title)
+
+
+def _laid_out(result: Result) -> list[TextTable]:
+    """Set tables with symbols and names in the place of keys of the spec."""
+    laid_out = document(result)
+    tables = [table._replace(columns=[*chain(*map(_named, table.columns))]) for table in laid_out.tables]
+    return blocks(laid_out._replace(tables=tables))
 
 
 def _both_settings(result: AdjustResult) -> list[TextTable]:
@@ -80,14 +97,12 @@ def _side_by_side(heads: Sequence[str], results: Sequence[Result], without: Sequ
 
 def _scatter(result: ToleranceResult) -> list[TextTable]:
     """The tables of the command, with symbols and names in place of keys, what scatters most first."""
-    laid_out = document(result.model_copy(update={"sobol": sorted(result.sobol, key=lambda row: -row.total)}))
-    tables = [table._replace(columns=[*chain(*map(_named, table.columns))]) for table in laid_out.tables]
-    return blocks(laid_out._replace(tables=tables))
+    return _laid_out(result.model_copy(update={"sobol": sorted(result.sobol, key=lambda row: -row.total)}))
 
 
 def _named(column: Column) -> list[Column]:
     """Two columns, symbols and names, in place of one of keys of the spec."""
-    if column.path != "path":
+    if not all(isinstance(path, str) and (path in _FRICTION or path in keys()) for path in column.values):
         return [column]
     rows = [_FRICTION.get(path) or (keys()[path].symbol or "", keys()[path].description) for path in column.values]
     return [
@@ -119,8 +134,8 @@ class Derived(NamedTuple):
     """MathML, with the numbers where there is but one short line of them; empty where an earlier block has it."""
     header: Sequence[str]
     """Of the labels, where a line has several."""
-    lines: Sequence[tuple[Sequence[str], str, str]]
-    """Of each case: its labels, the numbers put in as MathML, the value."""
+    lines: Sequence[tuple[Sequence[str], str]]
+    """Of each case: its labels, the numbers put in and the value as MathML."""
 
 
 _SHORT = 64
@@ -138,7 +153,7 @@ def block_of(step: Derivation, method: str) -> Derived:
     if joined:
         parts += dict.fromkeys((first.numbers, value_latex(measured(first.value, step.unit))))
     lines = [
-        (labels, math(f"{symbol} = {broken(row.numbers)}"), measured(row.value, step.unit))
+        (labels, math(f"{symbol} = {broken(row.numbers)} = {value_latex(measured(row.value, step.unit))}"))
         for row, *labels in zip(step.rows, *(labels for _, labels in columns), strict=True)
     ]
     return Derived(

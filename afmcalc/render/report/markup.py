@@ -5,6 +5,8 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
+from ...analysis.explain.explain import Derivation
+from ...messages import translate
 from ...spec.keys import keys
 from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
 from ..symbols import split
@@ -33,6 +35,20 @@ def cell(text: str) -> Markup:
         mantissa = "" if power[1] == "1" else f"{power[1]}·"
         return Markup("{}10<sup>{}</sup>").format(mantissa, int(power[2]))
     return symbol(text)
+
+
+def name_of(path: str) -> str:
+    """Name of a key of the spec, without what is said of its use."""
+    return _REST.split(translate(keys()[path].description))[0]
+
+
+def marks(step: Derivation) -> list[str]:
+    """Misprints of what is printed instead of a formula that its source does not name."""
+    return [mark for mark in MISPRINT.findall(step.differs) if mark not in MISPRINT.findall(step.source)]
+
+
+MISPRINT = re.compile(r"\bM\d+\b")
+_REST = re.compile(r"; |: | \(")
 
 
 def css_string(text: str) -> Markup:

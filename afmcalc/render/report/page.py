@@ -1,10 +1,12 @@
 """From what was calculated of a clutch to the page of its report."""
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import date
 from functools import cache
+from itertools import chain, count, islice
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -12,11 +14,12 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from markupsafe import Markup
 
 from ...analysis.dossier import Dossier
+from ...findings import Finding
 from ...messages import localized, named, printable, spoken, term, translate
 from ...messages import told as message
-from ...papers.register import references
+from ...papers.register import Misprint, misprints, references
 from ...spec import resolved
-from ...spec.keys import keys, scatter_at
+from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
 from ..layout import ranked
 from ..plot import sheet_of
@@ -25,7 +28,7 @@ from ..plot.figure import inline_svg
 from ..units import display, display_unit, worded
 from ..verdict import verdict
 from .chapters import Chapter, chapters
-from .markup import cell, css_string, drawing, symbol
+from .markup import MISPRINT, cell, css_string, drawing, marks, name_of, symbol
 from .words import FORMS, Form, told
 
 
@@ -45,17 +48,29 @@ class Subject:
     overrides: Sequence[str] = ()
     """``PATH=VALUE`` put over it."""
     version: str = ""
+    with_source: bool = False
+    """Whether the text as given is an appendix."""
 
 
 class _SpecLine(NamedTuple):
     """A key of the spec as resolved."""
 
+    group: str
     path: str
     symbol: str
     about: str
     value: str
     unit: str
     numeric: bool
+    overridden: bool = False
+
+
+class _Figure(NamedTuple):
+    """A drawing with its number."""
+
+    number: int
+    sheet: Sheet
+    svg: Markup
 
 
 @cache
@@ -81,6 +96,8 @@ def template(name: str, folder: Path | None = None) -> Template:
         "display": display,
         "display_unit": display_unit,
         "css": css_string,
+        "in_words": in_words,
+        "marks": marks,
         "term": term,
         "translate": translate,
         "worded": worded,
@@ -94,31 +111,105 @@ def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
     dossier, form = subject.dossier, FORMS.get(spoken(), FORMS["en"])
     parts = chapters(dossier)
-    sheets = [] if dossier.section is None else [("spec", sheet_of("section", dossier.section))]
-    sheets += [(chapter.topic.name, sheet) for chapter in parts for sheet in chapter.sheets]
-    figures = [
-        {"number": number, "chapter": key, "sheet": sheet, "svg": _panels(sheet, number)}
-        for number, (key, sheet) in enumerate(sheets, 1)
-    ]
+    drawn = {chapter.topic.name: chapter.sheets for chapter in parts}
+    if dossier.section is not None:
+        drawn = {"spec": [sheet_of("section", dossier.section)], **drawn}
+    # what is said of the papers has an appendix of its own
+    findings = ranked(dossier.findings)
+    remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
+    mended = _mended(parts, remarks, chain(*drawn.values()))
+    has = {"requirements": dossier.check.requirements, "misprints": mended, "source": subject.with_source}
+    sections, appendices = (
+        [name for name in names if name in form.always or has.get(name, True)]
+        for names in (form.sections, form.appendices)
+    )
+    labels = {name: str(number) for number, name in enumerate(sections, 1)}
+    labels |= {
+        name: message("Appendix {letter}", letter=letter)
+        for name, letter in zip(appendices, form.letters, strict=False)
+    }
+    counts = {"requirements": len(dossier.check.requirements) and 1, "checks": 1, "spec": 1, "misprints": 1}
+    tabled = {chapter.topic.name: len(chapter.tables) for chapter in parts}
+    tables = _numbered(
+        chain(*(tabled.items() if name == "calculation" else [(name, counts.get(name, 0))] for name in labels))
+    )
+    figures = _numbered((name, len(sheets)) for name, sheets in drawn.items())
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
-    empty = {"requirements": not dossier.check.requirements}
     cited = {source for chapter in parts for source in chapter.topic.sources}
+    judged = verdict(dossier.check, dossier.findings)
+    changed = _changed(subject.overrides)
+    title = dict(subject.title)
+    groups: dict[str, list[_SpecLine]] = {}
+    for line in _spec_lines(resolved(dossier.spec)):
+        groups.setdefault(line.group, []).append(line._replace(overridden=line.path in changed))
     return template("page.html").render(
         subject=subject,
         name=name,
         running=" · ".join(part for part in (name, subject.title.drawing, subject.title.revision) if part),
         entries=_entries(subject, form),
-        verdict=verdict(dossier.check, dossier.findings),
-        keys=list(_spec_lines(resolved(dossier.spec))),
+        people=[(who, title[who]) for who in form.people if title[who] or who in form.signed],
+        overridden=[name_of(path) if path in keys() else path for path in changed],
+        verdict=judged,
+        groups=groups,
         chapters=parts,
-        figures=figures,
-        sections=[name for name in form.sections if name in form.always or not empty.get(name)],
+        figures={
+            name: [
+                _Figure(number, sheet, _panels(sheet, number))
+                for number, sheet in zip(numbers, drawn[name], strict=True)
+            ]
+            for name, numbers in figures.items()
+        },
+        tables=tables,
+        labels=labels,
+        sections=[*labels],
         symbols=_symbols(parts),
         form=form,
         language=spoken(),
-        findings=ranked(dossier.findings),
+        findings=[finding for finding in findings if finding not in remarks],
+        remarks=remarks,
+        misprints=mended,
+        next=_next(dossier),
+        short=False,
         references=[(key, text) for key, text in references().items() if key in cited],
     )
+
+
+def _numbered(counts: Iterable[tuple[str, int]]) -> dict[str, list[int]]:
+    """Number the tables or the figures of each part, in the order of the page."""
+    numbers = count(1)
+    return {name: list(islice(numbers, many)) for name, many in counts}
+
+
+def _changed(overrides: Iterable[str]) -> list[str]:
+    """Paths of the keys, or tables, that overrides change."""
+    given = (override.partition("=")[0].strip() for override in overrides)
+    return [path_of(name) or name for name in given]
+
+
+def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterable[Sheet]) -> list[Misprint]:
+    """Return the misprints that a report names."""
+    texts = [part for chapter in parts for block in chapter.blocks for part in (block.step.source, block.step.differs)]
+    texts += [str([table.title, table.rows]) for chapter in parts for table in chapter.tables]
+    texts += [*(finding.message for finding in remarks), *(sheet.caption for sheet in sheets)]
+    named = {mark for text in texts for mark in MISPRINT.findall(text)}
+    return [each for each in misprints() if each.id in named]
+
+
+def _next(dossier: Dossier) -> list[str]:
+    """What is to be done next, the gravest first."""
+    rows = [row for row in dossier.check.requirements if not row.passed]
+    used = [(row.utilisation, row.name) for row in rows if row.passed is False and row.utilisation is not None]
+    used += [(limit.utilisation, limit.name) for limit in dossier.check.limits if limit.verdict != "pass"]
+    lines = [
+        message("Bring “{name}” to its limit: {used:.1%} of it is used.", name=worded(name), used=share)
+        for share, name in sorted(used, reverse=True)
+    ]
+    lines += [
+        message("Give what it takes to judge “{name}”.", name=worded(row.name)) for row in rows if row.passed is None
+    ]
+    grave = [finding for finding in ranked(dossier.findings) if finding.level != "info"]
+    lines += [in_words(translate(finding.message)) for finding in grave if not finding.code.startswith("requirement-")]
+    return lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
 
 
 def _panels(sheet: Sheet, number: int) -> Markup:
@@ -153,24 +244,54 @@ def _symbols(parts: list[Chapter]) -> list[tuple[str, str]]:
 
 
 def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
-    """Every key of a spec that has a value."""
+    """Every key of a spec that has a value, less what the cover or the requirements show."""
+    group = _titled(prefix.rstrip("."))
     for name, value in data.items():
         path = prefix + name
         key = keys().get(path)
+        if path in _ELSEWHERE:
+            continue
         if key is None:
             yield from _spec_lines(value, f"{path}.")
         elif isinstance(value, dict):
-            yield from (_scatter(path, field, given) for field, given in value.items())
+            yield from (_scatter(group, field, given) for field, given in value.items())
         else:
             shown = list(value) if isinstance(value, tuple) else str(value) if key.unit is None else value
-            if path == "name" or path.startswith("report."):  # what a user writes is not translated
-                shown = term(str(value), "name")
             unit, numeric = key.unit or "", key.unit is not None
-            about = translate(key.description)
-            yield _SpecLine(path, key.symbol or "", about, display(shown, unit), display_unit(unit), numeric)
+            yield _SpecLine(
+                group, path, key.symbol or "", name_of(path), display(shown, unit), display_unit(unit), numeric
+            )
 
 
-def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
+_ELSEWHERE = ("name", "report", "requirements", "catalogues")
+
+
+def _titled(path: str) -> str:
+    """Title of a table of the spec, after that of the one that it stands in."""
+    above, _, _ = path.rpartition(".")
+    blocks: Any = template("blocks.html").module
+    return ": ".join(blocks.titled(each).strip() for each in filter(None, (above, path))) or translate("Clutch")
+
+
+def in_words(text: str) -> str:
+    """Set names in the place of keys and tables of the spec.
+
+    >>> in_words("see friction.min, closing_spring.disc and [heat], not drive.none")
+    'see “smallest coefficient of friction”, “Closing spring: Disc springs” and “Heat and wear”, not drive.none'
+    """
+
+    def named_so(found: re.Match[str]) -> str:
+        path = found[1] or found[0]
+        name = name_of(path) if path in keys() else _titled(path)
+        return found[0] if path in name.split(": ") else message("“{name}”", name=name)
+
+    return _PATH.sub(named_so, text)
+
+
+_PATH = re.compile(r"\[([a-z_.]+)\]|\b[a-z_]+(?:\.[a-z_]+)+\b")
+
+
+def _scatter(group: str, name: str, given: dict[str, Any]) -> _SpecLine:
     """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of what scatters."""
     quantity, key = scatter_at(name), keys().get(name)
     unit = quantity.unit if quantity else ""
@@ -181,6 +302,6 @@ def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
     symbol, about = "f", translate("scatter of the friction in service")
     if key:
         symbol = key.symbol or ""
-        about = message("scatter: {about}", about=translate(key.description).partition(";")[0])
+        about = message("scatter: {about}", about=name_of(name))
     value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
-    return _SpecLine(f'{path}."{name}"', symbol, about, value, shown_unit, False)
+    return _SpecLine(group, f"tolerance.fields.{name}", symbol, about, value, shown_unit, False)

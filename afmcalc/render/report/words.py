@@ -25,9 +25,11 @@ REPORT: Mapping[str, str] = {
     "calculation": "Calculation",
     "as-set/min-friction": "Where nothing else is said, the spring is set at f_min.",
     "as-set/mean-friction": "Where nothing else is said, the spring is set at the mean friction.",
-    "conclusion": "Conclusion",
+    "conclusion": "Conclusions",
     "symbols": "Symbols",
     "references": "References",
+    "misprints": "Misprints of the papers",
+    "source": "The spec as given",
     # a derivation
     "friction": "Friction",
     "branch": "Friction is",
@@ -65,12 +67,17 @@ class Form(NamedTuple):
 
     sections: Sequence[str]
     """In their order; one without content is left out, unless it is always there."""
+    appendices: Sequence[str]
+    """After them, each under a letter; one without content is left out."""
+    letters: str
     always: Sequence[str]
     """Sections that stand even where there is nothing to tell."""
     entries: Sequence[str]
     """Of the title block, in their order."""
     signed: Sequence[str]
     """Entries that have a place in every title block: one may sign there."""
+    people: Sequence[str]
+    """Who signs, in their order."""
     lined: bool
     """Whether each symbol of a formula is explained on a line of its own."""
 
@@ -80,17 +87,23 @@ _PEOPLE = ("author", "checked", "norm_control", "approved")
 FORMS = {
     "en": Form(
         sections=("requirements", "checks", "spec", "calculation", "conclusion", "references"),
+        appendices=("symbols", "misprints", "source"),
+        letters="ABC",
         always=(),
-        entries=("organisation", "project", "drawing", "revision", "date", "variant", *_PEOPLE, "program"),
+        entries=("organisation", "project", "drawing", "revision", "date", "variant", "program"),
         signed=("author", "checked", "approved"),
+        people=_PEOPLE,
         lined=False,
     ),
     # ГОСТ Р 2.105-2019, 2.106: a расчёт (РР)
     "ru": Form(
         sections=("requirements", "spec", "checks", "calculation", "conclusion", "symbols", "references"),
+        appendices=("misprints", "source"),
+        letters="АБВ",
         always=("requirements", "symbols"),
-        entries=("drawing", "organisation", "project", "revision", "date", "variant", *_PEOPLE, "program"),
+        entries=("drawing", "organisation", "project", "revision", "date", "variant", "program"),
         signed=("drawing", *_PEOPLE),
+        people=_PEOPLE,
         lined=True,
     ),
 }

@@ -85,7 +85,7 @@ def test_in_print(page):
         sizes = page.evaluate(FORMULA_SIZES)
     finally:
         page.call("Emulation.setEmulatedMedia", media="")
-    assert [round(float(size.removesuffix("px")) * 0.75, 2) for size in sizes] == [8.8]
+    assert [round(float(size.removesuffix("px")) * 0.75, 2) for size in sizes] == [10.0]
 
 
 @browser
