@@ -1,9 +1,15 @@
-"""Errors meant for people: what is wrong, where, what was given, what is allowed."""
+"""Errors meant for people: what is wrong, where, what was given, what is allowed.
 
+What may be missing here is asked for too: the modules of an extra, the texts of the language of the user.
+"""
+
+import re
+import sys
+from collections.abc import Callable, Mapping
 from importlib.util import find_spec
 from typing import NamedTuple, Self, TypeVar
 
-from .messages import Text, joined, say, term, told, translate
+from .messages import ENGLISH, FOLDER, WRITTEN, Language, Text, joined, known, language, say, term, told, translate
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
@@ -218,3 +224,74 @@ class SpecError(AfmcalcError, ValueError):
         """What gave the value, with line and column, as far as they are known."""
         origin = self.source.origin(problem.path)
         return joined([origin, str(problem.place)], ":") if problem.place else origin
+
+
+OPTION, VARIABLE = "--lang", "AFMCALC_LANG"
+_LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
+_OF_WINDOWS = {0x19: "ru"}
+"""Number of a language in Windows, without that of the country → name."""
+
+
+def windows_language() -> str:
+    """Return the language of the texts of Windows; nothing of another system, whose environment tells it."""
+    if sys.platform != "win32":
+        return ""
+    import ctypes
+
+    return _OF_WINDOWS.get(ctypes.windll.kernel32.GetUserDefaultUILanguage() & 0x3FF, "")
+
+
+def chosen_language(
+    lang: str,
+    environment: Mapping[str, str],
+    note: Callable[[str], object] = lambda text: None,
+    of_system: Callable[[], str] = windows_language,
+) -> Language:
+    """Return the language of the option, else of AFMCALC_LANG, else of the system: English where that is not known.
+
+    Args:
+        lang: language asked for by the option, if any.
+        environment: variables of the process.
+        note: is told that the language of the system is not spoken, as its texts are missing.
+        of_system: gives the language of a system that no variable tells.
+
+    Raises:
+        AfmcalcError: what is asked for is unknown, or its texts are missing.
+    """
+    asked = {
+        OPTION: lang,
+        VARIABLE: environment.get(VARIABLE),
+        "": _system_language(environment, of_system) or ENGLISH.name,
+    }
+    by, name = next((by, name) for by, name in asked.items() if name)
+    languages = sorted({ENGLISH.name, *WRITTEN, *known()})
+    if name == ENGLISH.name:
+        return ENGLISH
+    if name not in languages:
+        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=", ".join(languages))
+    try:
+        return language(name)
+    except Exception as error:  # whatever is wrong with the file
+        missing = AfmcalcError(
+            "the texts of the language {name} cannot be read ({folder}: {file}): install afmcalc anew, "
+            "or ask for --lang en",
+            name=name,
+            folder=FOLDER,
+            file=f"{name}.mo",
+        )
+        if by:
+            raise missing from error
+        note(str(missing))
+        return ENGLISH
+
+
+def _system_language(environment: Mapping[str, str], of_system: Callable[[], str]) -> str:
+    """Return the language of the system: LANGUAGE, a list, is asked first, but not where the locale is plain C."""
+    locale = next(filter(None, map(environment.get, _LOCALE)), "")
+    wanted = [locale] if _short(locale) in ("C", "POSIX") else [*environment.get("LANGUAGE", "").split(":"), locale]
+    wanted = [_short(name) for name in wanted if name] or [of_system()]
+    return next((name for name in wanted if name in (ENGLISH.name, *WRITTEN, *known())), "")
+
+
+def _short(name: str) -> str:
+    return re.split("[_.@]", name)[0]

@@ -2,11 +2,11 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from math import isfinite
 from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .arrays import finite
 from .messages import Text
 
 Level = Literal["info", "warning", "error"]
@@ -46,7 +46,9 @@ def finding(
     """
     # a float of NumPy is no float of JSON
     given = {"value": value, "limit": limit, "path": path, **values}
-    values = {name: float(finite(number)) if isinstance(number, float) else number for name, number in given.items()}
+    values = {name: float(number) if isinstance(number, float) else number for name, number in given.items()}
+    if not all(isfinite(number) for number in values.values() if isinstance(number, float)):
+        raise OverflowError
     value, limit = (number if number is None or type(number) is int else float(number) for number in (value, limit))
     return Finding(level, code.partition("/")[0], Text(FINDINGS[code], values), value, limit, path)
 

@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from . import __version__, engines
 from .analysis.registry import ANALYSES, SpringKind, SpringOrder, StressRule
-from .arrays import Floats
 from .engines.protocol import Clutch as Engine
-from .errors import BEYOND_NUMBERS, CalculationError
+from .equations.arrays import Floats
+from .errors import BEYOND_NUMBERS, VARIABLE, CalculationError, chosen_language
 from .findings import Finding
-from .languages import VARIABLE, chosen
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
 from .spec.edit import Overrides, apply_overrides, respecified
@@ -42,7 +41,7 @@ Friction: TypeAlias = float | tuple[float, float] | Sequence[float | tuple[float
 """A friction, a pair f_1, f_2 of unlike materials, or several of them."""
 A = TypeVar("A", bound=Answer)
 
-chosen("", {VARIABLE: os.environ.get(VARIABLE, "en")})  # refuses another language than there is
+chosen_language("", {VARIABLE: os.environ.get(VARIABLE, "en")})  # refuses another language than there is
 
 
 class Clutch:

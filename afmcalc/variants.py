@@ -7,8 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
-from .arrays import Values
 from .equations import direct
+from .equations.arrays import Values
 
 Law = Literal["direct", "indirect"]
 Paths: TypeAlias = tuple[str, ...]

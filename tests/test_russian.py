@@ -22,8 +22,7 @@ from hypothesis import strategies as st
 from texts import texts
 
 from afmcalc.cli.main import without_lang
-from afmcalc.errors import AfmcalcError
-from afmcalc.languages import chosen
+from afmcalc.errors import AfmcalcError, chosen_language
 from afmcalc.messages import FOLDER, joined, known, language, localized, say, say_many, speaking, term, translate
 
 
@@ -166,13 +165,13 @@ def test_numbers(number, shown):
     ],
 )
 def test_the_language_is_the_options_else_the_variables_else_the_locales(arguments, environment, name):
-    assert chosen(without_lang(arguments)[1], environment).name == name
+    assert chosen_language(without_lang(arguments)[1], environment).name == name
 
 
 def test_an_unknown_language_is_refused():
     for arguments, environment in ((["--lang", "xx"], {}), (["--lang"], {}), ([], {"AFMCALC_LANG": "Russian"})):
         with pytest.raises(AfmcalcError, match="known are en, ru"):
-            chosen(without_lang(arguments)[1], environment)
+            chosen_language(without_lang(arguments)[1], environment)
 
 
 @pytest.mark.parametrize(
@@ -189,7 +188,7 @@ def test_windows_has_a_setting_of_its_own(monkeypatch, number, environment, name
     library = SimpleNamespace(kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda: number))
     monkeypatch.setattr("ctypes.windll", library, raising=False)
     monkeypatch.setattr(sys, "platform", "win32")
-    assert chosen("", environment).name == name
+    assert chosen_language("", environment).name == name
 
 
 @pytest.fixture(params=["none", "empty", "cut off"])

@@ -13,7 +13,7 @@ from sources import FILES, nodes
 from texts import texts
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
-from afmcalc.papers.figures import FIGURES
+from afmcalc.papers import FIGURES
 from afmcalc.variants import VARIANTS
 
 EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)

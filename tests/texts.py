@@ -224,8 +224,8 @@ def _equations() -> Iterator[Key]:
 def _papers() -> Iterator[Key]:
     """What the lists of the papers say, and what is said of their figures."""
     from afmcalc.equations.catalogue import equations
-    from afmcalc.papers import register
-    from afmcalc.papers.figures import FIGURES, paper_figure
+    from afmcalc.papers import FIGURES, register
+    from afmcalc.papers.claims import paper_figure
     from afmcalc.render.plot.schemes import SCHEMES
     from afmcalc.spec.catalogues import friction_materials
 

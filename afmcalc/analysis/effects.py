@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Literal, NamedTuple
 
-from ..arrays import Values
 from ..engines.protocol import Clutch
 from ..equations import effects as law
 from ..equations import synthesis
+from ..equations.arrays import Values
 from ..errors import CalculationError, Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say, term

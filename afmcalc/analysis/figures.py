@@ -158,7 +158,7 @@ def gathered(name: str, request: Request) -> Any:
         case "pareto":
             return _pareto(subject)
         case _:  # the last of PLOTS, "paper"
-            from ..papers.figures import paper_figure
+            from ..papers.claims import paper_figure
 
             return paper_figure(subject)
 

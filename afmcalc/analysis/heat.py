@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from ..arrays import Values
 from ..drive.cases import case_of
 from ..drive.heat import (
     ENDS,
@@ -21,6 +20,7 @@ from ..drive.heat import (
 from ..drive.result import EnergySource, HeatResult
 from ..engines.protocol import Clutch
 from ..equations import heat as law
+from ..equations.arrays import Values
 from ..equations.calls import derived, unnoted
 from ..errors import CalculationError, Problem, SpecError, given
 from ..findings import Finding, Level, finding

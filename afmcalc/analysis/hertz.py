@@ -2,8 +2,8 @@
 
 import math
 
-from ..arrays import Values
 from ..equations import synthesis, wall
+from ..equations.arrays import Values
 from ..equations.calls import unnoted
 from ..spec.models import Contact
 

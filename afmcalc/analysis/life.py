@@ -3,10 +3,10 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Literal
 
-from ..arrays import Values
 from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
+from ..equations.arrays import Values
 from ..errors import AfmcalcError
 from ..findings import Finding, finding
 from ..messages import say, term

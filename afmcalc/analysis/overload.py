@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
-from ..arrays import larger
 from ..engines.protocol import Clutch
 from ..equations import direct
 from ..equations import overload as law
+from ..equations.arrays import larger
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Floats, Values
 from ..drive.cases import Outcome, bracket_of, case_of, outcome_of, peak_time
 from ..drive.pack import Sleeve
 from ..drive.peaks import Peaks, peaks_of
@@ -19,6 +18,7 @@ from ..engines.parts import checks_of_spec
 from ..engines.protocol import Clutch
 from ..equations import drive as law
 from ..equations import synthesis
+from ..equations.arrays import Floats, Values
 from ..equations.calls import unnoted
 from ..errors import CalculationError
 from ..findings import Finding, Level, finding

@@ -9,10 +9,10 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..arrays import Values, finite, is_array, larger, smaller
 from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
+from ..equations.arrays import Values, finite, is_array, larger, smaller
 from ..equations.calls import derived, unnoted
 from ..errors import given
 from ..spec.models import Fatigue, Spec

@@ -4,10 +4,10 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any, ClassVar, Literal
 
-from ..arrays import finite
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
+from ..equations.arrays import finite
 from ..equations.calls import unnoted
 from ..errors import given
 from ..findings import Finding, finding

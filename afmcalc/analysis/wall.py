@@ -10,11 +10,11 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from ..arrays import Values
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..equations import synthesis
 from ..equations import wall as wall_law
+from ..equations.arrays import Values
 from ..equations.calls import unnoted
 from ..errors import given
 from ..result import Result, quantity

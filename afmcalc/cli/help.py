@@ -44,7 +44,7 @@ def names_of(kind: str) -> Named:
         case "described":
             return [(name, "") for name in (*ANALYSES, "requirements")]
         case "figure":
-            from ..papers.figures import FIGURES
+            from ..papers import FIGURES
 
             return [(name, "") for name in FIGURES]
         case "target":

@@ -11,8 +11,7 @@ from typer import Option
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
-from ..errors import AfmcalcError, unexpected
-from ..languages import OPTION, chosen
+from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
 from ..messages import speaking, term, told
 from .help import Command, Program, heard
 from .options import LANG
@@ -37,7 +36,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     prepare()
     given, lang = without_lang(sys.argv[1:] if arguments is None else arguments)
     try:
-        speaks = chosen(lang, os.environ, lambda text: tell(told("note: {text}", text=text)))
+        speaks = chosen_language(lang, os.environ, lambda text: tell(told("note: {text}", text=text)))
     except AfmcalcError as error:
         _complain(str(error))
         sys.exit(error.exit_code)

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..arrays import Values
 from ..engines.protocol import Clutch
 from ..equations import heat
+from ..equations.arrays import Values
 from .pack import DirectPack, Sleeve, ordinary_pack, pack_of
 from .plant import Plant, plant_of
 from .train import Train, train_of

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from scipy.integrate import solve_ivp
 
-from ..arrays import Floats, Values
+from ..equations.arrays import Floats, Values
 from .plant import DRIVEN, NORMAL, SIZE, TWIST, Mode, Plant, State, V
 
 _LEAST = 5.0

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arrays import Floats, Values
 from ..engines.protocol import Clutch
 from ..equations import heat as law
+from ..equations.arrays import Floats, Values
 from ..equations.calls import unnoted
 from ..findings import Finding
 from ..spec.models import Drive

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Floats, Values
 from ..equations import direct
+from ..equations.arrays import Floats, Values
 from ..messages import say
 from ..progress import tell
 from .pack import DirectPack, Sleeve

@@ -12,13 +12,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from ..arrays import Values, is_array, larger, smaller
 from ..engines import parameters
 from ..engines.direct import DirectClutch
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..engines.springs import root
 from ..equations import adjustment, direct, drive, pocket, sleeve
+from ..equations.arrays import Values, is_array, larger, smaller
 from ..equations.terms import Number
 from ..errors import CalculationError
 

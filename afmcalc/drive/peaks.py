@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Floats, Values
 from ..engines.protocol import Clutch
+from ..equations.arrays import Floats, Values
 from ..errors import CalculationError
 from .cases import swings_time, whole_time
 from .lanes import Marched, march

@@ -9,8 +9,8 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Floats, Values
 from ..equations import drive as law
+from ..equations.arrays import Floats, Values
 from .train import Train
 
 Flags: TypeAlias = NDArray[np.bool_]

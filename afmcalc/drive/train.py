@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import V, is_array
 from ..engines.layout import inertia_of, parts_of, sizes_of
 from ..engines.protocol import Clutch
 from ..equations import drive as law
+from ..equations.arrays import V, is_array
 from ..equations.calls import unnoted
 from ..equations.terms import Number
 from ..messages import say

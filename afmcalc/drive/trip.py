@@ -9,7 +9,7 @@ import numpy as np
 from scipy.integrate import DOP853, OdeSolver, Radau
 from scipy.optimize import brentq
 
-from ..arrays import finite
+from ..equations.arrays import finite
 from ..errors import CalculationError
 from ..progress import pulse
 from .coast import Heating, stride

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from ..arrays import Floats, Values, chosen, quiet_division, smaller
 from ..equations import indirect, pocket, sleeve
+from ..equations.arrays import Floats, Values, chosen, quiet_division, smaller
 from ..equations.calls import derived
 from .springs import SetSpring, root
 

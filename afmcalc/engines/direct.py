@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from ..arrays import Values, is_array, larger, smaller
 from ..equations import accuracy, direct
+from ..equations.arrays import Values, is_array, larger, smaller
 from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec

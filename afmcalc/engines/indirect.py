@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
-from ..arrays import Values, chosen, is_array, larger, quiet_division, smaller, square_root
 from ..equations import accuracy, indirect, pocket
+from ..equations.arrays import Values, chosen, is_array, larger, quiet_division, smaller, square_root
 from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec

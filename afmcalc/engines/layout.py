@@ -11,8 +11,8 @@ from functools import reduce
 from itertools import combinations, product
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from ..arrays import Values, larger, smaller
 from ..equations import drive, effects, springs, synthesis
+from ..equations.arrays import Values, larger, smaller
 from ..spec.models import DiscStack, Room, Spec, bore_of
 from .protocol import Clutch
 from .springs import STEEL, characteristic

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from ..arrays import Values, tangent
 from ..equations import adjustment, direct
+from ..equations.arrays import Values, tangent
 from ..equations.calls import derived
 from ..findings import Finding, finding
 from ..messages import term

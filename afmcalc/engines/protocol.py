@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from ..arrays import Values, chosen, larger, smaller
 from ..equations import accuracy, adjustment, direct, effects, overload
+from ..equations.arrays import Values, chosen, larger, smaller
 from ..equations.calls import once, unnoted
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec

@@ -5,8 +5,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from ..arrays import Values
 from ..equations import accuracy, indirect, pocket
+from ..equations.arrays import Values
 from ..equations.calls import derived
 from ..spec.models import FrictionRange, Spec
 from .parameters import force_path

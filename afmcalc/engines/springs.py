@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from ..arrays import Values, chosen, greatest, larger, logarithm, smaller
 from ..equations import springs as law
+from ..equations.arrays import Values, chosen, greatest, larger, logarithm, smaller
 from ..equations.calls import derived, unnoted
 from ..spec.catalogues import Disc
 from ..spec.models import ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room, Spec

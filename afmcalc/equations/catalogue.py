@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, get_type_hints
 
 from .terms import Term
 
-_NO_EQUATIONS = ("calls", "catalogue", "terms")
+_NO_EQUATIONS = ("arrays", "calls", "catalogue", "terms")
 
 
 class Equation(NamedTuple):

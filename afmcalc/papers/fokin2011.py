@@ -5,11 +5,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..arrays import Values
 from ..equations import accuracy
+from ..equations.arrays import Values
 from ..messages import say
-from .claims import Found, verdict
-from .figures import PaperAxis, PaperFigure, curve
+from .claims import Found, PaperAxis, PaperFigure, curve, verdict
 
 RANGES = ((0.10, 0.6), (0.14, 0.7), (0.16, 0.7), (0.16, 0.8))
 """f_1min and f_1max of curves 1–4."""

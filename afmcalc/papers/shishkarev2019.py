@@ -4,11 +4,10 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
-from ..arrays import Values
 from ..equations import accuracy, adjustment, direct, life
+from ..equations.arrays import Values
 from ..messages import say
-from .claims import Found, near, verdict
-from .figures import PaperAxis, PaperFigure, curve
+from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
 
 LEAST, MEAN = 200.0, 600.0
 """T_min and T_cp, N·m."""

@@ -8,11 +8,10 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Values
 from ..equations import accuracy, indirect, synthesis
+from ..equations.arrays import Values
 from ..messages import say
-from .claims import Found, near, verdict
-from .figures import PaperAxis, PaperFigure, curve
+from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
 
 _PAIRS, _RADIUS, _HUB, _KEY = 8, 0.1, 0.05, 0.15
 _LOW, _HIGH = 0.1, 0.8

@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from ..arrays import Values
 from ..equations import accuracy, adjustment, direct, indirect, overload
+from ..equations.arrays import Values
 from ..messages import say, term
-from .claims import Found, near, verdict
-from .figures import PaperAxis, PaperFigure, curve
+from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
 
 MARGIN, LOW, HIGH = 1.25, 0.1, 0.8
 HIGH_GAIN = float(direct.RECOMMENDED_REDUCED_GAIN)

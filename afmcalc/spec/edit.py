@@ -7,7 +7,7 @@ from typing import Any, TypeAlias, TypeVar
 
 from pydantic import BaseModel
 
-from ..arrays import Values
+from ..equations.arrays import Values
 from ..errors import AfmcalcError
 from ..messages import did_you_mean, say
 from .fields import names_in

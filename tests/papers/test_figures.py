@@ -5,7 +5,8 @@ import re
 import numpy as np
 import pytest
 
-from afmcalc.papers.figures import FIGURES, paper_figure
+from afmcalc.papers import FIGURES
+from afmcalc.papers.claims import paper_figure
 
 
 def at(name, number, x, panel=0):

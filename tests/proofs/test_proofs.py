@@ -7,7 +7,8 @@ import pytest
 from conftest import ROOT
 
 from afmcalc.equations.catalogue import equations
-from afmcalc.papers.figures import FIGURES, paper_figure
+from afmcalc.papers import FIGURES
+from afmcalc.papers.claims import paper_figure
 from afmcalc.papers.register import data, is_accounted, is_numbered, misprints, register
 from afmcalc.proofs import ProofError, Refutation, is_zero, proofs, prove
 

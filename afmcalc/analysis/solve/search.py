@@ -13,13 +13,13 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.direct import DirectClutch
 from ...engines.indirect import IndirectClutch
 from ...engines.parameters import angle_given, margin
 from ...engines.protocol import Clutch
 from ...equations import adjustment, synthesis
+from ...equations.arrays import Floats, Values
 from ...errors import CalculationError, SpecError
 from ...messages import say
 from ...spec.edit import with_key

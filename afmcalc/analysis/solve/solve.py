@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeGuard
 
 import numpy as np
 
-from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.protocol import Clutch
+from ...equations.arrays import Floats, Values
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
 from ...messages import did_you_mean, joined, measured, plain, say, term

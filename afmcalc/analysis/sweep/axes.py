@@ -6,8 +6,8 @@ from contextlib import suppress
 
 import numpy as np
 
-from ...arrays import Floats
 from ...engines import build
+from ...equations.arrays import Floats
 from ...errors import AfmcalcError, SpecError
 from ...messages import did_you_mean
 from ...spec import Spec

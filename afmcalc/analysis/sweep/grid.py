@@ -8,9 +8,9 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 from typing import Any, NamedTuple, TypeVar
 
-from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.protocol import Clutch
+from ...equations.arrays import Floats, Values
 from ...errors import AfmcalcError, SpecError
 from ...findings import Finding, finding
 from ...messages import joined, say

@@ -9,9 +9,9 @@ from typing import Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arrays import Values
 from ...engines import Clutch, build, parameters
 from ...equations import indirect
+from ...equations.arrays import Values
 from ...errors import CalculationError
 from ...messages import say
 from ...spec import Spec

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...arrays import Values
 from ...engines import Clutch
 from ...equations import life as law
+from ...equations.arrays import Values
 from ...errors import given
 from ...spec.tolerance import FRICTION, Tolerance
 from ..slips import with_modulus

@@ -13,7 +13,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arrays import finite
+from ...equations.arrays import finite
 from .model import Array
 from .result import Estimate, Histogram
 

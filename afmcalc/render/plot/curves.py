@@ -14,7 +14,7 @@ if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no ot
     from ...analysis.figures import SimulateFigure
     from ...analysis.simulate import MomentRow
     from ...analysis.springs.springs import SpringCurve, SpringsCurve
-    from ...papers.figures import PaperFigure
+    from ...papers.claims import PaperFigure
 
 
 def _called(curve: "TorqueCurve | AccuracyCurve | LifeCurve") -> str:

@@ -14,7 +14,7 @@ from afmcalc.analysis.registry import PLOTS
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError
 from afmcalc.messages import ENGLISH, language, speaking
-from afmcalc.papers.figures import FIGURES
+from afmcalc.papers import FIGURES
 from afmcalc.render.plot import sheet_of
 from afmcalc.render.plot.chart import Sheet
 from afmcalc.render.plot.figure import _LOW, _figure, _settings, inline_svg

@@ -24,7 +24,7 @@ from afmcalc.analysis.figures import Request, gathered, plot_of
 from afmcalc.analysis.registry import PLOTS
 from afmcalc.engines import build
 from afmcalc.messages import ENGLISH, language, named, speaking
-from afmcalc.papers.figures import FIGURES
+from afmcalc.papers import FIGURES
 from afmcalc.render.plot import sheet_of
 from afmcalc.render.plot.chart import ChartAxis
 from afmcalc.render.plot.figure import _figure, _settings, save
