@@ -26,9 +26,6 @@ Grade = Literal["pass", "note", "warning", "fail"]
 _GRADES: dict[str, Grade] = {"info": "note", "warning": "warning", "error": "fail"}
 
 
-_AS_SET = "T_min ≥ T_н"
-
-
 class Utilisation(Result):
     """One limit, and how much of it a design uses."""
 
@@ -39,16 +36,12 @@ class Utilisation(Result):
     unit: str = described("unit", is_unit=True, unit_in="shown_unit")
     utilisation: float = quantity("1", "η", "utilisation, 1 at the limit")
     verdict: Grade = described("verdict")
+    by_choice: bool = described("whether it holds by what was set or chosen so that it does", details=True)
 
     @property
     def shown_unit(self) -> str:
         """Unit: what is held against a limit is a temperature, not a difference of two."""
         return "K abs" if self.unit == "K" else self.unit
-
-    @property
-    def is_setting(self) -> bool:
-        """Whether it is met exactly because the spring is set so: then it limits nothing."""
-        return self.symbol == _AS_SET and math.isclose(self.value, self.limit)
 
 
 class _Limit(NamedTuple):
@@ -66,6 +59,8 @@ class _Limit(NamedTuple):
     """Utilisation, where it is not the ratio of both."""
     level: Level | None = None
     """How grave it is to be beyond, where no finding says it."""
+    by_choice: bool = False
+    """Whether the spring is set, or the ball chosen, so that it holds: it limits nothing."""
 
 
 def utilisations(answers: Answers, findings: list[Finding], without: Collection[str] = ()) -> list[Utilisation]:
@@ -75,12 +70,13 @@ def utilisations(answers: Answers, findings: list[Finding], without: Collection[
     """
     levels = {remark.code: remark.level for remark in findings}
     rows = []
-    for code, name, symbol, unit, value, limit, least, used, level in _limits(answers, without):
+    for code, name, symbol, unit, value, limit, least, used, level, by_choice in _limits(answers, without):
         share = used if used is not None else limit / value if least else value / limit
         grade: Grade = _GRADES[level or levels.get(code, "info")] if share > 1 + 1e-9 else "pass"
         row = Utilisation(
-            name=name, symbol=symbol, unit=unit, value=value, limit=limit, utilisation=share, verdict=grade
-        )
+            name=name, symbol=symbol, unit=unit, value=value, limit=limit, utilisation=share, verdict=grade,
+            by_choice=by_choice and grade == "pass",
+        )  # fmt: skip
         rows.append(row)
     return rows
 
@@ -129,7 +125,8 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Limit]:
         yield _Limit("feedback-idle", name, "C ≥ 2R f_1/d", "1", gain, least, least=True)
     lowest, nominal = float(clutch.torque_min), float(clutch.nominal_torque)
     name = term("least torque in service")
-    yield _Limit("below-nominal-torque", name, _AS_SET, "N*m", lowest, nominal, least=True)
+    as_set = math.isclose(lowest, nominal)
+    yield _Limit("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True, by_choice=as_set)
     if clutch.sleeve is not None:
         returned = clutch.sleeve.torque_returning_min
         name, machine = term("least torque, friction falling under load"), float(clutch.machine_torque)
@@ -199,7 +196,8 @@ def _of_synthesis(clutch: Clutch, unit: SynthesisResult) -> Iterator[_Limit]:
         largest = max(clutch.spec.lists.balls or diameters())
         yield _Limit("no-standard-ball", term("ball needed"), say("2 r_ш ≤ largest of the list"), "m", needed, largest)
     else:
-        yield _Limit("ball-too-small", term("ball diameter"), "d_ш ≥ 2 r_ш", "m", diameter, needed, least=True)
+        name, chosen = term("ball diameter"), given(clutch.spec.control_unit).ball_diameter is None
+        yield _Limit("ball-too-small", name, "d_ш ≥ 2 r_ш", "m", diameter, needed, least=True, by_choice=chosen)
     if (limit := unit.undercut_radius) is not None:
         yield _Limit("wall-undercut", term("ball runs on the curved wall"), "r_ш < ρ_0", "m", diameter / 2, limit)
     if pitch is None:

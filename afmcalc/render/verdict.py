@@ -56,7 +56,7 @@ def verdict(check: "CheckResult", findings: Iterable[Finding]) -> Verdict:
     whole = required in ("none", "met") and checked == "passed"
     failed = required == "missed" or checked == "failed"
     used: list[tuple[float, bool | None, Utilisation | RequirementRow]] = [
-        *((limit.utilisation, limit.verdict == "pass", limit) for limit in check.limits if not limit.is_setting),
+        *((limit.utilisation, limit.verdict == "pass", limit) for limit in check.limits if not limit.by_choice),
         *((row.utilisation, row.passed, row) for row in check.requirements if row.utilisation is not None),
     ]
     limit = ""
