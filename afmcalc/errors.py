@@ -113,13 +113,13 @@ EXTRAS = {
 """Optional dependencies, as pip knows them → modules they bring."""
 
 
-def need(extra: str) -> None:
-    """Make sure that the modules of an extra are installed, without importing them.
+def need(extra: str, *modules: str) -> None:
+    """Make sure that the modules of an extra, or these of it, are installed, without importing them.
 
     Raises:
         AfmcalcError: one is missing; it says how to get it.
     """
-    missing = [name for name in EXTRAS[extra] if find_spec(name) is None]
+    missing = [name for name in modules or EXTRAS[extra] if find_spec(name) is None]
     if missing:
         raise AfmcalcError(
             "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",

@@ -108,7 +108,7 @@ def _report() -> Iterator[Key]:
 
     yield from (("", text) for text in (*words.REPORT.values(), *verdict.SENTENCES.values()))
     report = Path(words.__file__).parent
-    for page in (*report.glob("*.html"), *(report.parents[1] / "web").glob("*.html")):
+    for page in (*report.glob("*.html"), *report.glob("*.css"), *(report.parents[1] / "web").glob("*.html")):
         yield from (("", text) for text in re.findall(r'\b_\("([^"]+)"', page.read_text(encoding="utf-8")))
 
 

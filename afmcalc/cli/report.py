@@ -99,7 +99,8 @@ def handbook(
 
 def _write(common: Common, render: Callable[[], str], *, spec: str | None = None, pdf: bool) -> None:
     """Write a page, and print it to PDF if so wanted: both, or neither where the browser fails."""
-    from ..render.report.browser import find_browser, print_pdf
+    from ..render.report.browser import find_browser
+    from ..render.report.sheets import need_pdf, printed
 
     output = common.output
     html_only(output)
@@ -107,14 +108,15 @@ def _write(common: Common, render: Callable[[], str], *, spec: str | None = None
     if pdf:
         if output in (None, "-"):
             raise AfmcalcError("--pdf prints beside the HTML file: name that with -o FILE.html")
+        need_pdf()
         target, browser = f"{os.path.splitext(output)[0]}.pdf", find_browser()
     refuse(output, target, force=common.force, inputs=[spec])
     with common.bar() as bar:
         page = render()
         bar.advance("report", 1, 2 if browser else 1)
-        printed = print_pdf(browser, page) if browser else b""
+        pdf_bytes = printed(browser, page) if browser else b""
     common.write(page)
     if output not in (None, "-"):
         common.wrote(say("wrote {output}", output=output))
     if target:
-        common.save(printed, target)
+        common.save(pdf_bytes, target)

@@ -44,7 +44,9 @@ def render(handbook: Handbook) -> str:
     page = _Page(handbook)
     for chapter in page.chapters:
         chapter.html = page.set(chapter)
-    return template("handbook.html").render(chapters=page.chapters, language=spoken(), version=__version__)
+    return template("handbook.html").render(
+        chapters=page.chapters, language=spoken(), version=__version__, running=told("Handbook")
+    )
 
 
 class _Page:

@@ -50,7 +50,12 @@ def print_pdf(browser: str, page: str) -> bytes:
     with tempfile.TemporaryDirectory(prefix="afmcalc-") as folder:
         source, target = Path(folder, "report.html"), Path(folder, "report.pdf")
         source.write_text(page, encoding="utf-8")
-        printing = ["--no-pdf-header-footer", f"--print-to-pdf={target}", source.as_uri()]
+        printing = [
+            "--no-pdf-header-footer",
+            "--generate-pdf-document-outline",
+            f"--print-to-pdf={target}",
+            source.as_uri(),
+        ]
         try:
             code = subprocess.run(
                 [*arguments(browser, str(Path(folder, "profile"))), *printing],

@@ -17,12 +17,12 @@ def _a_day():
 
 
 @pytest.fixture(scope="session")
-def drawn(afmcalc, _a_day) -> Callable[[str], str]:
+def drawn(afmcalc, _a_day) -> Callable[..., str]:
     """The page of a shipped spec, with its drawings."""
 
     @functools.cache
-    def page(name: str) -> str:
-        run = afmcalc("report", CONFIGS / f"{name}.toml")
+    def page(name: str, *options: str) -> str:
+        run = afmcalc("report", CONFIGS / f"{name}.toml", *options)
         assert (run.code, run.err) == (0, "")
         return run.out
 

@@ -108,12 +108,10 @@ def test_on_paper(opened, drawn, tmp_path):
     text = subprocess.run(["pdftotext", "-layout", printed, "-"], capture_output=True, check=True).stdout.decode()
     pages = [lines_of(each) for each in text.split("\f")[:-1]]
     assert 5 <= len(pages) <= MOST_PAGES.get(name, 16)
-    assert [page[-1].replace(" ", "") for page in pages] == [
-        f"{number}/{len(pages)}" for number in range(1, len(pages) + 1)
-    ]
+    assert [page[-1] for page in pages] == [f"Sheet {number} of {len(pages)}" for number in range(1, len(pages) + 1)]
     source = drawn(name)
     plain = re.compile("<[^>]*>")
-    listed = [plain.sub("", each) for each in re.findall(r'<li>[\d.]+ <a href="#[a-z]+">(.*?)</a>', source)]
+    listed = [plain.sub("", each) for each in re.findall(r'<div>[\d.]+ <a href="#[a-z]+">(.*?)</a>', source)]
     assert "Contents" in pages[0]
     assert all(any(title in line for line in pages[0]) for title in listed)
     headings = [plain.sub("", each).split(None, 1)[-1] for each in re.findall(r"<h[234]>(.*?)</h[234]>", source)]
