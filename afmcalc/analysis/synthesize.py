@@ -12,10 +12,10 @@ from ..equations.calls import unnoted
 from ..errors import given
 from ..findings import Finding, finding
 from ..messages import say
-from ..result import Answer, described, quantity
+from ..result import Answer, Sentence, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_key
-from ..spec.lists import diameters, next_size
+from ..spec.lists import ball_designation, diameters, next_size
 from ..spec.models import ControlUnit
 from .wall import DEFAULT_CLEARANCE, Basis, WallPoint, clearances, contact_of, places_along, wall_of
 
@@ -41,6 +41,9 @@ class SynthesisResult(Answer):
         "m", "ρ_0", "radius of a ball that undercuts the curved wall: all smaller ones run on it", optional=True
     )
     ball_diameter_standard: float | None = quantity("m", "d_ш", "ball chosen: given, or the next standard one")
+    ball_designation: Sentence | None = described(
+        "how the ball is ordered; its grade is for the drawing to say", optional=True
+    )
     edge_clearance_standard: float | None = quantity("m", "y_st", "clearance with the ball chosen")
     pocket_depth: float = quantity(
         "m", "h_1", "pocket depth to the virtual apex, for the ball chosen (the smallest where none is)"
@@ -132,6 +135,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         edge_clearance=clearance,
         ball_radius=smallest,
         ball_diameter_standard=chosen,
+        ball_designation=None if chosen is None else ball_designation(chosen),
         edge_clearance_standard=None if chosen is None else wall.clearance(travel),
         pocket_depth=depth,
         pocket_depth_cut=law.pocket_depth_cut(wall.ball_radius, gap),

@@ -163,7 +163,7 @@ class ShopSheet:
             (50, 20, 15, 5, block.date), (0, 40, 65, 15, block.project), (0, 25, 65, 15, block.revision),
             (65, 40, 120, 15, block.drawing),
             (65, 27, 70, 13, named(spec.name)), (65, 15, 70, 12, self.title), (65, 0, 70, 15, self.material),
-            (135, 35, 25, 5, translate("Mass, kg")), (135, 20, 25, 15, self.mass or "–"),
+            (135, 35, 25, 5, translate("Mass (kg)")), (135, 20, 25, 15, self.mass or "–"),
             (160, 35, 25, 5, translate("Scale")), (160, 20, 25, 15, _stated(self.scale)),
             (135, 15, 50, 5, translate("Sheet 1 of 1")), (135, 0, 50, 15, block.organisation),
         ]  # fmt: skip
@@ -397,10 +397,18 @@ def section(clutch: ClutchSection, spec: Spec) -> bytes:
                         sheet.circle(layer.upper(), centre, each)
                 case shapes.Inscription(text, at, anchor, upright):
                     align = {"start": "LEFT", "middle": "CENTER", "end": "RIGHT"}[anchor]
-                    sheet.text(text.replace("_", ""), at, letter / sheet.unit, align=align, turn=90.0 * upright)
+                    sheet.text(
+                        text.replace("_", "").replace("Ø ", "Ø"),
+                        at,
+                        letter / sheet.unit,
+                        align=align,
+                        turn=90.0 * upright,
+                    )
                 case shapes.DimensionLine(label=label, start=start, end=end, line=line, upright=upright):
                     base, angle = ((line, 0.0), 90) if upright else ((0.0, line), 0)
-                    sheet.dimension("linear_dim", base, start, end, text=label.replace("_", ""), angle=angle)
+                    sheet.dimension(
+                        "linear_dim", base, start, end, text=label.replace("_", "").replace("Ø ", "Ø"), angle=angle
+                    )
 
     pens = {name.upper(): Pen(shapes.LAYERS[name].about, *pen) for name, pen in _OF_SECTION.items()}
     return written(sheet, pens, draw)

@@ -42,6 +42,8 @@ def notes(drawing: ShopDrawing) -> list[str]:
             "pocket {width:.4f mm} wide at the face, cut to {depth:.4f mm}; ball {ball:.4f mm}, gap {gap:g mm}",
             width=ball.pocket_width, depth=ball.pocket_depth_cut, ball=ball.ball_diameter, gap=ball.face_gap,
         ),
+        *([told("{ball}, of a grade for the designer to set", ball=ball.ball_designation)]
+            if ball.ball_designation else []),
         wall,
         told("relief under the ball {groove:.4g mm} wide and {relief:g mm} deep, corners R {corner:g mm} at most: "
             "the ball touches the walls only", groove=drawing.sleeve.groove, relief=drawing.sleeve.relief,

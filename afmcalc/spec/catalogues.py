@@ -25,6 +25,8 @@ class Disc(NamedTuple):
     """Force printed in the standard, at ¾ of the cone height, N."""
     source: str = ""
     """Of a list of one's own."""
+    designation: str = ""
+    """As one's own list has it, such as by a standard of one's country."""
 
     @property
     def name(self) -> str:
@@ -34,6 +36,8 @@ class Disc(NamedTuple):
     @property
     def title(self) -> str:
         """As a list of parts calls it."""
+        if self.designation:
+            return self.designation
         return f"{self.name} ({self.source})" if self.source else f"DIN EN 16983 {self.name}"
 
     @property

@@ -5,6 +5,7 @@ import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from csv import DictReader
+from decimal import Decimal
 from importlib.resources import files
 from os import PathLike
 from typing import Annotated, Any, Literal, TypeVar
@@ -61,6 +62,8 @@ class _MaterialRow(_Row):
 class _DiscRow(_Row, DiscSpring):
     """A cone that does not snap through, as a stack in a spec is one."""
 
+    designation: Name = key("as a list of parts calls it", default="")
+
 
 R = TypeVar("R", bound=_Row)
 
@@ -103,7 +106,7 @@ def _rows(source: Source, table: str, model: type[R]) -> Iterator[R]:
             row = model.model_validate(columns)
         except ValidationError as error:
             raise SpecError(label, *problems_in(error, columns, model)) from None
-        names = {plain(each) for each in (name, *getattr(row, "also", ()))}
+        names = {plain(each) for each in (name, *getattr(row, "also", ()), getattr(row, "designation", "") or name)}
         if not name or taken & names:
             why = say("every row has a name of its own, which no other row has")
             raise AfmcalcError("{label}: {why}", label=label, why=why)
@@ -197,6 +200,14 @@ def _diameter(item: object, label: str) -> float:
 def next_size(sizes: Sequence[float], wanted: float) -> float | None:
     """Smallest size not below the wanted one; None when the list ends before it."""
     return next((size for size in sizes if size >= wanted * (1 - 1e-12)), None)
+
+
+def ball_designation(diameter: float) -> str | None:
+    """What a ball is ordered as, but for its grade; None of a size that is no standard one."""
+    # inch sizes to three decimals, in specs as in lists of balls: 11.1125 is 11.112, 20.6375 is 20.638
+    sizes = (float(Decimal(f"{size * 1e3:.9g}").quantize(Decimal("0.001"))) for size in diameters())
+    size = next((size for size in sizes if abs(diameter * 1e3 - size) < 1e-3), None)
+    return None if size is None else say("ball {diameter:.6g} mm, ISO 3290-1", diameter=size)
 
 
 _READ: dict[str, Any] = {"materials": friction_materials, "discs": discs, "balls": diameters}

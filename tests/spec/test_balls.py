@@ -3,7 +3,8 @@
 import pytest
 
 from afmcalc.errors import AfmcalcError
-from afmcalc.spec.lists import diameters
+from afmcalc.messages import language, speaking, translate
+from afmcalc.spec.lists import ball_designation, diameters
 
 INCH = 25.4
 PRINTED = 5e-6
@@ -73,3 +74,27 @@ def test_what_is_no_list(tmp_path, name, text, says):
     with pytest.raises(AfmcalcError, match=says) as raised:
         diameters(tmp_path / name)
     assert name in str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("size", "english", "russian"),
+    [
+        (25, "ball 25 mm, ISO 3290-1", "Шарик 25 ГОСТ 3722-2014"),
+        (20.6375, "ball 20.638 mm, ISO 3290-1", "Шарик 20,638 ГОСТ 3722-2014"),
+        (20.638, "ball 20.638 mm, ISO 3290-1", "Шарик 20,638 ГОСТ 3722-2014"),
+        (5.55625, "ball 5.556 mm, ISO 3290-1", "Шарик 5,556 ГОСТ 3722-2014"),
+    ],
+)
+def test_a_standard_ball_is_named_as_it_is_ordered(size, english, russian):
+    named = ball_designation(size / 1000)
+    assert named == english
+    with speaking(language("ru")):
+        assert translate(named) == russian
+
+
+def test_only_a_standard_ball_has_a_designation(afmcalc):
+    assert ball_designation(0.0251) is None
+    for sizes, shown in (("25", True), ("25.1", False)):
+        told = afmcalc("--lang", "ru", "synthesize", "--set", f"control_unit.ball_diameter={sizes} mm").out
+        assert ("Шарик 25 ГОСТ 3722-2014" in told) is shown
+        assert ("степень точности – по чертежу" in told) is shown

@@ -194,6 +194,22 @@ def test_paths_are_relative_to_the_file_that_names_them(tmp_path, afmcalc, monke
     assert json.loads(by_option.out)["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
 
 
+def test_a_disc_of_ones_own_is_called_by_its_designation(tmp_path, afmcalc):
+    heading, *rows = DISCS.splitlines()
+    listed = "\n".join([f"{heading},designation", f"{rows[0]},Пружина 50х25 ТУ 1", f"{rows[1]},"])
+    path = file(tmp_path, "discs.csv", listed)
+    assert [each.title for each in discs(path)] == ["Пружина 50х25 ТУ 1", "X 60 (Maker's list)"]
+    asked = "springs", CONFIGS / "default.toml", "--discs", path, "--kind", "disc"
+    parts = [each["part"] for each in json.loads(afmcalc(*asked, "--json").out)["result"]["closing"]]
+    number = parts.index("Пружина 50х25 ТУ 1") + 1
+    sprung = tmp_path / "sprung.toml"
+    assert afmcalc(*asked, "--pick", number, "-o", sprung).code == 0
+    assert "Пружина 50х25 ТУ 1" in afmcalc("springs", sprung).out
+    twice = file(tmp_path, "twice.csv", f"{listed}Пружина 50х25 ТУ 1")
+    with pytest.raises(AfmcalcError, match="X 60: every row has a name of its own"):
+        discs(twice)
+
+
 def test_disc_springs_of_ones_own(tmp_path, afmcalc):
     path = file(tmp_path, "discs.csv", DISCS)
     first, second = discs(path)

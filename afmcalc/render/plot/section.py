@@ -7,6 +7,7 @@ from ...analysis.section import Box, ClutchSection, DrawnPart, MainDimension
 from ...findings import finding
 from ...messages import term, told, translate
 from ...spec.keys import keys
+from ...spec.lists import ball_designation
 from .. import drawing as draw
 from ..units import display, measured
 from .chart import Sheet, stated
@@ -18,7 +19,7 @@ _INSIDE, _OUTSIDE = ("bore", "hub", "ball_circle"), ("inner_diameter", "outer_di
 """Diameters with their dimensions to the left and to the right of the section."""
 _LEFT, _BETWEEN, _RIGHT, _ROW = 58.0, 62.0, 6.0, 13.0
 """Points beside and between the views, and for a row of dimensions or of the part list."""
-_COLUMNS = (0.0, 24.0, 165.0, 207.0, 350.0, 405.0)
+_COLUMNS = (0.0, 27.0, 157.0, 191.0, 358.0, 413.0)
 """Where the columns of the part list begin, points."""
 
 
@@ -185,11 +186,13 @@ def _numbers(section: ClutchSection, length: float, y: float, point: float) -> I
 
 def _part_list(section: ClutchSection) -> list[list[str]]:
     """Write heads, a row for each part, and the mass of all whose mass is known."""
-    rows = [[*map(translate, ("No.", "Part", "Count", "Size, mm", "Mass, kg", "Sizes"))]]
+    rows = [[*map(translate, ("Item", "Part", "Count", "Size, mm", "Mass, kg", "Sizes"))]]
     for part in section.parts.values():
         row, long = part.row, _mm(part.row.right - part.row.left)
         inner = f"/{_mm(row.inner_diameter)}" if row.inner_diameter else ""
-        size = f"Ø {long}" if part.name == "balls" else f"Ø {_mm(row.outer_diameter)}{inner} × {long}"
+        size = f"Ø {_mm(row.outer_diameter)}{inner} × {long}"
+        if part.name == "balls":
+            size = translate(ball_designation(row.right - row.left) or f"Ø {long}")
         origin = translate("default *") if part.assumed else translate("given")
         mass = display(row.mass, "kg") if row.mass else "–"
         rows.append([str(part.number), translate(part.name, "value"), str(part.pieces), size, mass, origin])
