@@ -13,7 +13,11 @@ from sources import FILES, nodes
 from texts import texts
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
+from afmcalc.messages import language, speaking, translate
 from afmcalc.papers import FIGURES
+from afmcalc.papers.register import data, misprints
+from afmcalc.render.symbols import native
+from afmcalc.render.units import worded
 from afmcalc.variants import VARIANTS
 
 EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)
@@ -300,3 +304,18 @@ def test_streams_that_have_not_all_letters(encoding, afmcalc, russian):
     spec = afmcalc("init", "-", encoding=encoding).out
     assert spec == afmcalc("init", "-").out
     assert afmcalc("torque", "-", stdin=spec).code == 0
+
+
+def test_what_s22_prints_keeps_its_symbol_and_all_else_has_another(russian):
+    """T_ср is in S22 the torque at actuation, in S19 that at mean friction; here the former is T_сраб."""
+    with speaking(language("ru")):
+        of_s22 = [each for each in misprints() if each.where.startswith("S22")]
+        printed = [native(f"«{translate(each.printed)}»") for each in of_s22]
+        ours = [translate(text or "") for each in of_s22 for text in (each.correct, each.why, each.reading)]
+        claims = [claim for claim in data("claims.toml")["claim"] if "S22" in claim["source"]]
+        ours += [worded(claim.get(part, "")) for claim in claims for part in ("why", "inputs", "correction")]
+        printed += [worded(claim["printed"]) for claim in claims]
+    assert "T_ср" in str(printed)
+    assert "T_сраб" not in str(printed)
+    assert "T_сраб" in str(ours)
+    assert not [text for text in ours if re.search(r"T_ср\b", re.sub("«[^»]*»", "", text))]

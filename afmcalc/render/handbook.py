@@ -158,7 +158,9 @@ class _Page:
         rows = [
             (
                 row.id,
-                *map(worded, (row.source, row.inputs, row.printed, row.computed)),
+                *map(worded, (row.source, row.inputs)),
+                symbol(worded(row.printed), ours=False),
+                worded(row.computed),
                 worded(row.verdict) + (f" ({worded(row.correction)})" if row.correction else ""),
                 worded(row.why),
             )

@@ -25,8 +25,13 @@ def split(text: str, ours: bool = True) -> list[tuple[str, bool]]:
 
 
 def native(text: str) -> str:
-    """Set symbols as people of the user's language write them: ``f_наст`` for ``f_set``, ``tg α`` for ``tan α``."""
-    return text if spoken() == "en" else _SYMBOL.sub(_native, text)
+    """Set symbols as people of the user's language write them: ``f_наст`` for ``f_set``, ``tg α`` for ``tan α``.
+
+    What is quoted, in «», stays as it is printed.
+    """
+    if spoken() == "en":
+        return text
+    return "".join(part if part[:1] == "«" else _SYMBOL.sub(_native, part) for part in _QUOTED.split(text))
 
 
 def _native(symbol: re.Match[str]) -> str:
@@ -34,6 +39,7 @@ def _native(symbol: re.Match[str]) -> str:
     return whole if whole != symbol[0] else _WORD.sub(lambda word: translate(word[0], "symbol"), whole)
 
 
+_QUOTED = re.compile("(«[^»]*»)")
 _SYMBOL = re.compile(
     r"\b\w+ wanted|(?<![^\W_])(?:[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*|(?:arc)?tanh?|cot)(?![^\W_])| or (?=κ)"
 )

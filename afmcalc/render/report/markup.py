@@ -13,11 +13,13 @@ from ..symbols import split
 
 
 def symbol(text: str, ours: bool = True) -> Markup:
-    """Set a symbol with subscripts; what is quoted is not ``ours``.
+    """Set a symbol with subscripts; what is quoted is not ``ours``, and what is set already stays.
 
     >>> symbol("T_н < 1")
     Markup('T<sub>н</sub> &lt; 1')
     """
+    if isinstance(text, Markup):
+        return text
     lower = Markup("<sub>{}</sub>").format
     pieces: list[Any] = [lower(piece) if low else escape(piece) for piece, low in split(text, ours)]
     return Markup("").join(pieces)
