@@ -122,7 +122,7 @@ FINDINGS: Mapping[str, str] = {
     "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
     "strength {limit:.4g MPa}: the shaft fails at once",
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
-    "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
+    "band at equal mean costs no life (misprint M23); --model amplitude or goodman counts it",
     # machine and shaft
     "service-factor-assumed": "{path} is not given: {value:g} is taken, for a machine without shocks",
     "machine-not-driven": "at some friction the clutch carries {value:.5g N·m}, less than the {limit:.5g N·m} that the "

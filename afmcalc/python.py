@@ -139,7 +139,7 @@ class Clutch:
         return self._ask("synthesize", balls)
 
     def tolerance(self, *, threads: int | None = None) -> "ToleranceResult":
-        """Torque over tolerances and scatter: quantiles, risks, life, Sobol indices."""
+        """Torque over tolerances and scatter: quantiles, risks, life, what scatters most."""
         return self._ask("tolerance", threads=threads)
 
     @typing.overload

@@ -26,8 +26,10 @@ class AccuracySweep(Series):
 class AccuracyResult(Answer):
     """Accuracy of the clutch over its friction range."""
 
-    accuracy_factor: float = quantity("1", "K_т", "accuracy factor along the common path of f_1 and f_2")
-    accuracy_factor_worst_case: float = quantity("1", "K_т,w", "accuracy factor with f_1 and f_2 independent")
+    accuracy_factor: float = quantity("1", "K_т", "accuracy factor, friction of all pairs moving together")
+    accuracy_factor_worst_case: float = quantity(
+        "1", "K_т,w", "accuracy factor, f_1 of the bypass and f_2 of the other pairs independent"
+    )
     accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks (upper bound)")
     accuracy_factor_hysteresis: float | None = quantity(
         "1", "K_т,h", "accuracy factor under a load that lasts, T_max/T_ret,min", optional=True
@@ -44,7 +46,7 @@ class AccuracyResult(Answer):
     nominal_torque_ratio: float | None = quantity(
         "1",
         "K_п",
-        "nominal torque of the clutch against the base clutch of equal spring and gain, all pairs controlled",
+        "nominal torque over that of the base clutch with equal spring and gain, all pairs controlled",
         optional=True,
     )
     slope_in_ratio_max: float | None = quantity(
@@ -87,7 +89,8 @@ def accuracy(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[AccuracyResul
         constant_torque_slope=sleeve and sleeve.constant_torque_slope,
         nominal_torque_ratio=sleeve and sleeve.nominal_torque_ratio,
         **_slopes(clutch, pairs),
-        sensitivity=clutch.sensitivity(),
+        # what is left by rounding is nothing
+        sensitivity={name: 0.0 if abs(slope) < 1e-12 else slope for name, slope in clutch.sensitivity().items()},
         sweep=swept,
     )
     return result, [*clutch.findings(), *_findings(clutch, swept), *replaced(clutch.spec, sweeps)]

@@ -41,11 +41,11 @@ class AdjustResult(Answer):
     force_ratio: float | None = quantity(
         "1", "F_п1/F_п2", "spring force set at f_min over that set at the mean friction, without margin", optional=True
     )
-    scatter_ratio: float | None = quantity("1", "ΔT_2/ΔT_1", "band of mean-friction over that of min-friction")
-    scatter_difference: float = quantity("N*m", "ΔT_2−ΔT_1", "band of mean-friction less that of min-friction")
+    scatter_ratio: float | None = quantity("1", "ΔT_2/ΔT_1", "band set at the mean friction over that set at f_min")
+    scatter_difference: float = quantity("N*m", "ΔT_2−ΔT_1", "band set at the mean friction less that set at f_min")
     narrower: Literal["min-friction", "mean-friction", "equal"] = described("method with the narrower band")
     pairs_threshold: float | None = quantity(
-        "1", "z_lim", "pairs above which min-friction is narrower, S19 (12)", optional=True
+        "1", "z_lim", "number of pairs above which the band set at f_min is the narrower, S19 (12)", optional=True
     )
     pairs_threshold_at_gain_limit: float | None = quantity(
         "1", "z_lim(C_max)", "the same at the gain limit 1/(z_1 f_max), S19 (13)", optional=True

@@ -87,7 +87,9 @@ class OverloadCurve(ClutchCurve):
     friction: list[float] = quantity("1", "f", "coefficient of friction")
     expected_torque: list[float] = quantity("N*m", "T_муф", "expected slip torque")
     actuation_torque_published: list[float] = quantity("N*m", "T_ср", "actuation torque as published, S22 (14)")
-    actuation_torque_equilibrium: list[float] = quantity("N*m", "T_eq", "actuation torque at equilibrium (M12)")
+    actuation_torque_equilibrium: list[float] = quantity(
+        "N*m", "T_eq", "actuation torque at equilibrium, without misprint M12"
+    )
     potential_torque: list[float] = quantity("N*m", "T_п", "potential torque at T_н.маш, upper end of the trip bracket")
     machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
     margin: float = quantity("1", "β_н", "torque margin")
@@ -95,7 +97,7 @@ class OverloadCurve(ClutchCurve):
     bypass_pairs: int = quantity("1", "z_1", "pairs that bypass the control unit")
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain of the clutch")
     optimal_reduced_gain: float = quantity(
-        "1", "(zC)_opt", "reduced gain 1/f_max, best by the published T_ср; at equilibrium there is none"
+        "1", "(zC)_opt", "reduced gain that is most accurate by the published T_ср, 1/f_max; by T_eq none is"
     )
 
 

@@ -46,7 +46,7 @@ def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
         SpecError: the spec has no envelope.
     """
     if clutch.spec.envelope is None:
-        message = say("required by layout: the space there is, and what is how thick")
+        message = say("required by layout: a table of the space there is and of thicknesses, as in example:envelope")
         raise clutch.spec.refused("envelope", message)
     parts = parts_of(sizes_of(clutch))
     result = LayoutResult(

@@ -38,7 +38,9 @@ class OverloadPoint(Result):
     expected_torque: float = quantity("N*m", "T_муф", "expected slip torque")
     load_rise: float = quantity("N*m", "ΔT'", "load rise until slip")
     actuation_torque_published: float = quantity("N*m", "T_ср", "actuation torque as published, S22 (14)")
-    actuation_torque_equilibrium: float = quantity("N*m", "T_eq", "actuation torque at equilibrium (M12)")
+    actuation_torque_equilibrium: float = quantity(
+        "N*m", "T_eq", "actuation torque at equilibrium, without misprint M12"
+    )
     actuation_factor: float = quantity("1", "A", "published over expected actuation torque")
 
 
@@ -59,8 +61,10 @@ class OverloadResult(Answer):
     nominal_torque: float = quantity("N*m", "T_н.муф", "nominal torque of the clutch, at f_min")
     machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
     margin: float = quantity("1", "β_н", "torque margin")
-    potential_torque: Triple = quantity("N*m", "T_п", "potential torque at T_н.маш; upper end of the trip bracket")
-    expected_torque: Triple = quantity("N*m", "T_муф", "expected slip torque; lower end of the trip bracket")
+    potential_torque: Triple = quantity(
+        "N*m", "T_п", "potential torque: what the clutch could carry while T_н.маш loads it; it trips at most here"
+    )
+    expected_torque: Triple = quantity("N*m", "T_муф", "expected slip torque; the clutch trips at least here")
     potential_torque_gain: Triple | None = quantity(
         "N*m",
         "T'_п − T_п",
@@ -69,13 +73,15 @@ class OverloadResult(Answer):
     )
     load_rise: Triple = quantity("N*m", "ΔT'", "load rise until slip")
     actuation_torque_published: Triple = quantity("N*m", "T_ср", "actuation torque as published, S22 (14)")
-    actuation_torque_equilibrium: Triple = quantity("N*m", "T_eq", "actuation torque at equilibrium (M12)")
+    actuation_torque_equilibrium: Triple = quantity(
+        "N*m", "T_eq", "actuation torque at equilibrium, without misprint M12"
+    )
     actuation_factor: Triple = quantity("1", "A", "published over expected actuation torque")
     friction_interval: list[float] | None = quantity(
-        "1", "f (17)", "friction where published < expected, within the range", optional=True
+        "1", "f (17)", "friction at which T_ср < T_муф, S22 (17), within the range", optional=True
     )
     optimal_reduced_gain: float = quantity(
-        "1", "(zC)_opt", "reduced gain 1/f_max, best by the published T_ср; at equilibrium there is none"
+        "1", "(zC)_opt", "reduced gain that is most accurate by the published T_ср, 1/f_max; by T_eq none is"
     )
     accuracy_factor_expected: float = quantity("1", "K_т,exp", "expected accuracy factor, S22 (18)")
     accuracy_factor_actual: float = quantity("1", "K_т,act", "actual accuracy factor with the published T_ср, S22 (19)")

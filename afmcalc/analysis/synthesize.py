@@ -70,7 +70,7 @@ class SynthesisResult(Answer):
         "Pa", "p_0", "largest contact pressure of ball and wall (Hertz)", optional=True
     )
     gain_at_least_contact_force: float | None = quantity(
-        "1", "C_Fn", "gain of the least contact force at equal spring force; beyond it F_n grows", optional=True
+        "1", "C_Fn", "gain at which the same spring presses least on a ball; above it F_n grows", optional=True
     )
 
     wall: list[WallPoint] | None = described(

@@ -94,7 +94,7 @@ def overload(
     *,
     common: Common,
 ) -> None:
-    """Potential and actuation torque with a torque margin (S22).
+    """Torque at which a clutch with a torque margin trips: potential, expected, actuation (S22).
 
     At a friction asked for also the potential torque as the load rises from the machine's nominal torque up to slip.
 

@@ -66,7 +66,7 @@ def tolerance(
     *,
     common: Common,
 ) -> None:
-    """Torque over tolerances and scatter: quantiles, risks, life, Sobol indices.
+    """Torque over tolerances and scatter: quantiles, risks, life, what scatters most.
 
     What scatters stands in the [tolerance] block of the spec; afmcalc init --kind tolerance writes an example.
 

@@ -107,7 +107,8 @@ def _afmcalc(
     SPEC is a TOML or JSON file, - for standard input; without it one that ships is used, and a note says which.
     A file that exists is replaced only with --force (-f), whatever wrote it.
     Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written. Only check
-    judges: other commands print an error-level finding and exit with 0.
+    judges: other commands print an error-level finding and exit with 0. Papers: F11 is Fokin and others 2011; S19, S21,
+    S22 Shishkarev 2019, 2021, 2022; M with a number is a misprint in them (afmcalc equations --misprints).
     """  # noqa: D301
 
 

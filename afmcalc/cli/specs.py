@@ -134,7 +134,7 @@ def check(
     *,
     common: Common,
 ) -> None:
-    """Findings only; exit code 1 if one is an error.
+    """Verdict, requirements, limits and findings; exit code 1 if one is an error.
 
     \b
     afmcalc check clutch.toml && echo fine

@@ -121,7 +121,11 @@ def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
     shown = [column for column in table.columns if not (column.hidden or (long and column.shown.detail))]
     shown, legend = _folded(shown) if table.shown.folds else (shown, "")
-    meanings = [f"{native(translate(column.symbol))}: {column.name}" for column in shown if column.symbol]
+    meanings = [
+        f"{native(translate(column.symbol))}: {column.name}"
+        for column in shown
+        if column.symbol and column.name != table.title
+    ]
     texts = [cells(column) for column in shown]
     return TextTable(
         table.title[:1].upper() + table.title[1:],

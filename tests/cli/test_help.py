@@ -4,12 +4,13 @@ import os
 import pty
 import re
 import select
+import shlex
 import shutil
 import subprocess
 import sys
 
 import pytest
-from conftest import ROOT
+from conftest import CONFIGS, ROOT
 
 from afmcalc.cli.help import FILES, SECTIONS, example_lines, names_of
 from afmcalc.cli.main import COMMANDS
@@ -48,6 +49,32 @@ def test_examples_are_whole_on_any_terminal(command, width, afmcalc, monkeypatch
     assert "..." not in shown.replace("[SPEC]...", "").replace("[ARGS]...", "").replace("v2,...", "").replace(
         "S22-3, ...", ""
     ).replace("[...]", "")
+
+
+NEEDS = dict.fromkeys(("heat", "simulate", "effects"), "drive") | {"layout": "envelope"}
+NEEDS |= {"tolerance": "tolerance", "plot": "tolerance"}
+"""What stands for clutch.toml in the examples of a command, where it takes more than the default one."""
+
+
+@pytest.mark.parametrize("command", [each for each in COMMANDS if each != "serve"])
+def test_every_example_of_a_help_runs(command, afmcalc, tmp_path, monkeypatch):
+    there = {"drive": "drive", "requirements": "requirements", "a": "default", "b": "all-driving"}
+    if command not in ("init", "design"):  # which write it
+        there["clutch"] = NEEDS.get(command, "default")
+    listed = "name,description,condition,friction_min,friction_max,source\nX,pad,dry,0.2,0.3,test\n"
+    lines = [line.strip().partition("  ")[0] for line in _function(command).__doc__.splitlines()]
+    for number, example in enumerate(line for line in lines if line.startswith("afmcalc ") and "--pdf" not in line):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        monkeypatch.chdir(folder)
+        for name, config in there.items():
+            shutil.copy(CONFIGS / f"{config}.toml", f"{name}.toml")
+        (folder / "own.csv").write_text(listed, encoding="utf-8")
+        out = ""
+        for part in example.partition(" > ")[0].partition(" && ")[0].split(" | "):
+            run = afmcalc(*shlex.split(part)[1:], stdin=out)
+            assert run.code == 0, (part, run.err)
+            out = run.out
 
 
 def _function(command):

@@ -48,7 +48,7 @@ class SpringOption(Result):
     stiffness: float = quantity("N/m", "c", "stiffness as set")
     deflection: float = quantity("m", "s", "deflection as set", detail=True)
     length_set: float = quantity("m", "L", "length as set")
-    length: float = quantity("m", "L_1", "largest length in service, let go as far as it is")
+    length: float = quantity("m", "L_1", "largest length in service, at the least deflection")
     free_length: float = quantity("m", "L_0", "length without load", detail=True)
     used_low: float = quantity("1", "s_1/s_c", "least deflection in service over that pressed flat or solid")
     used_high: float = quantity("1", "s_2/s_c", "largest deflection in service over that pressed flat or solid")

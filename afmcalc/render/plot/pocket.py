@@ -32,7 +32,10 @@ def _caption(section: PocketSection) -> str:
             circle=stated("r", synthesis.ball_circle_radius, "m"), smallest=stated("r_ш", synthesis.ball_radius, "m"),
         ),
         _ball(synthesis),
-        translate("Cut to h_c, where the ball ends; h_1 is to the virtual apex of the walls."),
+        translate(
+            "Cut to h_c, where the ball ends; h_1 is to the virtual apex of the walls. The groove under the ball is "
+            "left out here: drawings for the shop (.dxf, .svg) have it."
+        ),
     ]  # fmt: skip
     if synthesis.contact_force is not None:
         sentences.append(told("On one ball {force}.", force=stated("F_n", synthesis.contact_force, "N")))
