@@ -6,11 +6,13 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 
 from ...errors import AfmcalcError
+from ...messages import say, translate
 from ...spec import Spec
 from ...spec.make import validated
 from ...spec.models import TitleBlock
-from ...spec.parse import parse
+from ...spec.parse import BUILT_IN, parse
 from ...spec.source import Source
+from ...spec.write import annotated
 
 
 def title_block(spec: Spec, entries: Mapping[str, str | None]) -> TitleBlock:
@@ -21,8 +23,14 @@ def title_block(spec: Spec, entries: Mapping[str, str | None]) -> TitleBlock:
 
 
 def text_as_given(source: Source) -> str:
-    """Return the text of a spec; of a command's JSON that of its spec block."""
+    """Return the text of a spec; of a command's JSON that of its spec block.
+
+    One that ships has its comments in the language of the user, and says so.
+    """
     text = source.text
+    ships = source.name is BUILT_IN or source.startswith("example:")
+    if ships and (shown := annotated(text)) != text:
+        text = translate(say("# {file}, its comments translated", file=source.name)) + f"\n{shown}"
     if text.lstrip().startswith("{"):
         text = json.dumps(parse(source), indent=2, ensure_ascii=False)
     return text.strip("\n")

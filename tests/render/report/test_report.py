@@ -94,6 +94,23 @@ def test_a_spec_named_script_stays_text(framed, tmp_path, parsed):
     assert f"# {EVIL} </pre>" in text_of(tree.find(".//pre"))
 
 
+def test_comments_of_a_file_that_ships_are_translated_and_a_users_own_are_not(undrawn, afmcalc, parsed, tmp_path):
+    def source(*given):
+        return text_of(parsed(afmcalc("--lang", "ru", "report", *given, "--with-source").out).find(".//pre"))
+
+    english = (CONFIGS / "indirect.toml").read_text(encoding="utf-8")
+    own = tmp_path / "own.toml"
+    own.write_text(english, encoding="utf-8")
+    assert source(own).strip() == english.strip()
+    first, *shipped = source("example:indirect").strip().splitlines()
+    assert first == "# example:indirect, комментарии переведены"
+    keys = [[line.partition("  #")[0] for line in text if not line.startswith(("#", "name"))] for text in
+            (shipped, english.splitlines())]  # fmt: skip
+    assert keys[0] == keys[1]
+    assert "springs" not in "".join(shipped).split("[friction]")[0]
+    assert source().startswith("# встроенная муфта, комментарии переведены")
+
+
 OVERDONE = (CONFIGS / "default.toml", "--set", "C=2", "--set", "control_unit.allowable_contact_force=100")
 
 
