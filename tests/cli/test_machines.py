@@ -8,6 +8,7 @@ import tomllib
 import pytest
 from conftest import CONFIGS, PICKED
 
+from afmcalc.analysis.design.design import design
 from afmcalc.analysis.handbook import chapter_texts
 
 CHAPTER = next(text for text in chapter_texts("en").values() if text.startswith("# Three machines"))
@@ -29,6 +30,20 @@ def patient(monkeypatch):
     monkeypatch.setattr("afmcalc.progress.LONG", 3600.0)
 
 
+@pytest.fixture
+def calculated_once(monkeypatch):
+    """A design that is asked for twice is calculated once."""
+    known = {}
+
+    def remembered(need, **options):
+        asked = need.model_dump_json(), str(options)
+        if asked not in known:
+            known[asked] = design(need, **options)
+        return known[asked]
+
+    monkeypatch.setattr("afmcalc.analysis.design.design.design", remembered)
+
+
 def lines(script, afmcalc):
     """Run the lines of a script; what each left."""
     return [afmcalc(*shlex.split(line)[1:]) for line in script.splitlines()]
@@ -40,11 +55,12 @@ def test_the_way(afmcalc, undrawn, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("name", MACHINES)
-def test_from_plate_to_dxf(name, afmcalc, undrawn, tmp_path, monkeypatch):
+def test_from_plate_to_dxf(name, afmcalc, undrawn, calculated_once, tmp_path, monkeypatch):
     (script,) = (each for each in SCRIPTS if f"example:{name} " in each)
     monkeypatch.chdir(tmp_path)
     runs = lines(script, afmcalc)
     assert [run.code for run in runs] == [0] * len(runs), [run.err for run in runs]
+    the_clutch_that_ships_is_the_one_picked(name, (tmp_path / f"{name}.toml").read_text(encoding="utf-8"))
     check = afmcalc("check", f"{name}.toml", "--json").json
     warned = {each["code"] for each in check["findings"] if each["level"] == "warning"}
     assert warned == (UNAVOIDABLE if name == "conveyor" else set())
@@ -64,12 +80,7 @@ def test_from_plate_to_dxf(name, afmcalc, undrawn, tmp_path, monkeypatch):
     assert drawing.rstrip().endswith("EOF")
 
 
-@pytest.mark.parametrize("name", MACHINES)
-def test_the_clutch_that_ships_is_the_one_picked(name, afmcalc, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    (pick,) = re.findall(rf"design example:{name} --pick (\w+)", CHAPTER)
-    assert afmcalc("design", f"example:{name}", "--pick", pick, "-o", "picked.toml", "-q").code == 0
-    picked = (tmp_path / "picked.toml").read_text(encoding="utf-8")
+def the_clutch_that_ships_is_the_one_picked(name, picked):
     shipped = CONFIGS / f"{name}-clutch.toml"
     about, _, _ = shipped.read_text(encoding="utf-8").partition("\n")
     if os.environ.get("AFMCALC_UPDATE"):

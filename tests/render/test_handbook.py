@@ -2,7 +2,6 @@
 
 import os
 import re
-import sys
 import tomllib
 from contextlib import suppress
 from html.parser import HTMLParser
@@ -51,16 +50,24 @@ def page(request):
 @pytest.mark.every(2)
 def test_uses_are_those_of_the_program():
     """Commands are run on clutches, reproduce on the papers, proofs on their symbols; the equations passed are noted."""
-    codes = {equation.function.__wrapped__.__code__: name for name, equation in equations().items()}
     uses = {name: {"commands": set(), "proofs": set()} for name in equations()}
     kind, user = "commands", ""
 
-    def watch(frame, event, _):
-        if event == "call" and user and frame.f_code in codes:
-            uses[codes[frame.f_code]][kind].add(user)
+    def watched(name, function):
+        def call(*args, **kwargs):
+            if user:
+                uses[name][kind].add(user)
+            return function(*args, **kwargs)
 
-    sys.setprofile(watch)
-    try:
+        return call
+
+    with pytest.MonkeyPatch.context() as patch:
+        for name, equation in equations().items():
+            # what ``@equation`` calls, wherever its function was imported to
+            (cell,) = (
+                each for each in equation.function.__closure__ if each.cell_contents is equation.function.__wrapped__
+            )
+            patch.setattr(cell, "cell_contents", watched(name, equation.function.__wrapped__))
         specs = [read_spec(f"example:{name}") for name in sorted(set(example_names()) - WANTED)]
         # what no example gives: the gain by its wall angle, and the control spring as made
         specs.append(respecified(read_spec("example:default"), {"control_unit.wall_angle": 0.5}))
@@ -85,8 +92,6 @@ def test_uses_are_those_of_the_program():
         for user in names:
             run_of.cache_clear()
             prove(user)
-    finally:
-        sys.setprofile(None)
     found = {name: {key: sorted(values) for key, values in use.items()} for name, use in uses.items()}
     if os.environ.get("AFMCALC_UPDATE"):
         USES.write_text(tomli_w.dumps(found), encoding="utf-8")
