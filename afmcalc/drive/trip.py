@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -36,7 +36,7 @@ _TORQUES = 2
 """Torques whose peaks are located, before the guards in what is looked at."""
 _NEAR = 1e-7
 """Part of a step within which a peak is located."""
-_LOOKED_AT = tuple(2.0**-power for power in range(30, 0, -3))
+_LOOKED_AT = tuple(2.0**-power for power in range(3, 31, 3))
 """Places in a step at which a guard that begins at 0 is looked for above it."""
 
 
@@ -293,17 +293,24 @@ class Trip:
         """Look into a step: note the peaks up to the first guard that falls to 0, and return that."""
         plant, dense, start, end = self.plant, solver.dense_output(), float(solver.t_old), float(solver.t)
 
-        def watched(time: float) -> list[float]:
-            return self._watched(time, dense(time).tolist(), mode)
+        @cache
+        def states(time: float) -> State:
+            return dense(time).tolist()
 
+        def watched(time: float) -> list[float]:
+            return self._watched(time, states(time), mode)
+
+        @cache
         def value(number: int, time: float) -> float:
-            states = dense(time).tolist()
             guard = plant.guards(mode)[number - _TORQUES]
-            return plant.guard(guard, time, states, mode, plant.torques(time, states, mode))
+            return plant.guard(guard, time, states(time), mode, plant.torques(time, states(time), mode))
+
+        @cache
+        def growth(time: float) -> list[float]:
+            return self._growth(time, states(time), mode, watched(time), plant.rates(time, states(time), mode))
 
         def slope(number: int, time: float) -> float:
-            states = dense(time).tolist()
-            return self._growth(time, states, mode, watched(time), plant.rates(time, states, mode))[number]
+            return growth(time)[number]
 
         marks = []
         for number in turned:
@@ -321,8 +328,8 @@ class Trip:
             fallen = [(_crossing(partial(value, number), start, mark), number) for number, at in guards if at < 0]
             if fallen:
                 time, number = min(fallen)
-                return time, dense(time).tolist(), plant.guards(mode)[number - _TORQUES]
-            self._note(mark, dense(mark).tolist(), mode)
+                return time, states(time), plant.guards(mode)[number - _TORQUES]
+            self._note(mark, states(mark), mode)
         return None
 
 
@@ -330,8 +337,8 @@ def _crossing(guard: Callable[[float], float], start: float, end: float) -> floa
     """Return where a guard that begins at 0 or above and ends below last falls to 0."""
     if not guard(start) > 0:
         ends = (start + share * (end - start) for share in _LOOKED_AT)
-        above = [each for each in ends if guard(each) > 0]
-        if not above:
+        above = next((each for each in ends if guard(each) > 0), None)
+        if above is None:
             return start
-        start = above[-1]
+        start = above
     return float(brentq(guard, start, end, xtol=1e-14, rtol=1e-14))
