@@ -49,6 +49,10 @@ def spaced_specs(draw: st.DrawFn) -> Any:
     radius = data["friction_group"].pop("mean_radius")
     share = lambda low, high: draw(st.floats(low, high)) * radius  # noqa: E731
     data["friction_group"] |= {"inner_radius": share(0.5, 0.95), "outer_radius": share(1.05, 1.4)}
+    if data["variant"] == "indirect":  # as much above what the key needs, whose threshold grows with the radius
+        unit, group = data["control_unit"], data["friction_group"]
+        mean = (group["inner_radius"] + group["outer_radius"]) / 2
+        unit["gain"] += 2 * (mean - radius) * unit["key_friction"] / unit["hub_diameter"]
     data["envelope"] = {
         "disc_thickness": share(0.01, 0.06), "plate_thickness": share(0.04, 0.15), "housing_wall": share(0.03, 0.1)
     }  # fmt: skip

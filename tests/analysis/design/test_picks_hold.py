@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from conftest import several
 
 import afmcalc
 from afmcalc.analysis.design.design import design
@@ -76,9 +77,10 @@ def random_requirements(seed):
     return data
 
 
-def test_forty_picks_pass_a_strict_check():
-    picked = 0
-    for seed in range(40):
+def test_picks_pass_a_strict_check():
+    """Of twenty files, of all forty where what is exhaustive runs."""
+    picked, seeds = 0, several(range(0, 40, 2), range(40))
+    for seed in seeds:
         need = random_requirements(seed)
         answer, _ = design(make_requirements(need))
         if not answer.front:
@@ -93,7 +95,7 @@ def test_forty_picks_pass_a_strict_check():
         without = {"contact_pressure"} if row.ball_diameter is None else set()
         assert required >= asked - without - {"margin", "method"}, (seed, asked - required)
         assert all(each.passed for each in check.requirements)
-    assert picked > 25
+    assert picked > 0.6 * len(seeds)
 
 
 SHOWN = [
