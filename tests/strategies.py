@@ -60,9 +60,6 @@ def spaced_specs(draw: st.DrawFn) -> Any:
         data["envelope"]["hub_diameter"] = share(0.2, 1.0)
     if unit := data.get("control_unit"):
         unit |= {"ball_circle_radius": share(0.3, 1.0), "ball_diameter": share(0.08, 0.5), "balls": 6}
-        if "hub_diameter" in unit:  # the gain overcomes the key still
-            faces = data["friction_group"]
-            unit["hub_diameter"] *= (faces["inner_radius"] + faces["outer_radius"]) / (2 * radius)
     for name in ("closing_spring", "control_spring") if data["variant"] == "indirect" else ("closing_spring",):
         wire, wide, turns = share(0.03, 0.12), share(0.6, 2.4), draw(st.integers(2, 4))
         coil = {"wire_diameter": wire, "coil_diameter": wide, "turns": turns}
