@@ -201,7 +201,7 @@ class Asked:
             if head.startswith("python-"):
                 answer = getattr(afmcalc.load(self.file), head.removeprefix("python-"))().result
             elif head == "report":
-                answer = rows_of(self.run("report", self.file).out)
+                answer = rows_of(self.run("report", self.file, "--symbols", "papers").out)
             else:
                 given = [
                     ["--set", word] if word.startswith(("tolerance.", "requirements.")) else [word] for word in rest

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from typer import Option
 
@@ -24,7 +24,14 @@ def report(
     pdf: Annotated[
         bool, Option("--pdf", help="Print it to PDF too, beside FILE, with a headless browser found here.")
     ] = False,
+    short: Annotated[
+        bool, Option("--short", help="Two pages: task, limits and their use, section, peaks and heat, conclusions.")
+    ] = False,
     with_source: Annotated[bool, Option("--with-source", help="The spec as given, as an appendix.")] = False,
+    symbols: Annotated[
+        Literal["latin", "papers"] | None,
+        Option(help="Letters of indices: T_n, F_cl or T_н, F_п.  [default: latin in English]"),
+    ] = None,
     model: Annotated[StressRule, Option(help="Rule for the damaging stress of the life.")] = "mean-stress",
     organisation: Annotated[str | None, _entry("Title block: who answers for the calculation.")] = None,
     project: Annotated[str | None, _entry("Title block: project the clutch belongs to.")] = None,
@@ -68,8 +75,9 @@ def report(
         source = decoded(raw, name)
         read, given = spec_of(source, common.overrides), text_as_given(source)
         title, digest = title_block(read, options), sha256(raw).hexdigest()
-        told = dossier(read, model)
-        return render(Subject(told, given, title, digest, read.label, common.overrides, __version__, with_source))
+        told = dossier(read, model, explained=not short)
+        texts = given, title, digest, read.label, common.overrides, __version__
+        return render(Subject(told, *texts, with_source, short, symbols or ""))
 
     _write(common, page, spec=spec, pdf=pdf)
 

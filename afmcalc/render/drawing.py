@@ -155,6 +155,15 @@ class Drawing:
         frame = left, bottom - row * (len(lines) + 0.5), right, top + 2.7 * row
         return replace(self, shapes=(*self.shapes, *texts), frame=frame)
 
+    def without_table(self) -> "Drawing":
+        """Return it without the part list, whose cells are the last of its shapes."""
+        cells = [shape for shape in self.shapes if isinstance(shape, Inscription)][
+            -sum(map(bool, chain(*self.table))) :
+        ]
+        left, _, right, top = self.frame
+        frame = left, cells[0].at[1] + TEXT * self.point, right, top
+        return replace(self, shapes=self.shapes[: -len(cells)], frame=frame, table=())
+
     def by_layer(self) -> Iterator[tuple[str, list[Shape]]]:
         """Yield each layer that has shapes, in the order they are painted."""
         for name in LAYERS:

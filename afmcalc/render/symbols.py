@@ -1,6 +1,9 @@
 """The papers' symbols, written ``K_т`` in the results, set with real subscripts."""
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 
 from ..messages import printable, spoken, translate
 
@@ -24,17 +27,73 @@ def split(text: str, ours: bool = True) -> list[tuple[str, bool]]:
     return [(piece, bool(number % 2)) for number, piece in enumerate(pieces) if piece]
 
 
+_LATIN = {
+    "н": "n", "т": "T", "п": "sp", "ш": "ball", "ц": "c", "д": "dyn", "в": "sh", "р": "s", "cp": "mean", "ср": "pub",
+    "муф": "c", "маш": "m", "дв": "mot", "пуск": "st", "тр": "fr", "зад": "req", "ном": "nom",
+}  # fmt: skip
+"""Letters of an index of the papers → Latin ones, of the English word that they stand for."""
+_LATIN_OF = {
+    "F_п": "cl", "T_п": "pot", "K_п": "n", "m_п": "st", "m_н": "p", "m_д": "d", "T_муф": "exp", "T_маш": "mach",
+    "σ_т": "y", "τ_т": "y",
+}  # fmt: skip
+"""The same of a symbol in which they stand for another word."""
+
+_as_latin: ContextVar[dict[str, str] | None] = ContextVar("as_latin", default=None)
+
+
+@contextmanager
+def latin_symbols(asked: bool = True) -> Iterator[dict[str, str]]:
+    """Set indices of symbols in Latin letters in the block; give those that were, and what the papers write."""
+    record: dict[str, str] = {}
+    before = _as_latin.set(record if asked else None)
+    try:
+        yield record
+    finally:
+        _as_latin.reset(before)
+
+
+def latin(symbol: str) -> str:
+    """Set the index of a symbol of the papers in Latin letters.
+
+    >>> latin("T_н.маш"), latin("K_т,act"), latin("F_п"), latin("F_п2"), latin("f_1cp"), latin("T'_п")
+    ('T_n,m', 'K_T,act', 'F_cl', 'F_sp2', 'f_1mean', "T'_pot")
+    """
+    letter, _, index = symbol.partition("_")
+    first, *others = re.split("[.,]", index)
+    own = _LATIN_OF.get(f"{letter.rstrip(chr(39))}_{first}")
+    parts = [own or _INDEX_WORD.sub(_latin_word, first), *(_INDEX_WORD.sub(_latin_word, part) for part in others)]
+    return f"{letter}_{','.join(parts)}"
+
+
+def _latin_word(word: re.Match[str]) -> str:
+    return _LATIN.get(word[0], word[0])
+
+
+_INDEX_WORD = re.compile(r"[а-яё]+|(?<![^\W\d_])cp(?![^\W\d_])")
+
+
+def _recorded(symbol: re.Match[str]) -> str:
+    set_so = latin(symbol[0])
+    if set_so != symbol[0] and (record := _as_latin.get()) is not None:
+        record[set_so] = symbol[0]
+    return set_so
+
+
 def native(text: str) -> str:
     """Set symbols as people of the user's language write them: ``f_наст`` for ``f_set``, ``tg α`` for ``tan α``.
 
     What is quoted, in «», stays as it is printed.
     """
+    if _as_latin.get() is not None:
+        text = _INDEXED.sub(_recorded, text)
     if spoken() == "en":
         return text
     return "".join(part if part[:1] == "«" else _SYMBOL.sub(_native, part) for part in _QUOTED.split(text))
 
 
 def _native(symbol: re.Match[str]) -> str:
+    if _as_latin.get() is not None and "_" in symbol[0]:
+        return symbol[0]
     whole = translate(symbol[0], "symbol")
     return whole if whole != symbol[0] else _WORD.sub(lambda word: translate(word[0], "symbol"), whole)
 
@@ -43,23 +102,24 @@ _QUOTED = re.compile("(«[^»]*»)")
 _SYMBOL = re.compile(
     r"\b\w+ wanted|(?<![^\W_])(?:[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*|(?:arc)?tanh?|cot)(?![^\W_])| or (?=κ)"
 )
+_INDEXED = re.compile(r"(?<![^\W_])[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*")
 _WORD = re.compile(r"[^\W\d_]{2,}")
 
 
 def native_latex(latex: str) -> str:
     """Set the symbols of LaTeX of ours in the same way."""
-    if spoken() == "en":
+    if spoken() == "en" and _as_latin.get() is None:
         return latex
     latex = _INDEX.sub(_native_index, latex)
     return _TAN.sub(lambda match: f"\\operatorname{{{translate(match[1], 'symbol')}}}", latex)
 
 
 def _native_index(indexed: re.Match[str]) -> str:
-    letter = "τ" if "tau" in indexed[1] else indexed[1] if indexed[1].isalpha() else "x"
-    return f"{indexed[1]}_{{\\text{{{native(f'{letter}_{indexed[2]}').partition('_')[2]}}}}}"
+    letter = {"sigma": "σ", "tau": "τ"}.get(indexed[2] or "", indexed[3] or "x")
+    return f"{indexed[1]}_{{\\text{{{native(f'{letter}_{indexed[4]}').partition('_')[2]}}}}}"
 
 
-_INDEX = re.compile(r"(\\tau ?|[\w}])_\{\\text\{([^}]*)\}\}")
+_INDEX = re.compile(r"((?:\\([a-z]+)|([A-Za-z]))? ?(?:\^\{\\prime\})?)_\{\\text\{([^}]*)\}\}")
 _TAN = re.compile(r"\\(tan|cot|arctan)\b")
 
 

@@ -134,7 +134,7 @@ def _drawn(sheet: Sheet, number: int) -> tuple[Markup, str]:
         svg = quick.svg_of(panel)
     else:
         svg = inline_svg(sheet)
-    return drawing(svg, sheet.title, number), sheet.caption
+    return drawing(svg, sheet.title, number), sheet.below
 
 
 def _analysed(state: State, job: Job) -> Answer:

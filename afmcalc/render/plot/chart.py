@@ -115,6 +115,13 @@ class Sheet:
     caption: str = ""
     name: str | None = None
     """Name of the user's (a spec's), beside the title; set as it is."""
+    aside: str = ""
+    """What is said below the caption where the drawing stands alone."""
+
+    @property
+    def below(self) -> str:
+        """What is said below the drawing where it stands alone."""
+        return f"{self.caption} {self.aside}".strip()
 
 
 def axis_of(record: Result, name: str, *, log: bool = False, quantity: str | None = None) -> ChartAxis:

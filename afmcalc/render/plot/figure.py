@@ -38,7 +38,7 @@ def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
     """
     first = sheet.panels[0]
     if ending == "svg" and isinstance(first, Drawing):
-        return first.captioned(sheet.title, named(sheet.name), sheet.caption).svg(sheet.title).encode("utf-8")
+        return first.captioned(sheet.title, named(sheet.name), sheet.below).svg(sheet.title).encode("utf-8")
     metadata: dict[str, dict[str, Any]] = {
         "png": {"Software": _CREATOR},
         "svg": {"Date": None, "Creator": _CREATOR},
@@ -127,8 +127,8 @@ def _figure(sheet: Sheet, axes_height: float = _HIGH) -> "Figure":
             set_top, legend_height = _legend(axes, wide - left - _EDGE, measure)
             tops.append((set_top, end + _GAP))
             end += _GAP + legend_height
-    if sheet.caption:
-        end = write(map(mathtext, sheet.caption.splitlines()), end + _GAP)
+    if sheet.below:
+        end = write(map(mathtext, sheet.below.splitlines()), end + _GAP)
     total = end + _EDGE
     figure.set_size_inches(WIDTH, total / 72)
     for set_top, top in tops:

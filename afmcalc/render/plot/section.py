@@ -26,7 +26,7 @@ _COLUMNS = (0.0, 27.0, 157.0, 191.0, 358.0, 413.0)
 def section(section: ClutchSection) -> Sheet:
     """Draw a clutch at rest, with what moves also as it is at f_max."""
     title = translate("Clutch in section, at rest and at f_max")
-    return Sheet(title, [_drawing(section)], _caption(section), section.name)
+    return Sheet(title, [_drawing(section)], _caption(section), section.name, _assumed(section))
 
 
 def _drawing(section: ClutchSection) -> draw.Drawing:
@@ -199,6 +199,11 @@ def _part_list(section: ClutchSection) -> list[list[str]]:
     return [*rows, ["", "", "", "", "Σ " + display(sum(part.row.mass for part in section.parts.values()), "kg"), ""]]
 
 
+def _assumed(section: ClutchSection) -> str:
+    sizes = (f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items())
+    return told("Defaults: {keys}.", keys="; ".join(sizes)) if section.assumed else ""
+
+
 def _caption(section: ClutchSection) -> str:
     said = [translate("To scale, dimensions in mm; without clearances, bearings, splines and bolts.")]
     if section.travel:
@@ -212,10 +217,7 @@ def _caption(section: ClutchSection) -> str:
         overlap = finding("parts-collide", "error", value=missing, first=term(one), second=term(other))
         said.append(told("Red: {overlap}.", overlap=overlap.message))  # in the words of check
     if section.assumed:
-        listed = "; ".join(
-            f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items()
-        )
-        said.append(told("* and dashed: drawn at a default, for the spec does not give {keys}.", keys=listed))
+        said.append(translate("* and dashed: drawn at a default, for the spec does not give it."))
     if "bore" in section.measures:
         said.append(translate("The key is drawn at 0.3 by 0.2 of the bore."))
     return " ".join(said)

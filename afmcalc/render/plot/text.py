@@ -43,8 +43,8 @@ def draw_sheet(sheet: Sheet, *, unicode: bool, width: int | None = None) -> str:
     blocks = [_folded(title, wide)]
     blocks += ([*_folded(native(chart.title), wide), *draw(chart, unicode=unicode, wide=wide)] for chart in charts)
     blocks += (_sketch(panel, unicode=unicode, wide=wide) for panel in sheet.panels if isinstance(panel, Drawing))
-    if sheet.caption:
-        blocks.append([line for part in native(sheet.caption).splitlines() for line in textwrap.wrap(part, wide)])
+    if sheet.below:
+        blocks.append([line for part in native(sheet.below).splitlines() for line in textwrap.wrap(part, wide)])
     return "\n\n".join("\n".join(map(printable, lines)) for lines in blocks) + "\n"
 
 

@@ -15,17 +15,17 @@ from ...analysis.dossier import Dossier, Topic
 from ...analysis.explain.explain import CaseRow, Derivation, Meaning
 from ...analysis.springs.springs import SpringsResult
 from ...analysis.tolerance.result import ToleranceResult
-from ...messages import localized, spoken, term, translate
+from ...messages import localized, spoken, term, translate, with_unit
 from ...result import Result, Triple
 from ...spec.keys import keys
 from ...units import typeset
-from ..document import ENDS, Column, document, fields_of
+from ..document import ENDS, Column, Document, document, fields_of
 from ..layout import TextTable, blocks, cells, quantities
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curves import SPRINGS
 from ..symbols import native_latex, value_latex
-from ..units import in_numbers, measured
+from ..units import in_numbers, measured, significant
 from .words import told
 
 
@@ -66,6 +66,20 @@ def _laid_out(result: Result) -> list[TextTable]:
     laid_out = document(result)
     tables = [table._replace(columns=[*chain(*map(_named, table.columns))]) for table in laid_out.tables]
     return blocks(laid_out._replace(tables=tables))
+
+
+def peaks(dossier: Dossier) -> list[TextTable]:
+    """What a trip loads and heats, in one table; none where no trip is simulated and no slip is given."""
+    topics = (topic for topic in dossier.topics if topic.name in ("simulate", "heat"))
+    columns = {column.path: column for topic in topics for column in document(topic.result).triples}
+    shown = [column for path, column in columns.items() if path in _PEAKS]
+    return blocks(Document([], [], shown, []))
+
+
+_PEAKS = (
+    *("peak_torque", "dynamic_factor", "slip_time", "energy", "temperature", "face_temperature"),
+    *("trips_per_hour", "trips_to_wear_out"),
+)
 
 
 def _both_settings(result: AdjustResult) -> list[TextTable]:
@@ -146,15 +160,16 @@ def block_of(step: Derivation, method: str) -> Derived:
     """Lay out a derivation; what ``method`` says, how the spec sets its spring, need not be said of each line."""
     columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "branch", "setting", "side")]
     columns = [(name, labels) for name, labels in columns if any(labels)]
-    symbol, first = step.symbol_latex, step.rows[0]
+    rows = [row._replace(numbers=_ALONE.sub(r"\1", _UNITS.sub("", row.numbers))) for row in step.rows]
+    symbol, first = step.symbol_latex, rows[0]
     joined = not columns and len(step.rows) == 1 and _size(step.formula) + _size(first.numbers) <= _SHORT
     # a formula may say no more than its symbol, and a number be its own value
     parts = [symbol, *([step.formula] if step.formula not in ("", symbol) else [])]
     if joined:
-        parts += dict.fromkeys((first.numbers, value_latex(measured(first.value, step.unit))))
+        parts += dict.fromkeys((first.numbers, *_values(first.value, step.unit)))
     lines = [
-        (labels, math(f"{symbol} = {broken(row.numbers)} = {value_latex(measured(row.value, step.unit))}"))
-        for row, *labels in zip(step.rows, *(labels for _, labels in columns), strict=True)
+        (labels, math(" = ".join(dict.fromkeys((symbol, broken(row.numbers), *_values(row.value, step.unit))))))
+        for row, *labels in zip(rows, *(labels for _, labels in columns), strict=True)
     ]
     return Derived(
         step=step._replace(where=[meaning._replace(text=_explained(meaning)) for meaning in step.where]),
@@ -162,6 +177,16 @@ def block_of(step: Derivation, method: str) -> Derived:
         header=[told(name) for name, _ in columns] if len(columns) > 1 else [],
         lines=[] if joined else lines,
     )
+
+
+def _values(value: float, unit: str) -> list[str]:
+    """Value with the unit of the tables, before it the one in SI units where that is another."""
+    in_si = with_unit(significant(value), "" if unit == "1" else translate(typeset(unit), "unit"))
+    return [*map(value_latex, dict.fromkeys((in_si, measured(value, unit)) if value else (measured(value, unit),)))]
+
+
+_UNITS, _ALONE = re.compile(r"\\,\\text\{[^}]*\}"), re.compile(r"\\left\(([\d.]+)\\right\)")
+"""Units of the numbers put in, which are all SI; brackets that a unit alone needed."""
 
 
 def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:

@@ -9,7 +9,7 @@ from ...analysis.explain.explain import Derivation
 from ...messages import translate
 from ...spec.keys import keys
 from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
-from ..symbols import split
+from ..symbols import native, split
 
 
 def symbol(text: str, ours: bool = True) -> Markup:
@@ -80,5 +80,5 @@ def drawing(svg: str, name: str, number: object) -> Markup:
         svg = svg.replace(colour, f"var({variable})")
     opening, _, rest = svg.partition(">")
     opening = re.sub(r'\s(?:width|height|version|xmlns(?::\w+)?)="[^"]*"', "", opening)
-    label = escape(name)
+    label = escape(native(name))
     return Markup(f'{opening} role="img" aria-label="{label}">{rest.strip()}')  # noqa: S704

@@ -1,9 +1,9 @@
 """From what was calculated of a clutch to the page of its report."""
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from functools import cache
 from itertools import chain, count, islice
@@ -25,11 +25,12 @@ from ..layout import ranked
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
+from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
 from ..verdict import verdict
-from .chapters import Chapter, chapters
+from .chapters import Chapter, chapters, peaks
 from .markup import MISPRINT, cell, css_string, drawing, marks, name_of, symbol
-from .words import FORMS, Form, told
+from .words import FORMS, SHORT, Form, told
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,10 @@ class Subject:
     version: str = ""
     with_source: bool = False
     """Whether the text as given is an appendix."""
+    short: bool = False
+    """Whether it is to be two pages: task, limits, section, peaks, heat, conclusions."""
+    symbols: str = ""
+    """``latin`` or ``papers``: letters of the indices; by default Latin in English."""
 
 
 class _SpecLine(NamedTuple):
@@ -109,30 +114,40 @@ def template(name: str, folder: Path | None = None) -> Template:
 
 def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
-    dossier, form = subject.dossier, FORMS.get(spoken(), FORMS["en"])
-    parts = chapters(dossier)
+    with latin_symbols((subject.symbols or {"en": "latin"}.get(spoken())) == "latin") as latin:
+        return _page(subject, latin)
+
+
+def _page(subject: Subject, latin: Mapping[str, str]) -> str:
+    dossier, short, form = subject.dossier, subject.short, FORMS.get(spoken(), FORMS["en"])
+    parts, loads = ([], peaks(dossier)) if short else (chapters(dossier), [])
+    if short:
+        form = form._replace(sections=SHORT, appendices=(), always=())
     drawn = {chapter.topic.name: chapter.sheets for chapter in parts}
     if dossier.section is not None:
-        drawn = {"spec": [sheet_of("section", dossier.section)], **drawn}
+        section = sheet_of("section", dossier.section)
+        if short:
+            section = replace(section, panels=[panel.without_table() for panel in section.panels])
+        drawn = {"spec": [section], **drawn}
     # what is said of the papers has an appendix of its own
-    findings = ranked(dossier.findings)
+    findings, required, limits = ranked(dossier.findings), dossier.check.requirements, dossier.check.limits
     remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
     mended = _mended(parts, remarks, chain(*drawn.values()))
-    has = {"requirements": dossier.check.requirements, "misprints": mended, "source": subject.with_source}
+    has = {
+        "requirements": required, "peaks": loads, "symbols": spoken() != "en" or subject.symbols != "papers",
+        "misprints": mended, "source": subject.with_source,
+    }  # fmt: skip
     sections, appendices = (
         [name for name in names if name in form.always or has.get(name, True)]
         for names in (form.sections, form.appendices)
     )
     labels = {name: str(number) for number, name in enumerate(sections, 1)}
-    labels |= {
-        name: message("Appendix {letter}", letter=letter)
-        for name, letter in zip(appendices, form.letters, strict=False)
-    }
-    counts = {"requirements": len(dossier.check.requirements) and 1, "checks": 1, "spec": 1, "misprints": 1}
-    tabled = {chapter.topic.name: len(chapter.tables) for chapter in parts}
-    tables = _numbered(
-        chain(*(tabled.items() if name == "calculation" else [(name, counts.get(name, 0))] for name in labels))
-    )
+    lettered = zip(appendices, form.letters, strict=False)
+    labels |= {name: message("Appendix {letter}", letter=letter) for name, letter in lettered}
+    counts = {"requirements": bool(required), "checks": 1, "spec": not short, "peaks": 1, "misprints": 1}
+    counts |= {chapter.topic.name: len(chapter.tables) for chapter in parts}
+    order = chain(*((chapter.topic.name for chapter in parts) if name == "calculation" else [name] for name in labels))
+    tables = _numbered((name, counts.get(name, 0)) for name in order)
     figures = _numbered((name, len(sheets)) for name, sheets in drawn.items())
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
     cited = {source for chapter in parts for source in chapter.topic.sources}
@@ -151,6 +166,8 @@ def render(subject: Subject) -> str:
         overridden=[name_of(path) if path in keys() else path for path in changed],
         verdict=judged,
         groups=groups,
+        limits=sorted(limits, key=lambda limit: -limit.utilisation)[:_MOST] if short else limits,
+        peaks=loads,
         chapters=parts,
         figures={
             name: [
@@ -162,16 +179,20 @@ def render(subject: Subject) -> str:
         tables=tables,
         labels=labels,
         sections=[*labels],
-        symbols=_symbols(parts),
+        symbols=lambda: _symbols(parts, latin),
         form=form,
         language=spoken(),
         findings=[finding for finding in findings if finding not in remarks],
         remarks=remarks,
         misprints=mended,
         next=_next(dossier),
-        short=False,
+        latin=latin,
         references=[(key, text) for key, text in references().items() if key in cited],
     )
+
+
+_MOST = 8
+"""Limits that a short report shows."""
 
 
 def _numbered(counts: Iterable[tuple[str, int]]) -> dict[str, list[int]]:
@@ -229,18 +250,24 @@ def _entries(subject: Subject, form: Form) -> list[tuple[str, str]]:
     return [(name, title[name]) for name in form.entries if title[name] or name in form.signed]
 
 
-def _symbols(parts: list[Chapter]) -> list[tuple[str, str]]:
-    """Symbols of the formulas, each with what it stands for where it is first told."""
+def _symbols(parts: list[Chapter], latin: Mapping[str, str]) -> list[tuple[str, str, str]]:
+    """Symbols, what the papers write where that is another, and what each stands for where it is first told."""
     meanings: dict[str, str] = {}
     for step in (block.step for chapter in parts for block in chapter.blocks):
         for part in step.where:
             if part.text:
-                meanings.setdefault(part.symbol, part.text)
+                meanings.setdefault(native(part.symbol), part.text)
         # the heading of its step begins with a capital
         name = translate(step.name)
         first = name[:1].lower() if name[1:2].islower() else name[:1]
-        meanings.setdefault(step.symbol, first + name[1:])
-    return sorted(meanings.items(), key=lambda item: item[0].casefold())
+        meanings.setdefault(native(step.symbol), first + name[1:])
+    for row in (row for chapter in parts for table in chapter.tables for row in table.rows if len(row) > 2):
+        if row[0] in latin:
+            meanings.setdefault(row[0], row[1])
+    shown = {**dict.fromkeys(latin, ""), **meanings}
+    return sorted(
+        ((each, latin.get(each, ""), text) for each, text in shown.items()), key=lambda row: row[0].casefold()
+    )
 
 
 def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:

@@ -23,9 +23,11 @@ REPORT: Mapping[str, str] = {
     "checks": "Checks",
     "spec": "Initial data",
     "calculation": "Calculation",
+    "peaks": "Peaks and heat",
     "as-set/min-friction": "Where nothing else is said, the spring is set at f_min.",
     "as-set/mean-friction": "Where nothing else is said, the spring is set at the mean friction.",
     "conclusion": "Conclusions",
+    "next": "What is to be done next",
     "symbols": "Symbols",
     "references": "References",
     "misprints": "Misprints of the papers",
@@ -60,6 +62,10 @@ REPORT: Mapping[str, str] = {
 def told(key: str, **values: object) -> str:
     """Say what stands under a key, in the language of the user."""
     return translate(Text(REPORT[key], values))
+
+
+SHORT = ("requirements", "checks", "peaks", "spec", "conclusion")
+"""Sections of a report of two pages."""
 
 
 class Form(NamedTuple):

@@ -13,13 +13,18 @@ from pathlib import Path
 
 import pytest
 from conftest import CONFIGS, ROOT, S21
+from texts import models
 
 from afmcalc.analysis.dossier import dossier
+from afmcalc.equations.catalogue import equations
 from afmcalc.findings import Finding
 from afmcalc.render.report import words
 from afmcalc.render.report.words import REPORT
+from afmcalc.render.symbols import latin_symbols, native
 from afmcalc.render.verdict import SENTENCES, verdict
+from afmcalc.result import shown_as
 from afmcalc.spec import read_spec
+from afmcalc.spec.keys import keys
 
 EVIL = "<script>alert(1)</script>"
 MATH = "{http://www.w3.org/1998/Math/MathML}math"
@@ -153,7 +158,7 @@ def test_tolerance_values_have_their_errors_and_inputs_the_engineers_units(repor
     value, error = map(float, mean.split(" ± "))
     assert (name, value) == ("mean torque", pytest.approx(result["mean"], abs=error / 10))
     assert error == float(f"{result['mean_standard_error']:.2g}")
-    assert rows["Fп"] == ["closing-spring force as set", "normal", "–", "2", "–", "0.1", "kN"]
+    assert rows["Fcl"] == ["closing-spring force as set", "normal", "–", "2", "–", "0.1", "kN"]
     assert rows["τlimb"][2:] == ["250", "400", "–", "32", "MPa"]
     quantiles = {row[0]: float(row[1].partition(" ")[0]) for row in listed if len(row) == 2 and row[0] != "probability"}
     assert quantiles["0.995"] == pytest.approx(result["quantiles"][-1]["torque"], rel=1e-4)
@@ -199,14 +204,14 @@ def test_each_case_says_what_it_is(framed, parsed):
     found = {(number, symbol): lines for number, symbol, _, _, lines in derivations(parsed(framed(S21))) if lines}
     stiffness = next(lines for (_, symbol), lines in found.items() if symbol == "D")
     assert [line[:2] for line in stiffness[1:]] == [
-        *([f"f{end}", "rising"] for end in ("min", "cp", "max")),
+        *([f"f{end}", "rising"] for end in ("min", "mean", "max")),
         ["fmin", "falling, the sleeve moves back"],
     ]
     stress = next(lines for (_, symbol), lines in found.items() if symbol == "τ")
     assert stress[0] == ["Friction", "Spring set at", "Side", "Numbers put in"]
     assert {tuple(line[:3]) for line in stress[1:]} == {
         (f"f{end}", setting, side)
-        for end in ("min", "cp", "max")
+        for end in ("min", "mean", "max")
         for setting in ("fmin", "mean f")
         for side in ("protected", "unprotected")
     }
@@ -214,11 +219,50 @@ def test_each_case_says_what_it_is(framed, parsed):
 
 def test_factors_of_accuracy_have_names_of_their_own(report, parsed):
     named = {
-        symbol: about for _, symbol, about, _, _ in derivations(parsed(report("default"))) if symbol.startswith("Kт")
+        symbol: about for _, symbol, about, _, _ in derivations(parsed(report("default"))) if symbol.startswith("KT")
     }
-    assert set(named) == {"Kт", "Kт,w", "Kт,p", "Kт,0", "Kт,exp", "Kт,act", "Kт,eq"}
-    assert "ordinary clutch in its place" in named["Kт,0"]
+    assert set(named) == {"KT", "KT,w", "KT,p", "KT,0", "KT,exp", "KT,act", "KT,eq"}
+    assert "ordinary clutch in its place" in named["KT,0"]
     assert len(set(named.values())) == len(named)
+
+
+@pytest.mark.every(3)
+@pytest.mark.parametrize("form", [(), ("--short",)])
+@pytest.mark.parametrize("name", ["default", "drive", "indirect"])
+def test_a_reviewer_finds_what_he_looks_for(name, form, framed, parsed):
+    """Title, date, cells to sign, what governs, sources; each table and figure captioned and referred to, no key."""
+    page = framed(CONFIGS / f"{name}.toml", *form)
+    tree = parsed(page)
+    assert text_of(tree.find(".//h1"))
+    assert "2026-01-01" in text_of(tree.find(".//header"))
+    assert len(tree.findall(".//table[@class='signatures']/tbody/tr")) == 3
+    assert "of that limit" in text_of(tree.find(".//header"))
+    for what, parts in (("table", tree.findall(".//caption")), ("figure", tree.findall(".//figure"))):
+        numbers = [part.get("id") for part in parts]
+        assert numbers == [f"{what}-{number}" for number in range(1, len(numbers) + 1)]
+        assert all(page.count(f'href="#{number}"') == 1 for number in numbers)
+    cyrillic = [text for text in tree.itertext() if re.search("[а-яА-Я]", text)]
+    quoted = "".join(text_of(part) for key in ("symbols", "misprints") for part in tree.findall(f".//*[@id='{key}']"))
+    assert all(text in quoted for text in cyrillic)
+    assert not tree.findall(".//main//code")
+    assert bool(form) == (tree.find(".//nav") is None)
+
+
+def test_latin_symbols_stay_apart():
+    """No two symbols of equations, results or keys become one."""
+    terms = [each for equation in equations().values() for each in (*equation.arguments.values(), equation.result)]
+    symbols = {each.symbol for each in terms} | {key.symbol for key in keys().values() if key.symbol}
+    symbols |= {shown_as(info).symbol or "" for model in models() for info in model.model_fields.values()}
+    with latin_symbols():
+        assert len({native(symbol) for symbol in symbols}) == len(symbols)
+        assert not [symbol for symbol in symbols if re.search("[а-яА-Я]", native(symbol))]
+
+
+def test_the_letters_of_the_papers(framed):
+    assert "F<sub>cl</sub>" in framed(CONFIGS / "default.toml")
+    papers = framed(CONFIGS / "default.toml", "--symbols", "papers")
+    assert "F<sub>п</sub>" in papers
+    assert "F<sub>cl</sub>" not in papers
 
 
 def test_title_block(framed, parsed, tmp_path):
