@@ -70,7 +70,7 @@ SHOWN = re.compile(
 )
 CODES = {
     *ANALYSES, *PLOTS, *VARIANTS, *EXAMPLES, *WANTED, "init", "plot", "report", "schema", "min", "max", "event", "kind", "wear", "bore",
-    "stop", "load", "amplitude", "goodman", "centrifugal", "material", "length", "mass", "variant", "search", "fixed",
+    "calculation", "latin", "stop", "load", "amplitude", "goodman", "centrifugal", "material", "length", "mass", "variant", "search", "fixed",
     "weight", "disc", "any", "start", "count", "step", "pip", "install", "example", "one", "both", "auto", "exact", "pairs",
     "true", "clutch", "json", "csv", "table", "engineer", "requirements", "travel", "alpha", "beta", "friction", "exceedance", "simulate", "work", "gain", "temperature", "cycles", "diameters", "fatigue",
 }  # fmt: skip

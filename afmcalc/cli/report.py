@@ -42,6 +42,13 @@ def report(
     norm_control: Annotated[str | None, _entry("Title block: who checked it against the standards.")] = None,
     approved: Annotated[str | None, _entry("Title block: who approved.")] = None,
     date: Annotated[str | None, _entry("Title block: date of the calculation.  [default: today]")] = None,
+    form: Annotated[
+        str | None,
+        Option(
+            metavar="calculation|report",
+            help="Sheets: with frame and title block in Russian, or in 12 pt.  [default: calculation]",
+        ),
+    ] = None,
     *,
     common: Common,
 ) -> None:
@@ -66,7 +73,7 @@ def report(
     options = {
         "organisation": organisation, "project": project, "drawing": drawing, "revision": revision,
         "author": author, "checked": checked, "norm_control": norm_control,
-        "approved": approved, "date": date,
+        "approved": approved, "date": date, "form": form,
     }  # fmt: skip
 
     def page() -> str:

@@ -45,7 +45,7 @@ def render(handbook: Handbook) -> str:
     for chapter in page.chapters:
         chapter.html = page.set(chapter)
     return template("handbook.html").render(
-        chapters=page.chapters, language=spoken(), version=__version__, running=told("Handbook")
+        chapters=page.chapters, language=spoken(), version=__version__, running=told("Handbook"), paper="plain"
     )
 
 

@@ -663,6 +663,7 @@ def _as_text(value: object) -> object:
 
 
 Entry = Annotated[Name, BeforeValidator(_as_text)]
+SheetForm = Literal["calculation", "report"]
 
 
 class TitleBlock(Block):
@@ -677,6 +678,9 @@ class TitleBlock(Block):
     approved: Entry | None = key("who approved")
     date: Entry | None = key("date of the calculation")
     organisation: Entry | None = key("who answers for the calculation")
+    form: SheetForm | None = key(
+        "sheets of the report: calculation (default; in Russian with frame and title block) or report (12 pt)"
+    )
 
 
 class ShopNotes(Block):

@@ -167,8 +167,10 @@ def block_of(step: Derivation, method: str) -> Derived:
     parts = [symbol, *([step.formula] if step.formula not in ("", symbol) else [])]
     if joined:
         parts += dict.fromkeys((first.numbers, *_values(first.value, step.unit)))
+    # a label takes the room of a dozen signs
+    room = _SHORT - 12 * max(0, len(columns) - 1)
     lines = [
-        (labels, math(" = ".join(dict.fromkeys((symbol, broken(row.numbers), *_values(row.value, step.unit))))))
+        (labels, _worked(symbol, broken(row.numbers, room), _values(row.value, step.unit)))
         for row, *labels in zip(rows, *(labels for _, labels in columns), strict=True)
     ]
     return Derived(
@@ -183,6 +185,12 @@ def _values(value: float, unit: str) -> list[str]:
     """Value with the unit of the tables, before it the one in SI units where that is another."""
     in_si = with_unit(significant(value), "" if unit == "1" else translate(typeset(unit), "unit"))
     return [*map(value_latex, dict.fromkeys((in_si, measured(value, unit)) if value else (measured(value, unit),)))]
+
+
+def _worked(symbol: str, numbers: str, values: Sequence[str]) -> Markup:
+    """Set numbers put in and what comes out, between which a line may end."""
+    first, *rest = dict.fromkeys((symbol, numbers, *values))
+    return Markup(" ").join([math(" = ".join((first, *rest[:1]))), *(math(f"= {result}") for result in rest[1:])])
 
 
 _UNITS, _ALONE = re.compile(r"\\,\\text\{[^}]*\}"), re.compile(r"\\left\(([\d.]+)\\right\)")
@@ -215,14 +223,14 @@ def _size(latex: str) -> int:
     return len(re.sub(r"\\(?:text|left|right|frac|cdot)|[{}\\_^ ]", "", latex))
 
 
-def broken(latex: str) -> str:
+def broken(latex: str, most: int = _SHORT) -> str:
     """Set a sum or product that is too long in several lines: MathML breaks none, and paper does not scroll."""
-    if _size(latex) <= _SHORT:
+    if _size(latex) <= most:
         return latex
     depth, summands = 0, [""]
     for part in _PARTS.split(latex):
         depth += (part in _OPENING) - (part in _CLOSING)
-        long = part == _TIMES and _size(summands[-1]) > _SHORT / 3
+        long = part == _TIMES and _size(summands[-1]) > most / 3
         if depth == 0 and (part in _SIGNS or long) and summands[-1].strip():
             summands.append("")
         summands[-1] += part

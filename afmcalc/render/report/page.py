@@ -29,6 +29,7 @@ from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
 from ..verdict import verdict
 from .chapters import Chapter, chapters, peaks
+from .frame import frame
 from .markup import MISPRINT, cell, css_string, drawing, marks, name_of, symbol
 from .words import FORMS, SHORT, Form, told
 
@@ -108,7 +109,7 @@ def template(name: str, folder: Path | None = None) -> Template:
         "worded": worded,
         "three": lambda value: localized(f"{value:.3g}"),
     }
-    environment.globals.update(told=told, _=message)
+    environment.globals.update(told=told, _=message, frame=frame)
     return environment.get_template(name)
 
 
@@ -181,6 +182,8 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
         sections=[*labels],
         symbols=lambda: _symbols(parts, latin),
         form=form,
+        # a title block would take the room of what has two pages
+        paper="plain" if short else "report" if subject.title.form == "report" else form.paper,
         language=spoken(),
         findings=[finding for finding in findings if finding not in remarks],
         remarks=remarks,

@@ -1,7 +1,7 @@
 """What a report says of each case, section and entry; the page has the rest. And where it says it, by language."""
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from ...messages import Text, translate
 
@@ -86,6 +86,8 @@ class Form(NamedTuple):
     """Who signs, in their order."""
     lined: bool
     """Whether each symbol of a formula is explained on a line of its own."""
+    paper: Literal["plain", "framed"]
+    """Of the form ``calculation``: sheets with a running title, or with frame and title block."""
 
 
 _PEOPLE = ("author", "checked", "norm_control", "approved")
@@ -100,6 +102,7 @@ FORMS = {
         signed=("author", "checked", "approved"),
         people=_PEOPLE,
         lined=False,
+        paper="plain",
     ),
     # ГОСТ Р 2.105-2019, 2.106: a расчёт (РР)
     "ru": Form(
@@ -111,6 +114,7 @@ FORMS = {
         signed=("drawing", *_PEOPLE),
         people=_PEOPLE,
         lined=True,
+        paper="framed",
     ),
 }
 """Language → form; one that has none of its own takes the English one."""

@@ -5,6 +5,7 @@ import shutil
 import subprocess
 
 import chromium
+import numpy as np
 import pytest
 from conftest import CONFIGS, WANTED
 
@@ -37,6 +38,104 @@ def test_contents_tell_the_sheet_of_each_heading(name, language, afmcalc, drawn,
             int(found) for line in sheets[0] for found in re.findall(rf"(?:^| ){re.escape(entry)} (\d+)(?: |$)", line)
         ]
         assert said == [number for number, lines in enumerate(sheets, 1) if entry in lines], entry
+
+
+MM = 25.4 / 72
+FRAME = {True: (20, 5, 205, 252), False: (20, 5, 205, 277)}
+"""Field for text of the first sheet, and of all others, mm from the upper left corner."""
+
+
+def words_of(pdf):
+    """The words of each sheet: left, top, right, bottom in mm, and the text."""
+    run = subprocess.run(["pdftotext", "-bbox", "-", "-"], input=pdf, capture_output=True, check=True)
+    word = re.compile(r'<word xMin="(.*?)" yMin="(.*?)" xMax="(.*?)" yMax="(.*?)">(.*?)</word>')
+    for sheet in run.stdout.decode().split("<page ")[1:]:
+        yield [(*(float(number) * MM for number in found.groups()[:4]), found[5]) for found in word.finditer(sheet)]
+
+
+def dark(pdf):
+    """Each sheet: which tenths of a millimetre, row by row, are not white."""
+    run = subprocess.run(["pdftoppm", "-gray", "-r", "254"], input=pdf, capture_output=True, check=True)
+    data = run.stdout
+    while data:
+        _, size, _, data = data.split(b"\n", 3)
+        wide, high = map(int, size.split())
+        yield np.frombuffer(data[: wide * high], np.uint8).reshape(high, wide) < 128
+        data = data[wide * high :]
+
+
+def line_near(profile, at):
+    """Middle of the line near a place, mm; NaN where there is none."""
+    near = slice(10 * at - 20, 10 * at + 20)
+    return np.flatnonzero(profile[near] > 0.9).mean() / 10 + 0.05 + at - 2
+
+
+def within(word, left, top, right, bottom):
+    return left <= word[0] and top <= word[1] and word[2] <= right and word[3] <= bottom
+
+
+@pytest.mark.every(1000)
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_a_frame_surrounds_each_sheet_and_nothing_touches_it(name, afmcalc, tmp_path):
+    """Fields of 20 and 5 mm; text 3 mm from the sides, 10 mm from top and title block; a number on each sheet."""
+    title = {"drawing": "АФМ.0217.00.000 РР", "author": "Шишкарёв М.П.", "organisation": "Завод «Муфта»"}
+    options = [part for key, text in title.items() for part in (f"--{key}", text)]
+    run = afmcalc("report", CONFIGS / f"{name}.toml", "--lang", "ru", "--pdf", "-o", tmp_path / "x.html", *options)
+    assert run.code == 0, run.err
+    pdf = (tmp_path / "x.pdf").read_bytes()
+    sheets = list(zip(words_of(pdf), dark(pdf), strict=True))
+    for number, (words, inked) in enumerate(sheets, 1):
+        left, top, right, bottom = FRAME[number == 1]
+        field = left + 3, top + 9.5, right - 3, bottom - 9.5
+        block = [word for word in words if within(word, left, bottom, right, 292)]
+        margin = [word for word in words if within(word, 8, 147, 20, 292)]
+        assert {word[4] for word in margin} == {"Подп.", "и", "дата", "Инв.", "инв.", "№", "дубл.", "Взам.", "подл."}
+        rest = [word for word in words if word not in block and word not in margin]
+        assert [word for word in rest if not within(word, *field)] == []
+        assert " ".join(word[4] for word in block if 85 <= word[0] < 195 and word[3] < bottom + 15).startswith(
+            title["drawing"]
+        )
+        cell = (185, 272, 205, 277) if number == 1 else (195, 284, 205, 292)
+        assert [word[4] for word in block if within(word, *cell)] == [str(len(sheets) if number == 1 else number)]
+        upright, level = inked[100:1400].mean(0), inked[:, 300:2000].mean(1)
+        for line, at in ((upright, left), (upright, right), (level, top), (level, bottom), (level, 292)):
+            assert line_near(line, at) == pytest.approx(at, abs=0.3)
+        assert not inked[60 : 10 * bottom - 10, 10 * left + 6 : 10 * left + 30].any()
+        assert not inked[60 : 10 * bottom - 10, 10 * right - 30 : 10 * right - 6].any()
+    assert "Шишкарёв" in {word[4] for word in sheets[0][0] if within(word, 37, 267, 60, 272)}
+
+
+@pytest.mark.every(1000)
+@pytest.mark.parametrize("language", ["en", "ru"])
+@pytest.mark.parametrize("name", ["indirect", "constant-torque", "conveyor-clutch", "envelope", "drive"])
+def test_the_form_of_a_report_has_its_fields_and_a_number_below(name, language, afmcalc, tmp_path):
+    """Fields of 30, 15, 20 and 20 mm within 0.3; no number on the title sheet; the same from the spec as from the option, which goes before it."""
+    spec = tmp_path / "x.toml"
+    text = (CONFIGS / f"{name}.toml").read_text(encoding="utf-8")
+    pages = []
+    for form, options in (("report", ()), ("calculation", ("--form", "report"))):
+        spec.write_text(f'{text}\n[report]\nform = "{form}"\n', encoding="utf-8")
+        run = afmcalc("report", spec, "--lang", language, "--pdf", "-o", tmp_path / "x.html", "--force", *options)
+        assert run.code == 0, run.err
+        pages.append((tmp_path / "x.html").read_text(encoding="utf-8"))
+    assert len({page[page.index("@page") : page.index("</style>")] for page in pages}) == 1
+    pdf = (tmp_path / "x.pdf").read_bytes()
+    sheets = list(zip(words_of(pdf), dark(pdf), strict=True))
+    for number, (words, inked) in enumerate(sheets, 1):
+        assert not inked[:197].any()
+        assert not inked[:, :297].any()
+        assert not inked[:, 1953:].any()
+        below = [word for word in words if word[3] > 277.5]
+        assert [word[4] for word in below] == [str(number)] * (number > 1)
+        assert all(abs((left + right) / 2 - 112.5) < 1 for left, _, right, _, _ in below)
+
+
+def test_a_form_that_there_is_not(afmcalc, tmp_path):
+    run = afmcalc("report", "--form", "letter", "-o", tmp_path / "x.html")
+    assert (run.code, run.out) == (2, "")
+    assert 'form = "letter"' in run.err
+    assert "calculation" in run.err
+    assert not [*tmp_path.iterdir()]
 
 
 def test_numbers_that_move_a_heading_are_told_anew():
