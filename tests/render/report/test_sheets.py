@@ -1,5 +1,7 @@
 """The report on sheets of paper: what its contents say is where it stands."""
 
+import functools
+import html
 import re
 import shutil
 import subprocess
@@ -25,13 +27,30 @@ def lines_of(pdf):
     return [[" ".join(line.split()) for line in sheet.splitlines()] for sheet in run.stdout.decode().split("\f")[:-1]]
 
 
-@pytest.mark.every(1000)
-@pytest.mark.parametrize("language", ["en", "ru"])
-@pytest.mark.parametrize("name", ["default", *(name for name in EXAMPLES if name != "default")])
-def test_contents_tell_the_sheet_of_each_heading(name, language, afmcalc, drawn, parsed):
-    page = drawn(name, "--lang", language)
-    sheets = lines_of(printed(chromium.PATH, page))
-    entries = ["".join(entry.itertext()).strip() for entry in parsed(page).findall(".//nav//li/div")]
+@pytest.fixture(scope="session")
+def on_paper(drawn, parsed):
+    """The tree of the report of a shipped spec, and its PDF."""
+
+    @functools.cache
+    def printed_once(name, *options):
+        page = drawn(name, *options)
+        return parsed(page), printed(chromium.PATH, page)
+
+    return printed_once
+
+
+def every_report(test):
+    """A test of the report of each shipped spec in each language; of one of them by default."""
+    test = pytest.mark.parametrize("language", ["en", "ru"])(test)
+    test = pytest.mark.parametrize("name", ["default", *(name for name in EXAMPLES if name != "default")])(test)
+    return pytest.mark.every(1000)(test)
+
+
+@every_report
+def test_contents_tell_the_sheet_of_each_heading(name, language, on_paper):
+    tree, pdf = on_paper(name, "--lang", language)
+    sheets = lines_of(pdf)
+    entries = ["".join(entry.itertext()).strip() for entry in tree.findall(".//nav//li/div")]
     assert len(entries) > 8
     for entry in entries:
         said = [
@@ -40,17 +59,59 @@ def test_contents_tell_the_sheet_of_each_heading(name, language, afmcalc, drawn,
         assert said == [number for number, lines in enumerate(sheets, 1) if entry in lines], entry
 
 
+def squeezed(element):
+    """The text of a part of a page, without its spaces."""
+    return "".join("".join(element.itertext()).split())
+
+
+def fields_of(pdf, language):
+    """What the field of each sheet says, without spaces, in the order of the page."""
+    for number, words in enumerate(words_of(pdf, "-raw")):
+        left, top, _, bottom = FRAME[number == 0] if language == "ru" else (0, 14, 210, 283)
+        yield "".join(word[4] for word in words if word[0] > left and top < word[1] and word[3] < bottom)
+
+
+@every_report
+def test_nothing_is_parted_from_what_it_is_of(name, language, on_paper):
+    """No sheet ends with a heading, the caption or head of a table, or begins with the caption of a figure."""
+    tree, pdf = on_paper(name, "--lang", language)
+    tables = [(table.find("caption"), table.find("thead")) for table in tree.findall(".//table")]
+    tables = [tuple(map(squeezed, parts)) for parts in tables if None not in parts]
+    ends = [squeezed(part) for level in ("h2", "h3", "h4") for part in tree.findall(f".//{level}")]
+    ends += [caption for caption, _ in tables] + [caption + head for caption, head in tables]
+    begins = [squeezed(part) for part in tree.findall(".//figcaption")]
+    fields = [*fields_of(pdf, language)]
+    text = "".join(fields)
+    assert [part for part in (*ends, *begins) if part not in text] == []
+    assert [part for part in ends for field in fields if field.endswith(part)] == []
+    assert [part for part in begins for field in fields if field.startswith(part[:14])] == []
+
+
+@every_report
+def test_each_table_and_figure_on_paper_is_referred_to(name, language, on_paper):
+    tree, pdf = on_paper(name, "--lang", language)
+    text = "".join(fields_of(pdf, language))
+    words = {"en": ("table", "figure"), "ru": ("таблица", "рисунок")}[language]
+    for word, parts in zip(words, (tree.findall(".//caption"), tree.findall(".//figure")), strict=True):
+        captions = [int(number) for number in re.findall(rf"{word.capitalize()}(\d+)–", text)]
+        assert captions == [*range(1, len(parts) + 1)]
+        assert {int(number) for number in re.findall(rf"{word}(\d+)[.,]", text)} == {*captions}
+
+
 MM = 25.4 / 72
 FRAME = {True: (20, 5, 205, 252), False: (20, 5, 205, 277)}
 """Field for text of the first sheet, and of all others, mm from the upper left corner."""
 
 
-def words_of(pdf):
+def words_of(pdf, *order):
     """The words of each sheet: left, top, right, bottom in mm, and the text."""
-    run = subprocess.run(["pdftotext", "-bbox", "-", "-"], input=pdf, capture_output=True, check=True)
+    run = subprocess.run(["pdftotext", *order, "-bbox", "-", "-"], input=pdf, capture_output=True, check=True)
     word = re.compile(r'<word xMin="(.*?)" yMin="(.*?)" xMax="(.*?)" yMax="(.*?)">(.*?)</word>')
     for sheet in run.stdout.decode().split("<page ")[1:]:
-        yield [(*(float(number) * MM for number in found.groups()[:4]), found[5]) for found in word.finditer(sheet)]
+        yield [
+            (*(float(number) * MM for number in found.groups()[:4]), html.unescape(found[5]))
+            for found in word.finditer(sheet)
+        ]
 
 
 def dark(pdf):
