@@ -97,7 +97,7 @@ class OverloadCurve(ClutchCurve):
     bypass_pairs: int = quantity("1", "z_1", "pairs that bypass the control unit")
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain of the clutch")
     optimal_reduced_gain: float = quantity(
-        "1", "(zC)_opt", "reduced gain that is most accurate by the published T_ср, 1/f_max; by T_eq none is"
+        "1", "(zC)_opt", "reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum"
     )
 
 

@@ -81,7 +81,7 @@ class OverloadResult(Answer):
         "1", "f (17)", "friction at which T_ср < T_муф, S22 (17), within the range", optional=True
     )
     optimal_reduced_gain: float = quantity(
-        "1", "(zC)_opt", "reduced gain that is most accurate by the published T_ср, 1/f_max; by T_eq none is"
+        "1", "(zC)_opt", "reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum"
     )
     accuracy_factor_expected: float = quantity("1", "K_т,exp", "expected accuracy factor, S22 (18)")
     accuracy_factor_actual: float = quantity("1", "K_т,act", "actual accuracy factor with the published T_ср, S22 (19)")

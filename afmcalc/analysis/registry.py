@@ -109,9 +109,9 @@ def _slips(found: Any) -> str:
         )
     return (
         "Set for a nominal torque of the clutch of {nominal_torque:.5g N·m}, it slips at {torque.min:.5g N·m} at the "
-        "smallest and at {torque.max:.5g N·m} at the largest friction. It starts in two stages: up to "
-        "{onset_torque.min:.5g N·m} and {onset_torque.max:.5g N·m} the bypass pairs carry the torque alone, then the "
-        "balls take their share and the release force arises."
+        "smallest and at {torque.max:.5g N·m} at the largest friction. It is loaded in two stages: the bypass pairs "
+        "alone carry up to {onset_torque.min:.5g N·m} at the smallest and {onset_torque.max:.5g N·m} at the largest "
+        "friction, then the balls take their share and the release force arises."
     )
 
 
@@ -221,7 +221,8 @@ ANALYSES: dict[str, Analysis] = {
                 "What the drive sees when the clutch, set with a margin over the machine's torque, begins to slip.",
                 "With the margin β_н = {margin:g} the nominal torque of the machine may be {machine_torque:.5g N·m}; "
                 "the clutch trips at {actuation_torque_equilibrium.min:.5g N·m} to "
-                "{actuation_torque_equilibrium.max:.5g N·m}, and later where the release force lags the load.",
+                "{actuation_torque_equilibrium.max:.5g N·m}, and at a higher torque where the release force lags the "
+                "load.",
                 ("S22",),
             ),
             plot=Plot("overload", "trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),

@@ -13,8 +13,8 @@ from .terms import *
 @equation
 def gain_threshold(
     mean_radius: MeanRadius, key_friction: KeyFriction, hub_diameter: HubDiameter
-) -> Annotated[Number, "C_0", "1"]:
-    """Gain the key's friction eats up, 2 R f_1/d: below it no torque moves the sleeve.
+) -> Annotated[Number, "C_thr", "1"]:
+    """Gain at which feedback begins, 2 R f_1/d: below it the key's friction holds the sleeve.
 
     Source: S21, after (5), as tan α > 2 f_1 for d = r; handbook, chapter 5.
     Validity: Friction at the key opposes the sleeve's motion.

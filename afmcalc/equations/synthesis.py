@@ -158,9 +158,9 @@ def hertz_contact_modulus(
 
 @equation
 def hertz_allowable_force(
-    allowable_pressure: AllowablePressureOnFlat, ball_radius: BallRadius, contact_modulus: ContactModulus, pi: Pi
+    allowable_pressure: AllowablePressure, ball_radius: BallRadius, contact_modulus: ContactModulus, pi: Pi
 ) -> AllowableForce:
-    """Force at which a ball on a flat reaches the allowable pressure, F = π³ p_0³ r²/(6 E_c²).
+    """Force at which a ball on a flat reaches the allowable pressure, F = π³ p_0,allow³ r²/(6 E_c²).
 
     Source: Johnson, Contact Mechanics (1985), (4.24) with R = r (ball on flat).
     Validity: Elastic, frictionless, contact small against the ball; the wall is flat.

@@ -184,8 +184,8 @@ CosSeatAngle = Annotated[Number, "cos α_0", "1", "cosine of the angle of the se
 PathRadius = Annotated[Number, "ρ", "m", "radius of curvature of the path"]
 CurvatureRatio = Annotated[Number, "A/B", "1", "ratio of the relative curvatures"]
 AxisRatio = Annotated[Number, "k", "1", "minor over major semi-axis"]
-IntegralB = Annotated[Number, "𝐁", "1", "complete elliptic integral of modulus √(1 − k²)"]
-IntegralD = Annotated[Number, "𝐃", "1", "complete elliptic integral of modulus √(1 − k²)"]
+IntegralB = Annotated[Number, "𝐁", "1", "elliptic integral (E − k² K)/(1 − k²), K and E complete, of modulus √(1 − k²)"]
+IntegralD = Annotated[Number, "𝐃", "1", "elliptic integral (K − E)/(1 − k²) of the same"]
 Pi = Annotated[Number, "π", "1", "circumference over diameter of a circle"]
 
 # Synthesis of the control unit
@@ -207,7 +207,6 @@ BallModulus = Annotated[Number, "E_1", "Pa", "elastic modulus of the ball"]
 BallPoisson = Annotated[Number, "ν_1", "1", "Poisson's ratio of the ball"]
 WallModulus = Annotated[Number, "E_2", "Pa", "elastic modulus of the pocket wall"]
 WallPoisson = Annotated[Number, "ν_2", "1", "Poisson's ratio of the pocket wall"]
-AllowablePressureOnFlat = Annotated[Number, "p_0", "Pa", "allowable maximum contact pressure"]
 ContactModulus = Annotated[Number, "E_c", "Pa", "contact modulus of ball and wall"]
 AllowablePressure = Annotated[Number, "p_0,allow", "Pa", "allowable maximum contact pressure"]
 ContactForce = Annotated[Number, "F_n", "N", "normal force on the ball"]

@@ -100,7 +100,8 @@ def _native(symbol: re.Match[str]) -> str:
 
 _QUOTED = re.compile("(«[^»]*»)")
 _SYMBOL = re.compile(
-    r"\b\w+ wanted|(?<![^\W_])(?:[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*|(?:arc)?tanh?|cot)(?![^\W_])| or (?=κ)"
+    r"\b\w+ wanted|(?<=\)_)opt\b| or (?=κ)|"
+    r"(?<![^\W_])(?:[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*|(?:arc)?tanh?|cot)(?![^\W_])"
 )
 _INDEXED = re.compile(r"(?<![^\W_])[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*")
 _WORD = re.compile(r"[^\W\d_]{2,}")
@@ -115,7 +116,7 @@ def native_latex(latex: str) -> str:
 
 
 def _native_index(indexed: re.Match[str]) -> str:
-    letter = {"sigma": "σ", "tau": "τ"}.get(indexed[2] or "", indexed[3] or "x")
+    letter = {"sigma": "σ", "tau": "τ", "beta": "β"}.get(indexed[2] or "", indexed[3] or "x")
     return f"{indexed[1]}_{{\\text{{{native(f'{letter}_{indexed[4]}').partition('_')[2]}}}}}"
 
 

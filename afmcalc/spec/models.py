@@ -235,7 +235,7 @@ class FrictionGroup(RuledBlock):
     mean_radius: Length | None = key("mean friction radius", "R_cp")
     inner_radius: Length | None = key("inner radius of the friction surface", "r_i")
     outer_radius: Length | None = key("outer radius of the friction surface", "r_o")
-    radius_model: RadiusModel | None = key("how the mean radius follows from the two; default uniform-wear")
+    radius_model: RadiusModel | None = key("rule for the mean radius; default uniform-wear")
     spline_friction: Ratio | None = key("friction of the discs in their splines (effects only)", "μ_s")
     inner_spline_radius: Length | None = key("radius of the inner discs' splines (effects only)", "r_si")
     outer_spline_radius: Length | None = key("radius of the outer discs' splines (effects only)", "r_so")
@@ -395,7 +395,7 @@ class ControlUnit(Block):
         "how the gain grows with the sleeve's travel, pockets with a curved wall (indirect only); default 0", "C_1"
     )
     pocket: PocketShape | None = key(
-        "constant-torque: the curved wall that holds the torque, instead of gain_slope (indirect only)"
+        "wall of the pockets; constant-torque: curved so that the torque holds, instead of gain_slope (indirect only)"
     )
     profiled: Profiled | None = key("sleeves with the curved wall (indirect only); default one")
     ball_circle_radius: Length | None = key("radius of the ball circle", "r")
@@ -439,7 +439,7 @@ class Event(Block):
     """What makes the clutch slip, at t = 0."""
 
     kind: EventKind = required(
-        "stop: the tool is stopped in stop_time; load: its load rises to torque within rise_time"
+        "what happens to the tool; stop: it is stopped in stop_time; load: its load rises to torque within rise_time"
     )
     stop_time: TimeOrNone | None = key("time in which the tool is stopped; 0 is a sudden lock", "t_b")
     torque: Torque | None = key(
@@ -521,9 +521,7 @@ class Fatigue(Block):
     mean_stress_sensitivity: Ratio | None = key("sensitivity to the mean stress (model amplitude)", "ψ_τ")
     ultimate_strength: Stress | None = key("ultimate strength in shear (model goodman)", "τ_u")
     base_cycles: Coefficient = required("base cycles of the S-N line", "N_0")
-    load_low: TorqueOrNone = key(
-        "torque from which a slip swings the load and to which it falls back (amplitude, goodman)", "T_low", default=0.0
-    )
+    load_low: TorqueOrNone = key("least torque of a slip's load cycle (amplitude, goodman)", "T_low", default=0.0)
 
 
 class Envelope(RuledBlock):

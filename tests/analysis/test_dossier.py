@@ -100,8 +100,8 @@ def test_every_symbol_of_a_report_is_given_explained_or_derived(name):
 
 
 STANDS_FOR = {
-    "N(0)": "N", "T_ret": "T", "T_н.муф": "T_муф", "τ_eq": "τ_m", "τ'_eq": "τ_m", "2R f_1/d": "C_0", "z_lim(C_max)": "z_lim",
-    "y_st": "y", "K_т,w": "K_т", "K_т,p": "K_т",
+    "N(0)": "N", "T_ret": "T", "T_н.муф": "T_муф", "τ_eq": "τ_m", "τ'_eq": "τ_m", "2R f_1/d": "C_thr",
+    "z_lim(C_max)": "z_lim", "y_st": "y", "K_т,w": "K_т", "K_т,p": "K_т",
 }  # fmt: skip
 """Symbol of a result → that of the step it is one case of."""
 

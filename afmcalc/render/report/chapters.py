@@ -143,7 +143,8 @@ class Derived(NamedTuple):
     """One quantity as an engineer writes it."""
 
     step: Derivation
-    """Whose symbols are explained in the language of the user."""
+    where: Mapping[tuple[str, str], Sequence[tuple[str, int]]]
+    """Symbol, and what it stands for in the language of the user → quantities it is, and the formulas they are by."""
     formula: str
     """MathML, with the numbers where there is but one short line of them; empty where an earlier block has it."""
     header: Sequence[str]
@@ -174,7 +175,8 @@ def block_of(step: Derivation, method: str) -> Derived:
         for row, *labels in zip(rows, *(labels for _, labels in columns), strict=True)
     ]
     return Derived(
-        step=step._replace(where=[meaning._replace(text=_explained(meaning)) for meaning in step.where]),
+        step=step._replace(where=(where := [meaning._replace(text=_explained(meaning)) for meaning in step.where])),
+        where=_joined(where),
         formula=math(" = ".join(parts)) if len(parts) > 1 else "",
         header=[told(name) for name, _ in columns] if len(columns) > 1 else [],
         lines=[] if joined else lines,
@@ -216,6 +218,16 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
 def _explained(meaning: Meaning) -> str:
     unit = translate(typeset(meaning.unit), "unit")
     return ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
+
+
+def _joined(meanings: Sequence[Meaning]) -> dict[tuple[str, str], list[tuple[str, int]]]:
+    """Explain each symbol once, by every formula that gives it."""
+    origins: dict[tuple[str, str], list[tuple[str, int]]] = {}
+    for meaning in meanings:
+        same = (key for key in origins if key[0] == meaning.symbol and meaning.text in ("", key[1]))
+        known = origins.setdefault(next(same, (meaning.symbol, meaning.text)), [])
+        known += [] if meaning.number is None else [(meaning.source, meaning.number)]
+    return origins
 
 
 def _size(latex: str) -> int:

@@ -15,28 +15,30 @@ from ..symbols import native, split
 def symbol(text: str, ours: bool = True) -> Markup:
     """Set a symbol with subscripts; what is quoted is not ``ours``, and what is set already stays.
 
-    >>> symbol("T_н < 1")
-    Markup('T<sub>н</sub> &lt; 1')
+    >>> symbol("T_н < -1")
+    Markup('T<sub>н</sub> &lt; −1')
     """
     if isinstance(text, Markup):
         return text
     lower = Markup("<sub>{}</sub>").format
-    pieces: list[Any] = [lower(piece) if low else escape(piece) for piece, low in split(text, ours)]
+    pieces: list[Any] = [lower(piece) if low else escape(piece) for piece, low in split(_MINUS.sub("−", text), ours)]
     return Markup("").join(pieces)
 
 
 def cell(text: str) -> Markup:
     """Set a cell of a table: a key as code, a power of ten as one, anything else with its symbols.
 
-    >>> cell("control_unit.gain"), cell("3.3493e+15"), cell("K_т")
-    (Markup('<code>control_unit.gain</code>'), Markup('3.3493·10<sup>15</sup>'), Markup('K<sub>т</sub>'))
+    >>> cell("control_unit.gain"), cell("no limit (3.3493e+15)"), cell("1e-11")
+    (Markup('<code>control_unit.gain</code>'), Markup('no limit (3.3493·10<sup>15</sup>)'), Markup('10<sup>−11</sup>'))
     """
     if text in keys():
         return Markup("<code>{}</code>").format(text)
-    if power := _POWER.fullmatch(text):
-        mantissa = "" if power[1] == "1" else f"{power[1]}·"
-        return Markup("{}10<sup>{}</sup>").format(mantissa, int(power[2]))
-    return symbol(text)
+    return Markup(_POWER.sub(_power, symbol(text)))  # noqa: S704
+
+
+def _power(number: re.Match[str]) -> str:
+    mantissa = "" if number[1] == "1" else f"{number[1]}·"
+    return f"{mantissa}10<sup>{int(number[2])}</sup>".replace("-", "−")
 
 
 def name_of(path: str) -> str:
@@ -46,7 +48,7 @@ def name_of(path: str) -> str:
 
 def marks(step: Derivation) -> list[str]:
     """Misprints of what is printed instead of a formula that its source does not name."""
-    return [mark for mark in MISPRINT.findall(step.differs) if mark not in MISPRINT.findall(step.source)]
+    return [mark for mark in dict.fromkeys(MISPRINT.findall(step.differs)) if mark not in MISPRINT.findall(step.source)]
 
 
 MISPRINT = re.compile(r"\bM\d+\b")
@@ -63,7 +65,8 @@ def css_string(text: str) -> Markup:
     return Markup(f'"{plain}"')  # noqa: S704
 
 
-_POWER = re.compile(r"(-?[\d.]+|\(.*\))e([+-]\d+)")
+_POWER = re.compile(r"([\d.]+|\(.* ± .*\))e([+-]\d+)")
+_MINUS = re.compile(r"(?<![\w.\]})-])-(?=\d)")
 
 
 def drawing(svg: str, name: str, number: object) -> Markup:

@@ -267,10 +267,13 @@ def _symbols(parts: list[Chapter], latin: Mapping[str, str]) -> list[tuple[str, 
     for row in (row for chapter in parts for table in chapter.tables for row in table.rows if len(row) > 2):
         if row[0] in latin:
             meanings.setdefault(row[0], row[1])
-    shown = {**dict.fromkeys(latin, ""), **meanings}
-    return sorted(
-        ((each, latin.get(each, ""), text) for each, text in shown.items()), key=lambda row: row[0].casefold()
-    )
+    # what stands in no formula and no table, but in a check or a note
+    known = {key.symbol: name_of(path) for path, key in keys().items() if key.symbol}
+    # in a ratio, a symbol may be another quantity
+    alone = [each for each in latin if not any(each in other for other in meanings)]
+    meanings |= {each: known[latin[each]] for each in alone if latin[each] in known}
+    rows = ((each, latin.get(each, ""), text) for each, text in meanings.items())
+    return sorted(rows, key=lambda row: row[0].casefold())
 
 
 def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
