@@ -325,8 +325,9 @@ FINDINGS: Mapping[str, str] = {
     "within the printed range of the allowable, {low:g MPa…}{high:g MPa} of {name}",
     "peak-pressure": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
     "below the allowable {low:g MPa} of {name}",
-    "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
-    "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement: {listed}; give up {names}",
+    "no-candidate": "none of {candidates:,} candidates meets every requirement; excluded by: {listed}",
+    "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement; excluded by: {listed}; what "
+    "to give up: {names}",
     "returning-covered": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m} and within its margin over the machine's "
     "{machine:.5g N·m}: the friction at the key holds the sleeve back",

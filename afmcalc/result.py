@@ -62,6 +62,8 @@ class Shown:
     """Whether a dictionary is shown with its largest magnitude first."""
     keys_are: str = "parameter"
     """What the keys of a dictionary are called."""
+    in_words: Callable[[str], str] | None = None
+    """``name`` → what people read in place of a name, of each in a list, or of each key of a dictionary."""
     steps: bool = False
     """Whether a list holds the steps of an explanation."""
 

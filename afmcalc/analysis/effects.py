@@ -108,12 +108,13 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
     """
     brackets = _brackets(clutch)
     if not brackets:
-        problems = [
-            Problem(path, None, say("required for the effect {name}; no effect has its keys", name=term(name, "value")))
-            for name, source in SOURCES.items()
-            for path in source.missing(clutch)
-        ]
-        raise SpecError(clutch.spec.label, problems)
+        missing = SOURCES["wear"].missing(clutch)
+        hint = say(
+            "the spec has the data of no effect; to begin with wear, give {listed}, as afmcalc init --kind drive has "
+            "them: what the other effects need, afmcalc effects then says",
+            listed=", ".join(missing),
+        )
+        raise SpecError(clutch.spec.label, [Problem(missing[0], None, hint)])
     result = EffectsResult(
         accuracy_factor=clutch.accuracy_factor,
         torque=Triple.of(float(clutch.torque(*frictions)) for frictions in zip(*clutch.friction, strict=True)),

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Any, NamedTuple
 
-from ..messages import translate
+from ..messages import joined, translate
 from ..result import OpenTriple, Result, Series, Shown, Triple, shown_as
 
 ENDS = ("min", "mean", "max")
@@ -103,6 +103,8 @@ def _walk(
                 continue
             keys = sorted(value, key=lambda key: -abs(value[key])) if column.shown.ranked else list(value)
             heads = Column(f"{column.path}.key", "", translate(column.shown.keys_are), "", keys)
+            if in_words := column.shown.in_words:
+                heads = heads._replace(words=[*map(in_words, keys)])
             figures = column._replace(values=[value[key] for key in keys], words=())
             into.tables.append(Table(column.name, [heads, figures]))
         elif isinstance(value, list) and value and isinstance(value[0], Result):
@@ -136,11 +138,19 @@ def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
                 [getattr(record, name) for record in records],
                 shown,
                 [getattr(record, shown.unit_in) for record in records] if shown.unit_in else None,
-                [record.words(name) for record in records],
+                [_word(record, name, shown) for record in records],
                 [] if None in errors else errors,
             )
             columns.append(column)
     return columns
+
+
+def _word(record: Result, name: str, shown: Shown) -> str | None:
+    """What people read instead of a field's value; None: the value."""
+    value = getattr(record, name)
+    if shown.in_words is None or not isinstance(value, str | list):
+        return record.words(name)
+    return joined(map(shown.in_words, [value] if isinstance(value, str) else value), "; ")
 
 
 def _records(records: Sequence[Result]) -> Table:
@@ -161,7 +171,7 @@ def _records(records: Sequence[Result]) -> Table:
             columns += [
                 column._replace(
                     path=f"{column.path}.{key}",
-                    name=f"{column.name} {translate(key)}",
+                    name=f"{column.name} {translate(column.shown.in_words(key) if column.shown.in_words else key)}",
                     values=[value.get(key) for value in column.values],
                 )
                 for key in dict.fromkeys(key for value in column.values for key in value)

@@ -187,7 +187,7 @@ class Friction(FrictionRange):
     driven: FrictionRange | None = key("friction of the driven (controlled) pairs", "f_2")
     static_ratio: AtLeastOne | None = key("static over sliding friction; default 1", "r_s")
     stribeck_speed: SlidingSpeed | None = key("sliding speed in which static friction decays", "v_s")
-    unknown: StrictBool | None = key("true: which of several materials it is, is not known; the worst of them counts")
+    unknown: StrictBool | None = key("of several materials it is not known which is fitted: the worst of them counts")
 
     def broken_rules(self) -> Iterable[Broken]:
         """What is not known is one of several."""

@@ -165,8 +165,9 @@ def test_what_locks_and_what_is_used_up():
     _, cams, found = one(base("control_unit.wall_friction=0.3"), "sliding-cams")
     assert found["cams-lock"].value < 0
     assert cams.torque_high.max == pytest.approx(2000 * 0.1 * 8 * 0.8), "an ordinary clutch"
-    with pytest.raises(SpecError, match="required for the effect wear"):
+    with pytest.raises(SpecError, match="no effect; to begin with wear, give heat.lining, closing_spring.stif") as none:
         effects(base())
+    assert len(none.value.problems) == 1
 
 
 def test_a_worn_clutch_that_no_longer_carries_its_machine_is_said():

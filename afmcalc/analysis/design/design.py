@@ -24,7 +24,7 @@ from .candidates import candidates, rounded
 from .limits import Constraint, constraints
 from .pick import asked, made, number_of
 from .refine import refined
-from .rows import Attainable, DesignResult, DesignRow, OfVariant, Trade, rows
+from .rows import Attainable, DesignResult, DesignRow, OfVariant, Trade, in_words, rows
 from .search import TILE, Survey, front, search
 from .service import held
 from .space import SAME_CLUTCH, Numbers, Tile, grids, linings, tiles, total
@@ -91,7 +91,7 @@ def design(
     missed = [finding("springs-miss", "warning", value=float(unsprung), path="springs")] if unsprung else []
     if names:
         code = "front-of-grid" if simulated else "front-not-simulated"
-        missed.append(finding(code, "info", path="wanted", names=", ".join(names)))
+        missed.append(finding(code, "info", path="wanted", names=joined(map(in_words, names))))
     materials = (each for lined in linings(need) for each in material_findings(lined.friction))
     told = [*need.label.findings, *dict.fromkeys(materials), *_of_machine(need)]
     return result, [*told, *_findings(result), *missed]
@@ -236,12 +236,12 @@ def _findings(result: DesignResult) -> list[Finding]:
     if result.front:
         return []
     most = sorted(result.excluded.items(), key=lambda item: -item[1])
-    listed = joined(say("{name} excludes {number:,}", name=name, number=number) for name, number in most)
+    listed = joined(say("{name} ({number:,})", name=in_words(name), number=number) for name, number in most)
     missed = result.attainable or []
     alone = [
         say(
             "{name} ({sense} {limit}; there is {best})",
-            name=row.requirement,
+            name=in_words(row.requirement),
             sense=term(row.sense),
             limit=measured(row.limit, ENGINEER.get(row.unit, row.unit), 5),
             best=measured(row.relax_to or row.best, ENGINEER.get(row.unit, row.unit), 5),
@@ -249,7 +249,7 @@ def _findings(result: DesignResult) -> list[Finding]:
         for row in missed
         if row.together is None
     ]
-    if given_up := alone or list(dict.fromkeys(row.together for row in missed if row.together)):
+    if given_up := alone or [*map(in_words, dict.fromkeys(row.together for row in missed if row.together))]:
         names, count = joined(given_up, say(" or ")), result.candidates
         return [finding("no-candidate/attainable", "error", value=0.0, candidates=count, listed=listed, names=names)]
     return [finding("no-candidate", "error", value=0.0, candidates=result.candidates, listed=listed)]

@@ -13,6 +13,7 @@ from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import CalculationError, given
 from ...findings import Finding
+from ...messages import joined
 from ...result import Result
 from ...spec import Spec
 from ...spec.edit import as_written
@@ -29,7 +30,7 @@ from ..synthesize import SynthesisResult
 from ..torque import TorqueResult
 from .candidates import candidates
 from .limits import feasible, objectives
-from .rows import DesignResult, DesignRow, as_spec, rows
+from .rows import DesignResult, DesignRow, as_spec, in_words, rows
 from .space import SAME_CLUTCH, Axes, searched, with_lining
 
 _LEVELS = (*range(9), *range(11, 33, 3))
@@ -70,7 +71,7 @@ def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tu
         raise CalculationError(
             "--pick {number}: a check fails it, as it is and in round figures: {missed}",
             number=number,
-            missed=", ".join(missed),
+            missed=joined(map(in_words, missed)),
         )
     return result.model_copy(update={"picked": [_as_written(*chosen)]}), chosen.spec
 

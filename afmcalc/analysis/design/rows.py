@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from ...messages import say
+from ...messages import joined, say, term
 from ...result import Answer, Result, Sentence, described, quantity
 from ...spec import Spec, make_spec
 from ...spec.edit import as_written, put
@@ -87,11 +87,44 @@ class DesignRow(Result):
         return float(value or 0.0)
 
 
+_CONSTRAINTS = {
+    "gain_limit": say("feedback gain as a share of its limit"),
+    "reduced_gain": say("reduced gain"),
+    "gain_threshold": say("feedback gain below the one at which the sleeve moves"),
+    "contact_pressure": say("contact pressure of balls and pockets"),
+    "standard_ball": say("size that the largest standard ball lacks"),
+    "hub_diameter": say("inner diameter of the faces, around the hub"),
+    "face_width": say("mean radius that the width of the faces needs"),
+    "material_pressure": say("peak pressure on the friction material"),
+    "shaft_yield": say("largest torque for the shaft"),
+    "housing_diameter": say("outer diameter of the housing"),
+    "length": say("length of the clutch"),
+    "hub_pack": say("overlap of hub and disc pack"),
+    "hub_balls": say("overlap of hub and balls"),
+    "pack_balls": say("overlap of disc pack and balls"),
+    "pressure_disc_balls": say("overlap of pressure disc and balls"),
+    "housing_balls": say("overlap of housing and balls"),
+    "housing_stop_ring": say("overlap of housing and stop ring"),
+    "closing_spring": say("no closing spring to be had"),
+    "control_spring": say("no control spring to be had"),
+    "springs": say("no springs with which it passes a check"),
+}
+"""Constraint that is no quantity of a row → what people read."""
+
+
+def in_words(names: str) -> str:
+    """Say what a constraint or an objective is called; several may be joined by plus signs."""
+    fields, each = DesignRow.model_fields, names.split(" + ")
+    return joined(
+        (_CONSTRAINTS.get(name) or term((name in fields and fields[name].description) or name) for name in each), " + "
+    )
+
+
 class Attainable(Result):
     """The best of a requirement among clutches that miss nothing else, or only what is named together with it."""
 
-    together: str | None = described("requirements given up together", optional=True)
-    requirement: str = described("requirement given up")
+    together: str | None = described("requirements given up together", optional=True, in_words=in_words)
+    requirement: str = described("requirement given up", in_words=in_words)
     sense: str = described("is to be")
     limit: float = described("limit", unit_in="unit")
     best: float = described("best found", unit_in="unit")
@@ -106,7 +139,7 @@ class Trade(Result):
 
     number: int = described("no.")
     variant: str = described("variant")
-    objective: str = described("objective", code=True)
+    objective: str = described("objective", in_words=in_words)
     verdict: Literal["gains", "gives up"] = described("verdict")
     change: float | None = quantity("1", None, "change, as a share")
     value: float | None = described("has", unit_in="unit")
@@ -119,7 +152,7 @@ class OfVariant(Result):
 
     variant: str = described("variant")
     candidates: int = described("candidates searched")
-    excluded: dict[str, int] = described("excluded by")
+    excluded: dict[str, int] = described("excluded by:", in_words=in_words)
     feasible: int = described("candidates that meet every requirement")
     on_front: int = described("clutches on the front")
 
@@ -132,12 +165,14 @@ class DesignResult(Answer):
     unasked: int | None = described(
         "of them not given to a check, which simulates: one of the front beats them", optional=True
     )
-    objectives: list[str] = described("what is small on the front")
+    objectives: list[str] = described("what is small on the front", in_words=in_words)
     on_front: int = described("clutches on the front: none beats another in everything")
     knee: int | None = described("number of the knee: least sum of the objectives, each over its range",
         optional=True,
     )  # fmt: skip
-    excluded: dict[str, int] = described("candidates excluded by each constraint", ranked=True, keys_are="constraint")
+    excluded: dict[str, int] = described(
+        "candidates excluded by each constraint", ranked=True, keys_are="constraint", in_words=in_words
+    )
     front: list[DesignRow] = described("the front", folds=True)
     picked: list[DesignRow] | None = described(
         "the clutch picked, calculated from the round values as written", optional=True, across=True

@@ -1,12 +1,18 @@
 """What helps to choose: what became of each variant, and the neighbours of a clutch on the front."""
 
+import re
 import tomllib
 import warnings
 
 import pytest
 from conftest import CONFIGS
+from sources import calls
 
 from afmcalc.analysis.design.design import design, with_neighbours
+from afmcalc.analysis.design.limits import _IN_THE_WAY, OBJECTIVES
+from afmcalc.analysis.design.rows import in_words
+from afmcalc.analysis.requirements import JUDGED
+from afmcalc.messages import language, speaking, translate
 from afmcalc.spec.requirements import make_requirements
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
@@ -84,3 +90,22 @@ def test_an_objective_that_is_infinite_in_all_says_nothing():
         told = with_neighbours(result, 1)
     assert len(result.front) > 2
     assert {trade.objective for trade in told.neighbours} == {"accuracy_factor", "closing_force"}
+
+
+def test_people_read_words_and_programs_names(example, afmcalc):
+    """Every constraint and objective has words, in both languages; what is searched is told in them."""
+    bounds = {node.args[0].value for _, node in calls("Constraint") if node.args and hasattr(node.args[0], "value")}
+    bounds |= {"_".join(pair).replace(" ", "_") for pair in _IN_THE_WAY}
+    answered = {name for name, how in JUDGED.items() if how.analysis in ("simulate", "heat", "tolerance", "life")}
+    assert len(bounds) > 25
+    for name in bounds | answered | {*OBJECTIVES, "gain_threshold", "pairs", "springs"}:
+        words = in_words(name)
+        assert words != name, name
+        with speaking(language("ru")):
+            assert translate(words) != words, name
+    for lang in ("en", "ru"):
+        run = afmcalc("--lang", lang, "design", CONFIGS / "machine.toml", "--explain", "knee", "--misses")
+        told = re.sub(r"\b(wanted|limits|search|fixed|envelope)\.[\w.]+", "", run.out)
+        assert not re.search(r"\b[a-z]{3,}_[a-z]{3,}", told)
+    assert set(example.excluded) <= bounds | {"pairs"}
+    assert example.objectives[0] == "closing_force"

@@ -581,7 +581,7 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
     assert shown.code == 2
     assert shown.json["result"]["front"] == []
     assert shown.json["result"]["excluded"]["accuracy_factor"] == shown.json["result"]["candidates"] == 132020
-    assert "none of 132,020 candidates meets every requirement: accuracy_factor excludes 132,020" in shown.err
+    assert "none of 132,020 candidates meets every requirement; excluded by: accuracy factor (132,020), " in shown.err
     (row,) = shown.json["result"]["attainable"]
     assert (row["requirement"], row["sense"], row["limit"], row["together"]) == (
         "accuracy_factor",
@@ -589,7 +589,7 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
         1.01,
         None,
     )
-    assert f"give up accuracy_factor (at most 1.01; there is {row['relax_to']:.5g})" in shown.err
+    assert f"give up: accuracy factor (at most 1.01; there is {row['relax_to']:.5g})" in shown.err
     narrow = ["--set", "wanted.accuracy_factor=1.01", "--set", "limits.surface_pressure=1 kPa"]
     rows = afmcalc("design", CONFIGS / "requirements.toml", *narrow, "--json").json["result"]["attainable"]
     assert {row["together"] for row in rows} == {"accuracy_factor + surface_pressure"}

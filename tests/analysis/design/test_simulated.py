@@ -179,5 +179,5 @@ def test_a_quick_look_says_so_and_what_it_lets_through_is_not_written():
     result, findings = design(need, simulate=False)
     assert result.front
     assert "front-not-simulated" in {each.code for each in findings}
-    with pytest.raises(CalculationError, match="--pick 1: a check fails it.*: peak_torque"):
+    with pytest.raises(CalculationError, match="--pick 1: a check fails it.*: peak torque"):
         with_picked(need, result, 1)

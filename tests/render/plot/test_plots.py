@@ -330,7 +330,7 @@ def test_each_number_of_pairs_is_named_once():
         (["plot", "pareto", WISHES, "--sweep", "C", "-o", "x.svg"], "no use for --sweep"),
         (["plot", "pareto", CONFIGS / "default.toml", "-o", "x.svg"], "no requirements"),
         (["plot", "pareto", WISHES, "--set", 'objectives=["pairs"]', "-o", "x.svg"], "two or more"),
-        (["plot", "pareto", WISHES, "--set", "wanted.accuracy_factor=1", "-o", "x.svg"], "accuracy_factor excludes"),
+        (["plot", "pareto", WISHES, "--set", "wanted.accuracy_factor=1", "-o", "x.svg"], "by: accuracy factor"),
         (["plot", "paper", "S22-9", "-o", "x.svg"], "S22-4"),
         (["accuracy", "--plot"], "give --sweep"),
         (["accuracy", "--sweep", "C", "--plot", "--json"], "under a table"),
