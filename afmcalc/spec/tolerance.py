@@ -56,13 +56,15 @@ class Distribution(Block):
 class Tolerance(Block):
     """What scatters, and how it is calculated."""
 
-    method: SamplingMethod = key("auto: exact where only friction varies, else Monte Carlo", default="auto")
+    method: SamplingMethod = key(
+        "how the scatter is calculated; auto: exact where only friction varies, else Monte Carlo", default="auto"
+    )
     setting: Setting = key(
-        "as-made: springs set for the nominal clutch and held; each-adjusted: every clutch set on the bench",
+        "how the springs of a sample are set; as-made: for the nominal clutch, and held; each-adjusted: on the bench",
         default="as-made",
     )
     samples: Whole = key("size of the sample", default=1_000_000, ge=1000, le=10**10)
-    seed: Whole = key("seed: the same seed gives the same digits", default=1, ge=0, le=2**63)
+    seed: Whole = key("start of the random numbers; the same seed gives the same digits", default=1, ge=0, le=2**63)
     quantiles: Annotated[tuple[Number, ...], FailFast()] = key(
         "probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995)
     )

@@ -99,6 +99,13 @@ def test_every_symbol_of_a_report_is_given_explained_or_derived(name):
                 assert {own, STANDS_FOR.get(own)} & (derived | GIVEN), (topic.name, own)
 
 
+def test_a_force_that_is_only_rounding_is_none():
+    """At f_min the stop of configs/constant-torque.toml carries 4176 − 2000 − 160 · 1.36/0.1 = 0 N."""
+    topics = dossier(read_spec(CONFIGS / "constant-torque.toml")).topics
+    (reaction,) = (step for topic in topics for step in topic.derivations if step.symbol == "S")
+    assert [row.value for row in reaction.rows] == [0.0]
+
+
 STANDS_FOR = {
     "N(0)": "N", "T_ret": "T", "T_н.муф": "T_муф", "τ_eq": "τ_m", "τ'_eq": "τ_m", "2R f_1/d": "C_thr",
     "z_lim(C_max)": "z_lim", "y_st": "y", "K_т,w": "K_т", "K_т,p": "K_т",

@@ -267,7 +267,7 @@ def symbol_latex(name: str) -> str:
     for letter, command in _GREEK.items():
         name = name.replace(letter, command)
     indexed = _INDEXED.sub(r"\1_{\\text{\2}}", name.replace("'", "^{\\prime}"))
-    return _FUNCTION.sub(r"\\\1 ", indexed)
+    return _FUNCTION.sub(r"\\\1 ", indexed).replace("²", "^{2}")
 
 
 _GREEK = {
@@ -281,6 +281,6 @@ _GREEK = {
     "Δ": "\\Delta ",
     "∂": "\\partial ",
 }
-_INDEXED = re.compile(r"((?:\\[a-z]+|[^\W_]|\))(?:\^\{\\prime\})?)_([\w.,+]+)")
+_INDEXED = re.compile(r"((?:\\[a-z]+|[^\W_]|\))(?:\^\{\\prime\})?)_((?:[^\W²]|[.,+])+)")
 """A letter with an index: F_п, ΔT_2, T'_п."""
 _FUNCTION = re.compile(r"\b(sin|cos|tan|ln) ?(?=[\w\\(])")

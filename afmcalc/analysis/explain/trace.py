@@ -135,7 +135,10 @@ class Call(NamedTuple):
             return shared
         if shared.friction is None or "friction_set" in self.arguments:
             return Circumstance(friction)
-        return shared if friction in (None, shared.friction) else Circumstance(friction, "held", shared.friction)
+        if friction in (None, shared.friction):
+            return shared
+        # f_1 and f_2 of a direct clutch are two frictions of one case
+        return Circumstance(friction, "held", shared.friction) if module == "indirect" else Circumstance(friction)
 
     @property
     def _friction(self) -> str | None:

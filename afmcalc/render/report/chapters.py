@@ -175,7 +175,7 @@ def block_of(step: Derivation, method: str) -> Derived:
         for row, *labels in zip(rows, *(labels for _, labels in columns), strict=True)
     ]
     return Derived(
-        step=step._replace(where=(where := [meaning._replace(text=_explained(meaning)) for meaning in step.where])),
+        step=step._replace(where=(where := [meaning._replace(text=explained(meaning)) for meaning in step.where])),
         where=_joined(where),
         formula=math(" = ".join(parts)) if len(parts) > 1 else "",
         header=[told(name) for name, _ in columns] if len(columns) > 1 else [],
@@ -215,7 +215,8 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
     return [""] * len(rows) if set(labels) == {usual} else labels
 
 
-def _explained(meaning: Meaning) -> str:
+def explained(meaning: Meaning) -> str:
+    """What a symbol stands for, with its unit."""
     unit = translate(typeset(meaning.unit), "unit")
     return ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
 
@@ -242,7 +243,7 @@ def broken(latex: str, most: int = _SHORT) -> str:
     depth, summands = 0, [""]
     for part in _PARTS.split(latex):
         depth += (part in _OPENING) - (part in _CLOSING)
-        long = part == _TIMES and _size(summands[-1]) > most / 3
+        long = part == _TIMES and _size(summands[-1]) > most / 2
         if depth == 0 and (part in _SIGNS or long) and summands[-1].strip():
             summands.append("")
         summands[-1] += part

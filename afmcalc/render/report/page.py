@@ -14,6 +14,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from markupsafe import Markup
 
 from ...analysis.dossier import Dossier
+from ...analysis.explain.explain import Meaning
 from ...findings import Finding
 from ...messages import localized, named, printable, spoken, term, translate
 from ...messages import told as message
@@ -28,7 +29,7 @@ from ..plot.figure import inline_svg
 from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
 from ..verdict import verdict
-from .chapters import Chapter, chapters, peaks
+from .chapters import Chapter, chapters, explained, peaks
 from .frame import frame
 from .markup import MISPRINT, cell, css_string, drawing, marks, name_of, symbol
 from .words import FORMS, SHORT, Form, told
@@ -261,7 +262,7 @@ def _symbols(parts: list[Chapter], latin: Mapping[str, str]) -> list[tuple[str, 
             if part.text:
                 meanings.setdefault(native(part.symbol), part.text)
         # the heading of its step begins with a capital
-        name = translate(step.name)
+        name = explained(Meaning(step.symbol, step.name, step.unit))
         first = name[:1].lower() if name[1:2].islower() else name[:1]
         meanings.setdefault(native(step.symbol), first + name[1:])
     for row in (row for chapter in parts for table in chapter.tables for row in table.rows if len(row) > 2):
@@ -289,7 +290,8 @@ def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
         elif isinstance(value, dict):
             yield from (_scatter(group, field, given) for field, given in value.items())
         else:
-            shown = list(value) if isinstance(value, tuple) else str(value) if key.unit is None else value
+            whole = localized(str(value)) if type(value) is int else str(value)
+            shown = list(value) if isinstance(value, tuple) else whole if key.unit is None else value
             unit, numeric = key.unit or "", key.unit is not None
             yield _SpecLine(
                 group, path, key.symbol or "", name_of(path), display(shown, unit), display_unit(unit), numeric

@@ -447,6 +447,14 @@ def test_what_the_returning_sleeve_would_press_with_is_not_shown_where_the_key_h
     assert held.value == pytest.approx(pressed.value * 0.085 * 6 * 0.325)
 
 
+@pytest.mark.parametrize("name", ["unlike-materials", "fokin2011-fig2"])
+def test_a_direct_clutch_has_no_key_that_holds_anything(name):
+    """Its f_1 and f_2 at one end of their ranges are one case, not a friction that falls after another."""
+    steps = explain("torque", read_spec(CONFIGS / f"{name}.toml"))[0].steps
+    assert [step.at for step in steps if step.symbol == "T_1"] == ["f_1min", "f_1cp", "f_1max"]
+    assert not [step.at for step in steps if "after" in (step.at or "")]
+
+
 def test_settings_and_sides_are_told_apart(afmcalc):
     heads = [line for line in afmcalc("explain", "life").out.splitlines() if line.startswith("N_ц at f_min")]
     ends = [head.partition(":")[0].removeprefix("N_ц at f_min … f_max, ") for head in heads]
