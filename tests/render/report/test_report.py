@@ -135,13 +135,22 @@ def test_given_resolved_and_overridden(framed, afmcalc):
 def test_checks_have_utilisation_and_verdict(framed, report, parsed):
     tree = parsed(framed(*OVERDONE))
     rows = tree.findall(".//section[@id='checks']//tr")[1:]
-    found = {text_of(row[1]): (text_of(row[0]), float(row[6].text)) for row in rows}
+    found = {text_of(row[1]): (text_of(row[0]), float(row[6].text.rstrip("*"))) for row in rows}
     assert found["feedback gain"] == ("warning", 1.6)
+    # what holds by choice is marked, and the mark explained: the verdict does not count it
+    assert [text_of(row[1]) for row in rows if row[6].text.endswith("*")][:1] == ["least torque in service"]
+    assert "* holds by what was set or chosen" in text_of(tree.find(".//section[@id='checks']"))
     verdict, used = found["contact force on one ball"]
     assert verdict == "fail"
     assert used > 1
     assert "fails the checks" in text_of(tree.find(".//p[@id='verdict']"))
     assert "passes every check" in text_of(parsed(report("default")).find(".//p[@id='verdict']"))
+
+
+def test_each_group_of_unlike_materials_has_its_own_symbols(report, parsed):
+    rows = table_rows(parsed(report("unlike-materials")), "spec")
+    symbols = [row[0] for row in rows if len(row) > 1 and row[1].endswith("coefficient of friction")]
+    assert symbols == ["f1min", "f1max", "f2min", "f2max"]
 
 
 def table_rows(tree, section):
