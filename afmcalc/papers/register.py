@@ -81,8 +81,18 @@ def data(name: str) -> dict[str, list[dict[str, str]]]:
 
 def references() -> dict[str, str]:
     """Key → reference as the user's language writes it, in the order of the list."""
+    return {key: entry[spoken()] for key, entry in _sources().items()}
+
+
+def citations() -> dict[str, tuple[str, bool]]:
+    """Key → how texts name the source, a regular expression, and whether the name stays beside its number."""
+    return {key: (entry["cited"], entry.get("name_stays", False)) for key, entry in _sources().items()}
+
+
+@cache
+def _sources() -> dict[str, Any]:
     entries: Any = data("references.toml")
-    return {key: entry[spoken()] for key, entry in entries.items()}
+    return entries
 
 
 def check_papers(papers: list[str]) -> None:

@@ -59,7 +59,7 @@ class _Page:
             "notation": self._notation,
             "claims": self._claims,
             "misprints": _misprints,
-            "references": lambda: (tuple(map(translate, ("Cited as", "Source"))), list(references().items()), "id"),
+            "references": _references,
         }
         self.chapters = []
         for number, text in handbook.chapters.items():
@@ -187,3 +187,8 @@ def _directives(tokens: list[Token]) -> Iterator[tuple[str, str]]:
 def _misprints() -> Table:
     rows = [(entry.id, translate(entry.where), translate(entry.status, "value")) for entry in misprints()]
     return tuple(map(translate, ("No.", "Where", "Kind"))), rows, "link"
+
+
+def _references() -> Table:
+    rows = [entry for entry in references().items() if entry[0] != "handbook"]  # it does not cite itself
+    return tuple(map(translate, ("Cited as", "Source"))), rows, "id"

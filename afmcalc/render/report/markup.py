@@ -6,7 +6,9 @@ from typing import Any
 from markupsafe import Markup, escape
 
 from ...analysis.explain.explain import Derivation
+from ...messages import told as message
 from ...messages import translate
+from ...papers.register import citations
 from ...spec.keys import keys
 from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
 from ..symbols import native, split
@@ -63,6 +65,36 @@ def marks(step: Derivation) -> list[str]:
     return [mark for mark in dict.fromkeys(MISPRINT.findall(step.differs)) if mark not in MISPRINT.findall(step.source)]
 
 
+def cited(page: str) -> tuple[str, dict[str, int]]:
+    """Set a number where a text cites a source; which source has which number, counted from its first mention."""
+    numbers: dict[str, int] = {}
+    sources = citations()
+
+    def cite(found: re.Match[str]) -> str:
+        key = next((key for key in sources if found[key]), None)
+        if key is None:
+            return found[0]
+        number = numbers.setdefault(key, len(numbers) + 1)
+        name = f"{found[key]} " if sources[key][1] and found[key] != key else ""
+        if formulas := found["formulas"]:
+            many = formulas.count("(") > 1
+            mark = message("[{number}, eqs. {at}]" if many else "[{number}, eq. {at}]", number=number, at=formulas)
+        else:
+            mark = f"[{number}, {found['place']}]" if found["place"] else f"[{number}]"
+        return name + mark
+
+    named = "|".join(rf"(?P<{key}>(?<!\w)(?:{pattern})(?!\w))" for key, (pattern, _) in sources.items())
+    page = re.sub(rf"(?s:<pre>.*?</pre>|<[^>]*>)|(?:{named}){_WHERE}", cite, page)
+    return _BRACKETED.sub(lambda found: found[1] if found[1][:1] == "[" else f"({found[1]})", page), numbers
+
+
+_WHERE = (
+    r"(?:,? (?P<formulas>\(\d[\d.]*[a-z]?\)(?:(?:, |–)\(\d[\d.]*[a-z]?\))*)"
+    r"|,? (?P<place>(?:chapters?|ch\.|sec\.|fig\.|гл\.|разд\.|рис\.) \d[\d-]*(?: (?:and|и) \d+)?))?"
+)
+"""Formulas or chapter of a source, behind its name."""
+_BRACKETED = re.compile(r'(?<=<span class="sources">)\[(.*?)\](?=</span>)')
+"""A note of sources, which needs no brackets where it begins with a number in brackets."""
 MISPRINT = re.compile(r"\bM\d+\b")
 _REST = re.compile(r"; |: | \(")
 

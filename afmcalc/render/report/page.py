@@ -31,7 +31,7 @@ from ..units import display, display_unit, worded
 from ..verdict import verdict
 from .chapters import Chapter, chapters, explained, peaks
 from .frame import frame
-from .markup import MISPRINT, cell, css_string, drawing, marks, name_of, symbol
+from .markup import MISPRINT, cell, cited, css_string, drawing, marks, name_of, symbol
 from .words import FORMS, SHORT, Form, told
 
 
@@ -117,7 +117,16 @@ def template(name: str, folder: Path | None = None) -> Template:
 def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
     with latin_symbols((subject.symbols or {"en": "latin"}.get(spoken())) == "latin") as latin:
-        return _page(subject, latin)
+        head, start, main = _page(subject, latin).partition("<main>")
+    main, numbers = cited(main)
+    sources = references()
+    entry = Markup("<div><dt>{}</dt><dd>{}</dd></div>\n").format
+    listed = Markup().join(entry(number, sources[key]) for key, number in numbers.items())
+    return head + start + (_LIST.sub(lambda found: f"{found[1]}{listed}{found[2]}" if numbers else "", main))
+
+
+_LIST = re.compile(r'(<section id="references">.*?<dl class="references">\n?)(</dl>\n</section>\n)', re.DOTALL)
+"""The list of sources, which only a page that cites one has."""
 
 
 def _page(subject: Subject, latin: Mapping[str, str]) -> str:
@@ -152,7 +161,6 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
     tables = _numbered((name, counts.get(name, 0)) for name in order)
     figures = _numbered((name, len(sheets)) for name, sheets in drawn.items())
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
-    cited = {source for chapter in parts for source in chapter.topic.sources}
     judged = verdict(dossier.check, dossier.findings)
     changed = _changed(subject.overrides)
     title = dict(subject.title)
@@ -191,7 +199,6 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
         misprints=mended,
         next=_next(dossier),
         latin=latin,
-        references=[(key, text) for key, text in references().items() if key in cited],
     )
 
 

@@ -64,7 +64,7 @@ def told(key: str, **values: object) -> str:
     return translate(Text(REPORT[key], values))
 
 
-SHORT = ("requirements", "checks", "peaks", "spec", "conclusion")
+SHORT = ("requirements", "checks", "peaks", "spec", "conclusion", "references")
 """Sections of a report of two pages."""
 
 

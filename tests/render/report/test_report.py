@@ -12,7 +12,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from conftest import CONFIGS, ROOT, S21
+from conftest import CONFIGS, ROOT, S21, WANTED
 from texts import models
 
 from afmcalc.analysis.dossier import dossier
@@ -29,6 +29,7 @@ from afmcalc.spec.keys import keys
 EVIL = "<script>alert(1)</script>"
 MATH = "{http://www.w3.org/1998/Math/MathML}math"
 PANDOC = shutil.which("pandoc")
+EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)
 VARIANTS = ["indirect", "tolerance", "default", "conventional", "unlike-materials", "all-driving"]
 
 
@@ -235,26 +236,52 @@ def test_factors_of_accuracy_have_names_of_their_own(report, parsed):
     assert len(set(named.values())) == len(named)
 
 
-@pytest.mark.every(3)
+@pytest.mark.every(5)
+@pytest.mark.parametrize("language", ["en", "ru"])
 @pytest.mark.parametrize("form", [(), ("--short",)])
 @pytest.mark.parametrize("name", ["default", "drive", "indirect"])
-def test_a_reviewer_finds_what_he_looks_for(name, form, framed, parsed):
-    """Title, date, cells to sign, what governs, sources; each table and figure captioned and referred to, no key."""
-    page = framed(CONFIGS / f"{name}.toml", *form)
+def test_a_reviewer_finds_what_he_looks_for(name, form, language, framed, parsed):
+    """Title, date, cells to sign, what governs; each table and figure captioned and referred to, no key."""
+    page = framed(CONFIGS / f"{name}.toml", "--lang", language, *form)
     tree = parsed(page)
     assert text_of(tree.find(".//h1"))
-    assert "2026-01-01" in text_of(tree.find(".//header"))
-    assert len(tree.findall(".//table[@class='signatures']/tbody/tr")) == 3
-    assert "of that limit" in text_of(tree.find(".//header"))
+    assert {"en": "2026-01-01", "ru": "01.01.2026"}[language] in text_of(tree.find(".//header"))
+    assert len(tree.findall(".//table[@class='signatures']/tbody/tr")) == {"en": 3, "ru": 4}[language]
+    assert {"en": "of that limit", "ru": "коэффициент использования"}[language] in text_of(tree.find(".//header"))
+    assert {"en": "N·m", "ru": "Н·м"}[language] in text_of(tree.find(".//main"))
     for what, parts in (("table", tree.findall(".//caption")), ("figure", tree.findall(".//figure"))):
         numbers = [part.get("id") for part in parts]
         assert numbers == [f"{what}-{number}" for number in range(1, len(numbers) + 1)]
         assert all(page.count(f'href="#{number}"') == 1 for number in numbers)
-    cyrillic = [text for text in tree.itertext() if re.search("[а-яА-Я]", text)]
-    quoted = "".join(text_of(part) for key in ("symbols", "misprints") for part in tree.findall(f".//*[@id='{key}']"))
-    assert all(text in quoted for text in cyrillic)
     assert not tree.findall(".//main//code")
     assert bool(form) == (tree.find(".//nav") is None)
+    if language == "en":
+        cyrillic = [text for text in tree.itertext() if re.search("[а-яА-Я]", text)]
+        quoted = "".join(
+            text_of(part) for key in ("symbols", "misprints") for part in tree.findall(f".//*[@id='{key}']")
+        )
+        assert all(text in quoted for text in cyrillic)
+
+
+@pytest.mark.every(7)
+@pytest.mark.parametrize("language", ["en", "ru"])
+@pytest.mark.parametrize("form", [(), ("--short",)])
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_sources_have_numbers_in_the_order_of_their_mention(name, form, language, drawn, parsed):
+    """Each number stands in the list, each entry is cited, and no text names a source by its key."""
+    main = parsed(drawn(name, "--lang", language, *form)).find(".//main")
+    listed = [text_of(entry) for entry in main.findall(".//dl[@class='references']//dt")]
+    sources = [text_of(entry) for entry in main.findall(".//dl[@class='references']//dd")]
+    for part in main.iter():
+        if part.get("class") == "references":
+            part.clear()
+    text = "\n".join(main.itertext())
+    mentions = re.findall(r"\[(\d+)(?:\]|, (?:eq|формул|chapter|гл|fig|рис|sec|разд|ch))", text)
+    assert [*dict.fromkeys(mentions)] == listed == [str(number) for number in range(1, len(listed) + 1)]
+    assert (main.find(".//*[@id='references']") is None) == (not listed)
+    assert len(set(sources)) == len(sources)
+    assert bool(form) or len(sources) > 3
+    assert not re.findall(r"\b(?:F11|S19|S21|S22|[A-Z]\w\d\d|CJ|JM|SKS)\b|[Hh]andbook|правочник|ohnson|Marshek", text)
 
 
 def test_latin_symbols_stay_apart():
