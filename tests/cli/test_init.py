@@ -1,11 +1,12 @@
 """Files to start from: every kind and variant, with the schema beside them, and the examples by name."""
 
+import itertools
 import json
 import re
 import tomllib
 
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, several
 
 from afmcalc.cli.specs import _EXAMPLES, _KINDS
 from afmcalc.spec.requirements import read_requirements
@@ -159,7 +160,7 @@ def test_every_key_that_is_commented_out_can_be_taken_up(afmcalc):
             asked.setdefault((variant, table, key, text.splitlines()[value].partition("   ")[0]), made)
     assert {("indirect", "control_unit", "gain_slope"), (None, "fixed", "control_room")} <= {each[:3] for each in asked}
     assert len(asked) > 80
-    for (variant, table, key, _), text in asked.items():
+    for (variant, table, key, _), text in itertools.islice(asked.items(), 0, None, several(5, 1)):
         few = ["search.pairs=8"]
         if "\ninner_radius = [" in text:
             few += ["fixed.face_width=", "search.outer_radius=0.1"]

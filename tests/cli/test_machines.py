@@ -54,6 +54,7 @@ def test_the_way(afmcalc, undrawn, tmp_path, monkeypatch):
     assert [run.code for run in lines(SCRIPTS[0], afmcalc)] == [0] * 6
 
 
+@pytest.mark.every(3)
 @pytest.mark.parametrize("name", MACHINES)
 def test_from_plate_to_dxf(name, afmcalc, undrawn, calculated_once, tmp_path, monkeypatch):
     (script,) = (each for each in SCRIPTS if f"example:{name} " in each)

@@ -133,7 +133,8 @@ def test_random_drives_in_the_band(seed):
     assert stepped.peak_clutch[0] == pytest.approx(found.peak_clutch, rel=5e-3)
 
 
-@pytest.mark.parametrize("key_friction", [0.01, 0.05])
+@pytest.mark.every(2)
+@pytest.mark.parametrize("key_friction", [0.05, 0.01])
 def test_the_bracket_at_the_stop(key_friction):
     """V1 by hand: T = zf R F_п2/(1 + zf κ), run down against the load's torque; with κ₊ and the play too.
 
@@ -166,7 +167,8 @@ def test_without_friction_at_the_key_there_is_no_bracket():
     assert bracket_of(outcome_of(issue(**{"control_unit.key_friction": 0}), 0.1)) == []
 
 
-@pytest.mark.parametrize(("key_friction", "gain"), [(0.01, 1.0), (0.15, 2.0)])
+@pytest.mark.every(2)
+@pytest.mark.parametrize(("key_friction", "gain"), [(0.15, 2.0), (0.01, 1.0)])
 def test_the_key_loses_what_the_turns_of_the_sleeve_tell(key_friction, gain):
     """dE = (C/κ − 1) dW on the way out, (1 − C/κ₊) dW back, W = (F_п2 − F_п1) x + ½ (c_1 + c_2) x²: from the travels alone.
 
@@ -188,6 +190,7 @@ def test_the_key_loses_what_the_turns_of_the_sleeve_tell(key_friction, gain):
         assert trip(case_of(own, friction).plant, event.course[-1].time).residual < 1e-6, "it closes at that time too"
 
 
+@pytest.mark.exhaustive
 def test_where_no_key_rubs_none_loses_energy():
     assert simulate(issue(**{"control_unit.key_friction": 0}))[0].key_energy is None
     assert simulate(build(read_spec("example:drive")))[0].key_energy is None

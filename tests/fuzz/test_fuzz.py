@@ -80,7 +80,7 @@ def test_nothing_breaks_it(afmcalc, request, monkeypatch):
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
     @settings(
-        max_examples=asked or several(100, 2000),
+        max_examples=asked or several(50, 2000),
         derandomize=not asked,
         suppress_health_check=list(HealthCheck),
         database=None,

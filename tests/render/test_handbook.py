@@ -47,7 +47,7 @@ def page(request):
         return render(handbook(request.param))
 
 
-@pytest.mark.every(2)
+@pytest.mark.exhaustive
 def test_uses_are_those_of_the_program():
     """Commands are run on clutches, reproduce on the papers, proofs on their symbols; the equations passed are noted."""
     uses = {name: {"commands": set(), "proofs": set()} for name in equations()}

@@ -139,14 +139,12 @@ def brute(space, limits):
     return len(rows), np.unique(np.round(np.array(best).reshape(-1, 3), 6), axis=0)
 
 
-CASES = [("peak_torque",), tuple(LOOSE)]
-ALONE = [("work",), ("face_temperature",), ("exceedance",)]
-"""Each is held to brute force by ``test_referee`` too, in another drive."""
+CASES = [tuple(LOOSE), ("peak_torque",), ("work",), ("face_temperature",), ("exceedance",)]
+"""Each alone is held to brute force by ``test_referee`` too, in another drive."""
 
 
-@pytest.mark.parametrize(
-    "names", [*CASES, *(pytest.param(names, marks=pytest.mark.exhaustive) for names in ALONE)], ids="+".join
-)
+@pytest.mark.every(5)
+@pytest.mark.parametrize("names", CASES, ids="+".join)
 def test_the_front_is_that_of_all_that_pass_a_check(names):
     space = "direct"
     limits = {name: limit_of(space, name, 0.5 if len(names) == 1 else 0.8) for name in names}

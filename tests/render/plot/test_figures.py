@@ -91,7 +91,7 @@ def assert_free(sheet, dpi=150):
         assert faults(figure, dpi) == ([], []), sheet.title
 
 
-@pytest.mark.every(15)
+@pytest.mark.every(23)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 @pytest.mark.parametrize("example", sorted(path.stem for path in CONFIGS.glob("*.toml")))
 def test_no_text_leaves_its_figure_or_covers_another(example, lang):
