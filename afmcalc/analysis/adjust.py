@@ -48,7 +48,7 @@ class AdjustResult(Answer):
         "1", "z_lim", "number of pairs above which the band set at f_min is the narrower, S19 (12)", optional=True
     )
     pairs_threshold_at_gain_limit: float | None = quantity(
-        "1", "z_lim(C_max)", "the same at the gain limit 1/(z_1 f_max), S19 (13)", optional=True
+        "1", "z_lim(C_max)", "z_lim at the gain limit C_max = 1/(z_1 f_max), S19 (13)", optional=True
     )
 
 

@@ -189,7 +189,7 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
         tables=tables,
         labels=labels,
         sections=[*labels],
-        symbols=lambda: _symbols(parts, latin),
+        symbols=lambda: _symbols(parts, chain(*groups.values()), dossier, latin),
         form=form,
         # a title block would take the room of what has two pages
         paper="plain" if short else "report" if subject.title.form == "report" else form.paper,
@@ -261,7 +261,9 @@ def _entries(subject: Subject, form: Form) -> list[tuple[str, str]]:
     return [(name, title[name]) for name in form.entries if title[name] or name in form.signed]
 
 
-def _symbols(parts: list[Chapter], latin: Mapping[str, str]) -> list[tuple[str, str, str]]:
+def _symbols(
+    parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier, latin: Mapping[str, str]
+) -> list[tuple[str, str, str]]:
     """Symbols, what the papers write where that is another, and what each stands for where it is first told."""
     meanings: dict[str, str] = {}
     for step in (block.step for chapter in parts for block in chapter.blocks):
@@ -272,14 +274,18 @@ def _symbols(parts: list[Chapter], latin: Mapping[str, str]) -> list[tuple[str, 
         name = explained(Meaning(step.symbol, step.name, step.unit))
         first = name[:1].lower() if name[1:2].islower() else name[:1]
         meanings.setdefault(native(step.symbol), first + name[1:])
-    for row in (row for chapter in parts for table in chapter.tables for row in table.rows if len(row) > 2):
-        if row[0] in latin:
-            meanings.setdefault(row[0], row[1])
-    # what stands in no formula and no table, but in a check or a note
-    known = {key.symbol: name_of(path) for path, key in keys().items() if key.symbol}
+    tables = (table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol"))
+    named = ((row[0], row[1]) for table in tables for row in table.rows)
+    for shown, text in chain(named, ((native(line.symbol), line.about) for line in lines)):
+        if shown:
+            meanings.setdefault(shown, text)
+    # what stands in no formula and no table, but in a check, a note or a meaning
+    known = {native(key.symbol): name_of(path) for path, key in keys().items() if key.symbol}
+    notes = (*(limit.symbol for limit in dossier.check.limits), *(finding.message for finding in dossier.findings))
+    said = native(" ".join(map(translate, (*notes, *meanings.values()))))
     # in a ratio, a symbol may be another quantity
-    alone = [each for each in latin if not any(each in other for other in meanings)]
-    meanings |= {each: known[latin[each]] for each in alone if latin[each] in known}
+    alone = [each for each in known if "_" in each and not any(each in other for other in meanings)]
+    meanings |= {each: known[each] for each in alone if re.search(rf"(?<!\w){re.escape(each)}(?![\w.,]*\w)", said)}
     rows = ((each, latin.get(each, ""), text) for each, text in meanings.items())
     return sorted(rows, key=lambda row: row[0].casefold())
 

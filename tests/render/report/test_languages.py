@@ -1,0 +1,78 @@
+"""The report in English and in Russian: one calculation, told in the words of people."""
+
+import re
+
+import pytest
+from conftest import CONFIGS, WANTED
+
+EXAMPLES = sorted({path.stem for path in CONFIGS.glob("*.toml")} - WANTED, key=lambda name: (name != "tolerance", name))
+"""Those whose report is written, the one with the most tables first."""
+
+LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+STANDARD = re.compile(r"ISO 3290-1|ГОСТ 3722-2014")
+"""Of balls: each language names its own."""
+COUNTED = re.compile(r"(Table|Таблица|Figure|Рисунок) \d+")
+
+
+def text_of(element):
+    return "".join(element.itertext())
+
+
+def plain(element):
+    """Text without indices, and without numbers of tables, figures, formulas and chapters, in the order of a language."""
+    tag, tail = element.tag.rpartition("}")[2], element.tail or ""
+    counted = element.get("class") == "count" or (tag == "b" and COUNTED.fullmatch(element.text or ""))
+    if tag in ("sub", "msub") or counted or element.get("href", "").startswith("#"):
+        return f"_{tail}"
+    if tag == "mspace":
+        return f"\xa0{tail}"
+    inside = (element.text or "") + "".join(map(plain, element))
+    if tag in ("sup", "msup") and re.match(r"[−\d]", text_of(element)):
+        inside = f"^{inside}"
+    return {"mn": " ", "mo": " ", "text": " "}.get(tag, "") + inside + tail
+
+
+def numbers(element, language):
+    """Numbers of a part of a page; a share in % is one of 1, as Russian tells utilisation."""
+    text = STANDARD.sub("", plain(element)).replace("−", "-")
+    text = re.sub(r"(?<=\d)\xa0 ?(?=\d{3})", "", text)
+    text = text.replace(",", "") if language == "en" else re.sub(r"(?<=\d),(?=\d)", ".", text)
+    text = re.sub("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda power: f"^{power[0].translate(LOWERED)}", text)
+    found = re.findall(r"((?:(?<![\w.)\]])-)?\d+(?:\.\d+)?)(\s?%)?", text)
+    return [f"{float(number) / 100:.3g}" if share else number for number, share in found]
+
+
+PARTS = {
+    "tables": ".//td",
+    "captions": ".//caption",
+    "figures": ".//figure",
+    "steps": ".//div[@class='step']",
+    "formulas": ".//div[@class='formula']",
+    "sentences": ".//li",
+}
+
+
+@pytest.mark.every(20)
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_both_languages_have_the_same_numbers(name, drawn, parsed):
+    """In every cell, step, caption and figure, and in what is concluded; and as many of each, and of symbols."""
+    pages = {language: parsed(drawn(name, "--lang", language)) for language in ("en", "ru")}
+    sections = [
+        {part.get("id"): part for part in page.findall(".//section") if part.get("id") not in ("calculation", "references")}
+        for page in pages.values()
+    ]  # fmt: skip
+    assert {*sections[0]} | {"requirements"} == {*sections[1]}  # a Russian one says that none are stated
+    counted = 0
+    for key, section in sections[0].items():
+        for what, path in PARTS.items():
+            english, russian = section.findall(path), sections[1][key].findall(path)
+            assert len(english) == len(russian), (key, what)
+            for one, other in zip(english, russian, strict=True):
+                said = numbers(one, "en"), numbers(other, "ru")
+                assert said[0] == said[1], (key, what, text_of(one), text_of(other))
+                counted += len(said[0])
+    assert counted > 1000
+    verdicts = [numbers(page.find(".//header/div"), language) for language, page in pages.items()]
+    assert verdicts[0] == verdicts[1] != []
+    listed = [len(each["symbols"].findall(".//dt")) for each in sections]
+    assert listed[0] == listed[1] > 50
