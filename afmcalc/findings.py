@@ -95,8 +95,8 @@ FINDINGS: Mapping[str, str] = {
     "published-against-equilibrium": "trust the equilibrium torque: at slip the load equals T_муф for every margin. "
     "The published T_ср = T_п − ΔT' (S22 (14)) swaps the weights of T_п and T_н.маш against the paper's own (12) "
     "(misprint M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
-    "elasticity-one-sided": "at C_1 = C_1* = {limit:.4g 1/mm} K_т has a kink, it grows on either side: each elasticity "
-    "is that of one side only",
+    "elasticity-one-sided": "at C_1 = C_1* = {limit:.4g 1/mm} K_т has its least value with a kink: each relative "
+    "sensitivity holds for a change to one side only",
     "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
     "the spring as set, not as the surplus force of the mean-friction setting",
     "narrower-below-nominal": "the narrower band is that of {method}, with which the torque falls to {value:.5g N·m} "
@@ -109,8 +109,8 @@ FINDINGS: Mapping[str, str] = {
     # adjust
     "control-spring-re-set": "both methods set the control spring by S21 (14), to {at_min:.5g kN} and "
     "{at_mean:.5g kN}: the clutch as made has {value:.5g kN}",
-    "pockets-re-cut": "a pocket that holds the torque is cut for its springs: set at f_min it takes the slope "
-    "{at_min:.5g 1/m}, at the mean friction {at_mean:.5g 1/m}; the clutch as it is has {value:.5g 1/m}",
+    "pockets-re-cut": "pockets that hold the torque are cut for their springs: springs set at f_min need the slope "
+    "C_1 = {at_min:.5g 1/mm}, at the mean friction {at_mean:.5g 1/mm}; this clutch has {value:.5g 1/mm}",
     # life
     "life-not-limited/extrapolated": "{side} side: the damaging stress, {value:.4g MPa}, springs as set, is below the "
     "endurance limit {limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the "
@@ -122,7 +122,8 @@ FINDINGS: Mapping[str, str] = {
     "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
     "strength {limit:.4g MPa}: the shaft fails at once",
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
-    "band at equal mean costs no life (misprint M23); --model amplitude or goodman counts it",
+    "band at equal mean costs no life (misprint M23); afmcalc life --model amplitude, or goodman, takes it into "
+    "account",
     # machine and shaft
     "service-factor-assumed": "{path} is not given: {value:g} is taken, for a machine without shocks",
     "machine-not-driven": "at some friction the clutch carries {value:.5g N·m}, less than the {limit:.5g N·m} that the "
@@ -139,13 +140,13 @@ FINDINGS: Mapping[str, str] = {
     # simulate
     "bypass-peak": "above the gain limit the bypass pairs alone may hold before the balls take over: the peak in the "
     "shaft is then up to {value:.4g N·m}, not {limit:.4g N·m}; requirements.peak_torque is judged by it",
-    "inertia-torque": "a tool that stops before the slipping clutch has swung out has the shaft twisted by what turns "
-    "behind the discs, by up to ω_0 √(k (J_2 + J_h)) = {value:.4g N·m} beyond the sliding torque ({limit:.4g N·m} at "
-    "f_max): no clutch removes it, only a softer shaft, less inertia behind the discs, less speed or a slower stop",
-    "inertia-torque/slow": "the stop lasts longer than half a swing of the shaft ({swing:.4g s}): what turns behind "
-    "the discs loads the shaft with up to J a + √(J a [J a + 2 (T − T_0)]) = {value:.4g N·m} beyond the sliding torque "
-    "({limit:.4g N·m} at f_max), J = J_2 + J_h, a = ω_0/t_b, whatever its stiffness: only less inertia behind the "
-    "discs, less speed or a slower stop lowers it",
+    "inertia-torque": "where the tool stops faster than the shaft oscillates, the masses behind the discs twist the "
+    "shaft by up to ω_0 √(k (J_2 + J_h)) = {value:.4g N·m} beyond the sliding torque ({limit:.4g N·m} at f_max): no "
+    "clutch takes this away, only a softer shaft, less inertia behind the discs, less speed or a slower stop lowers it",
+    "inertia-torque/slow": "the stop lasts longer than half a period of the shaft's oscillation ({swing:.4g s}): the "
+    "masses behind the discs load the shaft with up to J a + √(J a [J a + 2 (T − T_0)]) = {value:.4g N·m} beyond the "
+    "sliding torque ({limit:.4g N·m} at f_max), with J = J_2 + J_h, a = ω_0/t_b, the speed over the time of the stop; "
+    "a softer shaft does not lower it, only less inertia behind the discs, less speed or a slower stop",
     "ordinary-carries-hub": "the ordinary clutch of equal T_н has no control unit: the hub turns with its driven half, "
     "J_2 + J_h = {value:.4g} kg·m² behind its discs",
     "ordinary-slips-before-event": "the ordinary clutch of equal T_н carries only {value:.5g N·m} somewhere in the "
@@ -243,7 +244,7 @@ FINDINGS: Mapping[str, str] = {
     "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
     "spring-slack-before-worn": "the spring falls slack once each pair has worn by {value:.4g mm}, before its lining "
     "of {limit:.4g mm} is gone: trips until it is gone are not told",
-    "heat-not-told": "not told, as these are not given: {listed}",
+    "heat-not-told": "not calculated: what the spec does not give the data for, {listed}",
     "heat-not-judged": "no temperature to hold the discs against: give requirements.temperature, or a material "
     "of the catalogue that has one",
     # effects
@@ -255,11 +256,11 @@ FINDINGS: Mapping[str, str] = {
     "force-used-up": "{path} takes {value:.5g kN} from the {limit:.5g kN} that press the pack: nothing is left of it",
     "effect-on-accuracy": "{effect}: K_т lies between {low:.4g} and {high:.4g}, the law says {limit:.4g}",
     "effect-on-torque": "{effect}: the torque changes by up to {value:+.1%}",
-    "worn-below-machine": "its lining worn off, the clutch carries {value:.5g N·m} at least, less than the machine's "
-    "nominal torque {limit:.5g N·m}",
-    "worn-below-nominal": "its lining worn off, the clutch carries {value:.5g N·m} at least, below its nominal torque "
-    "{limit:.5g N·m} and within its margin over the machine's {machine:.5g N·m}",
-    "effect-not-told": "{name} is not calculated: it needs {listed}",
+    "worn-below-machine": "with its lining worn off, the clutch carries at least {value:.5g N·m}: less than the "
+    "machine's nominal torque {limit:.5g N·m}",
+    "worn-below-nominal": "with its lining worn off, the clutch carries at least {value:.5g N·m}: less than its "
+    "nominal torque {limit:.5g N·m}, not less than the machine's {machine:.5g N·m}",
+    "effect-not-told": "{name}: not calculated, needs {listed}",
     # requirements
     "requirement-missed": "{name}: {shown}, but {bound} {required} is required",
     "requirement-not-judged": "{name} not judged: needs {needs}",
@@ -340,9 +341,9 @@ FINDINGS: Mapping[str, str] = {
     "feedback-idle/key": "C equals 2 R f_1/d = {limit:.5g}: the key holds the sleeve, the clutch is an ordinary one",
     "gain-above-limit": "C = {value:.4g} is above 1/(z_1 f_1max) = {limit:.4g}: at f_max the bypass pairs alone may "
     "carry {peak:.5g N·m} before the balls take over, the sustained torque is {sustained:.5g N·m}",
-    "hysteresis": "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction "
-    "has fallen by a factor of {value:.4g}, and the torque then stays below the rising branch; full unloading reseats "
-    "it",
+    "hysteresis": "the key's friction gives hysteresis: under a load that lasts, the sleeve returns only when the "
+    "friction at the discs has fallen by a factor of {value:.4g}, and the torque is then below that of rising "
+    "friction; without load the sleeve returns to its stop",
     "torque-falls-with-travel": "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold "
     "the torque: a load that reaches {most:.5g N·m} makes the sleeve run off its stop, and the torque jumps, to "
     "{falls:.5g N·m} at f_max",
@@ -361,10 +362,10 @@ FINDINGS: Mapping[str, str] = {
     "f_1 = {at:.4g}",
     "accuracy-not-lasting": "K_т = {factor:.4g} holds as friction rises; under a load that lasts, friction falling "
     "again, K_т,h = {value:.4g} is above {limit:.4g}: requirements.accuracy_factor_hysteresis says what it may be",
-    "as-made": "the springs are those of the nominal clutch, held in every sample (tolerance.setting = as-made); "
-    "each-adjusted sets every clutch on the bench",
-    "each-adjusted": "every sample is set on the bench (tolerance.setting = each-adjusted): its springs follow its "
-    "own dimensions; as-made holds those of the nominal clutch",
+    "as-made": 'every sample has the springs of the nominal clutch (tolerance.setting = "as-made"); with '
+    '"each-adjusted" every clutch is set on the bench',
+    "each-adjusted": "every sample is set on the bench, its springs by its own dimensions (tolerance.setting = "
+    '"each-adjusted"); with "as-made" it has those of the nominal clutch',
     "number-without-unit": '{path}: a number without a unit is in SI, {given}; {meant}? Write "{meant}" or "{given}"',
     "few-samples": "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in "
     "full: at least {limit:.0f}",

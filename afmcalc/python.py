@@ -89,7 +89,7 @@ class Clutch:
         return _answered("explain", self.spec, *_asked("explain", command, self.spec, model))
 
     def heat(self) -> "HeatResult":
-        """Work, temperature and wear of a trip, and how often it may be."""
+        """Work, temperature and wear of a trip, and how often the clutch may trip."""
         return self._ask("heat")
 
     def history(self, friction: Friction = ()) -> dict[str, Floats]:

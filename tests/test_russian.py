@@ -100,9 +100,12 @@ def test_plural_forms(count, said):
 def test_a_sentence_is_said_again_with_all_that_it_names():
     with speaking(language("ru")):
         inner = say("{stress:.4g MPa} ({method})", stress=1.25e6, method=term("min-friction"))
-        outer = say("not told, as these are not given: {listed}", listed=joined([inner, inner]))
-        assert outer == "not told, as these are not given: 1.25 MPa (min-friction), 1.25 MPa (min-friction)"
-        expected = "не рассчитано, так как не задано: 1,25 МПа (при f_min), 1,25 МПа (при f_min)"
+        outer = say("not calculated: what the spec does not give the data for, {listed}", listed=joined([inner, inner]))
+        assert (
+            outer
+            == "not calculated: what the spec does not give the data for, 1.25 MPa (min-friction), 1.25 MPa (min-friction)"
+        )
+        expected = "часть величин не рассчитана, так как не задано: 1,25 МПа (при f_min), 1,25 МПа (при f_min)"
         assert translate(outer) == expected
         assert translate(copy.deepcopy(outer)) == translate(pickle.loads(pickle.dumps(outer))) == expected
         assert translate("no such text") == "no such text"

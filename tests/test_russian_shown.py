@@ -237,6 +237,7 @@ NO_SENTENCE = (
     "bold red", "upper left", "offset points", "Glyph|constrained", "<div class=",  # what they take
     "ordinary friction safety", "Werner's clutch", "all torque passes", "the release force moves",  # of the API
     "{count} driving pairs", "Carslaw", "Finkin", "DIN EN ", "EN 13906-1", "N kN MN", "mm cm m", "deg rad", "MPa kPa",
+    "smallest friction, f_min", "mean friction, f_cp", "mean stress", "Hertz, ball on", "simulation of the event",  # English
     "rpm rad", "a b v g d", "import sys;", "default-src", "{} font-family",
 )  # fmt: skip
 """How the texts begin that are not for people to read, or are in no language."""

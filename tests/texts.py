@@ -337,7 +337,6 @@ def _names() -> Iterator[Key]:
     yield from (("", kind) for kind, _ in EXAMPLES.values())
     yield from (("", keys()[f"requirements.{name}"].description.partition(",")[0]) for name in JUDGED)
     yield from (("value", name) for name in VARIANTS)
-    yield from (("end", end) for end in ("min", "mean", "max"))
     yield from (("value", part) for part in ("center", "spread"))
     rules = [each for each in vars(parts).values() if isinstance(each, parts.PartRule)]
     yield from (("", name) for name in ("stiffness", *(each.misses for each in rules)))

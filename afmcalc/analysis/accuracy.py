@@ -56,7 +56,7 @@ class AccuracyResult(Answer):
         "1", "∂K_т/∂p", "slope of K_т in p = f_2min/f_1min, f_2min moving, F11 (22)", optional=True
     )
     sensitivity: dict[str, float] = quantity(
-        "1", "∂ln K_т/∂ln p", "relative change of K_т over that of the parameter p (elasticity)", ranked=True
+        "1", "∂ln K_т/∂ln p", "relative sensitivity: % by which K_т changes for 1 % of the parameter p", ranked=True
     )
     sweep: list[AccuracySweep] | None = described("accuracy over the swept values", optional=True)
 

@@ -204,10 +204,9 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
                 yield finding("worn-below-machine", "warning", value=worn, limit=machine, path=path)
             elif worn < nominal * (1 - 1e-12):
                 yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
-    for name, source in SOURCES.items():
+    for source in SOURCES.values():
         if gone := source.missing(clutch):
-            words = term(name, "value")
-            yield finding("effect-not-told", "info", path=source.needs[0], name=words, listed=", ".join(gone))
+            yield finding("effect-not-told", "info", path=source.needs[0], name=source.words, listed=", ".join(gone))
 
 
 def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:

@@ -41,9 +41,7 @@ class SynthesisResult(Answer):
         "m", "ρ_0", "radius of a ball that undercuts the curved wall: all smaller ones run on it", optional=True
     )
     ball_diameter_standard: float | None = quantity("m", "d_ш", "ball chosen: given, or the next standard one")
-    ball_designation: Sentence | None = described(
-        "how the ball is ordered; its grade is for the drawing to say", optional=True
-    )
+    ball_designation: Sentence | None = described("designation of the ball, without its grade", optional=True)
     edge_clearance_standard: float | None = quantity("m", "y_st", "clearance with the ball chosen")
     pocket_depth: float = quantity(
         "m", "h_1", "pocket depth to the virtual apex, for the ball chosen (the smallest where none is)"

@@ -31,7 +31,7 @@ PlotOption = Annotated[bool, Option("--plot", help="Draw the sweep large below t
 
 FrictionOption = Annotated[
     list[str] | None,
-    Option("--friction", metavar="F", help="Also at this friction (unlike materials: F1,F2); repeatable."),
+    Option("--friction", metavar="F", help="Calculate at this friction too (unlike materials: F1,F2); repeatable."),
 ]
 
 

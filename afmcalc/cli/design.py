@@ -90,7 +90,10 @@ def design(
         int | None, Option(metavar="N", min=1, help="Show so many of the front.  [default: 40 in tables]")
     ] = None,
     sort: Annotated[
-        str | None, Option(metavar="QUANTITY", help="Show the front by this, least first: any number of its rows.")
+        str | None,
+        Option(
+            metavar="QUANTITY", help="Sort the front by this, least first: any numeric column, by its name in JSON."
+        ),
     ] = None,
     simulate: Annotated[
         bool,

@@ -90,7 +90,7 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
 
 @with_common
 def heat(spec: SpecArgument = None, *, common: Common) -> None:
-    """Work, temperature and wear of a trip, and how often it may be.
+    """Work, temperature and wear of a trip, and how often the clutch may trip.
 
     \b
     afmcalc heat clutch.toml
@@ -134,7 +134,9 @@ def springs(
     ] = None,
     top: Annotated[int, Option(min=1, max=1000, help="How many to tell of each spring.")] = 10,
     kind: Annotated[SpringKind, Option(help="Disc springs, coil springs, or both.")] = "any",
-    tolerance: Annotated[float, Option(min=0, max=10, help="How far the stiffness may be off, relative.")] = 0.1,
+    tolerance: Annotated[
+        float, Option(min=0, max=10, help="How far the stiffness may be off, as a share of it.")
+    ] = 0.1,
     pick: Annotated[
         list[int] | None, Option(metavar="N", help="Write the spec with this one to --output; one for each spring.")
     ] = None,

@@ -127,9 +127,7 @@ class HeatResult(Answer):
     face_temperature: OpenTriple | None = quantity(
         "K abs", "Θ_s", "largest temperature of the faces during a trip", optional=True, null=NOT_ENDED
     )
-    temperature_limit: float | None = quantity(
-        "K abs", "Θ_max", "temperature the discs are held against", optional=True
-    )
+    temperature_limit: float | None = quantity("K abs", "Θ_max", "allowable temperature, for the discs", optional=True)
     trips_without_cooling: OpenTriple | None = quantity(
         "1", "n", "trips one upon the other until the limit, all their heat in the discs", optional=True
     )

@@ -319,7 +319,7 @@ MembraneFactor = Annotated[
 BendingFactor = Annotated[
     Number, "K_b", "1", "factor of bending: of I K_3, of II −K_3, of III −K_3/δ, of IV K_3/δ, of OM 3/π"
 ]
-ParallelDiscs = Annotated[Number, "n", "1", "discs laid into each other"]
+ParallelDiscs = Annotated[Number, "n", "1", "discs nested in each other, in parallel"]
 SeriesPacks = Annotated[Number, "i", "1", "such packs against each other"]
 StackForce = Annotated[Number, "n F", "N", "force of the stack without friction"]
 SurfaceFriction = Annotated[Number, "w_M", "1", "friction of the cones on each other; on the way back −w_M"]

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 from ..messages import joined, translate
 from ..result import OpenTriple, Result, Series, Shown, Triple, shown_as
 
-ENDS = ("min", "mean", "max")
-"""Fields of a triple: at f_min, at the mean friction, at f_max."""
+ENDS = {"min": "at f_min", "mean": "at mean f", "max": "at f_max"}
+"""Field of a triple → at which friction it is."""
 _with_details = ContextVar("with_details", default=False)
 
 
@@ -162,10 +162,10 @@ def _records(records: Sequence[Result]) -> Table:
                 column._replace(
                     path=f"{column.path}_{end}",
                     symbol=f"{column.symbol} {translate(end, 'value')}",
-                    name=f"{column.name}, {translate(end, 'end')}",
+                    name=f"{column.name}, {translate(at)}",
                     values=[getattr(value, end, None) for value in column.values],
                 )
-                for end in ENDS
+                for end, at in ENDS.items()
             ]
         elif isinstance(column.values[0], dict):
             columns += [

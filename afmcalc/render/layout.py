@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from ..findings import Finding, told_once
 from ..messages import named, printable, term, told, translate, with_unit
 from ..result import Output
-from .document import Column, Document, Table
+from .document import ENDS, Column, Document, Table
 from .symbols import native
 from .units import display, display_unit, estimate, headed, in_numbers, measured, worded
 
@@ -58,7 +58,7 @@ def blocks(laid_out: Document) -> list[TextTable]:
         for columns in (laid_out.singles, laid_out.triples)
     )
     tables = [quantities([translate("Value")], values)] if values else []
-    tables += [quantities([*map(translate, ("at f_min", "at mean f", "at f_max"))], triples)] if triples else []
+    tables += [quantities([*map(translate, ENDS.values())], triples)] if triples else []
     if not laid_out.steps:
         tables += [_table(part) for table in laid_out.tables if not table.shown.data for part in _parts(table)]
     return tables

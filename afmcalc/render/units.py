@@ -91,7 +91,19 @@ def worded(text: str) -> str:
     for context in ("value", "", "comment", "name") if " " in text else ("value", "unit"):
         if (told := translate(text, context)) != text:
             return told
-    return "; ".join(map(translate, text.split("; ")))
+    return "; ".join(translate(part) for part in _IN_ENGLISH.get(text, text).split("; "))
+
+
+_IN_ENGLISH = {
+    "min-friction": "smallest friction, f_min",
+    "mean-friction": "mean friction, f_cp",
+    "mean-stress": "mean stress",
+    "hertz-ball-on-flat": "Hertz, ball on a flat",
+    "hertz-ball-on-curved-wall": "Hertz, ball on a curved wall",
+    "monte-carlo": "Monte Carlo",
+    "simulate": "simulation of the event",
+}
+"""Values that are words of the spec or of JSON → what people are told."""
 
 
 _NUMBER = re.compile(r"(?<![\w.,])(\d+(?:\.\d+)?(?:e[+-]\d+)?)(?: ((?:1/)?(?:[·/]?[A-Za-z°]+[²³]?)+))?(?![\w.])")

@@ -300,7 +300,7 @@ class DiscSpring(RuledBlock):
 class DiscStack(DiscSpring):
     """A stack of disc springs, DIN EN 16983."""
 
-    parallel: Count = key("discs laid into each other", "n", default=1)
+    parallel: Count = key("discs nested in each other, in parallel", "n", default=1)
     series: Count = key("such packs against each other", "i", default=1)
 
 

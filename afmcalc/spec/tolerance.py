@@ -68,7 +68,7 @@ class Tolerance(Block):
     quantiles: Annotated[tuple[Number, ...], FailFast()] = key(
         "probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995)
     )
-    torque_limit: Torque | None = key("torque whose exceedance is asked for", "T_lim")
+    torque_limit: Torque | None = key("torque limit whose exceedance is asked for", "T_lim")
     friction_correlation: Number | None = key(
         "correlation of the normal scores of f_1 and f_2 (Gaussian copula; Pearson's of the frictions "
         "themselves is nearer 0 unless both are normal): 1 together (F11), 0 independent (default)",

@@ -100,7 +100,7 @@ def test_a_finding_of_several_clutches_is_printed_once(afmcalc):
         # S21 (14): F_п1 (1 + z κ f_set), the nominal torque 248.87 N·m and 164.92 N·m kept
         ("indirect", "control_spring.force=5500", "control-spring-re-set", "5.1789 kN and 5.6456 kN"),
         # C_1* = (c_1 + c_2)/(z f_set F_п1); F_п1 = T_н/(z R f_set), 1.25 times as much at the mean friction
-        ("constant-torque", "name=x", "pockets-re-cut", "slope 375 1/m, at the mean friction 300 1/m"),
+        ("constant-torque", "name=x", "pockets-re-cut", "C_1 = 0.375 1/mm, at the mean friction 0.3 1/mm"),
     ],
 )
 def test_adjust_says_what_it_sets_anew(example, change, code, values, afmcalc):

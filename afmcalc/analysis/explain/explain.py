@@ -45,7 +45,7 @@ class Step(Result):
 class ExplainResult(Answer):
     """The steps of a calculation, each quantity before it is used."""
 
-    explained: str = described("command explained")
+    explained: str = described("command explained", code=True)
     steps: list[Step] = described("steps of the calculation", steps=True)
 
 

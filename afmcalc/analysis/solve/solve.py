@@ -188,7 +188,7 @@ class SolveResult(Answer):
     target_unit: str = described("SI unit of the target", is_unit=True)
     wanted: float = described("wanted value", unit_in="shown_unit")
     reached: float = described("value reached", unit_in="shown_unit")
-    method: Literal["closed-form", "bracketed-root"] = described("how it was found")
+    method: Literal["closed-form", "bracketed-root"] = described("way of solution")
     gain: float = quantity("1", "C", "feedback gain")
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")

@@ -125,7 +125,7 @@ class ToleranceResult(Estimated, Answer):
     accuracy_factor_robust_standard_error: float = error(
         "accuracy_factor_robust", accuracy_factor_robust, "standard error of K_т,r"
     )
-    torque_limit: float | None = quantity("N*m", "T_lim", "torque whose exceedance is asked for", optional=True)
+    torque_limit: float | None = quantity("N*m", "T_lim", "torque limit whose exceedance is asked for", optional=True)
     probability_above_limit: float | None = quantity("1", "P(T>T_lim)", "probability above the limit", optional=True)
     probability_above_limit_standard_error: float | None = error("probability_above_limit", probability_above_limit)
     machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")

@@ -33,7 +33,9 @@ _NARROWEST = 20
 _DIGITS = 4
 """Of a width that there is."""
 _SHORT = 12
-"""Columns of a table up to this width are kept whole."""
+"""Columns of a table up to this width are kept whole, others as wide as their longest word."""
+_SENTENCE = 36
+"""Width beyond which a column of values holds sentences, and is folded as text is."""
 _GAP = 2
 """Characters between columns."""
 _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
@@ -118,7 +120,8 @@ def _rich(output: Output, tables: list[TextTable], steps: list[str], curve: Swee
             console.print(Text(block.title, style="italic"))
         for line in filter(None, (block.legend, block.meanings)):
             console.print(Text(line, style="dim"))
-        whole = padded(block)
+        wide = [each > _SENTENCE for each in _widths(block)]
+        whole = padded(block._replace(numeric=[r and not w for r, w in zip(block.numeric, wide, strict=True)]))
         if _least_width(whole) <= width:
             console.print(_rich_table(whole, ruled=terminal and is_unicode(sys.stdout)))
         elif above := _texts_above(whole, width):
@@ -145,8 +148,16 @@ def _within(block: TextTable, width: int) -> list[TextTable]:
 
 def _least_width(block: TextTable) -> int:
     """Width below which a table would have to cut."""
-    kept = [w if right else min(w, _SHORT) for w, right in zip(_widths(block), block.numeric, strict=True)]
+    kept = _kept_widths(block)
     return sum(kept) + _GAP * (len(kept) - 1)
+
+
+def _kept_widths(block: TextTable) -> list[int]:
+    """Widths that columns keep: of numbers, and of text that is short, all; of other text that of its longest word."""
+    columns = zip(block.header, *block.rows, strict=True)
+    words = [max(map(len, " ".join(column).split())) for column in columns]
+    kept = zip(_widths(block), words, block.numeric, strict=True)
+    return [width if right else min(width, max(word, _SHORT)) for width, word, right in kept]
 
 
 def _texts_above(block: TextTable, width: int) -> list[int]:
@@ -196,9 +207,8 @@ def _rich_table(block: TextTable, *, ruled: bool) -> "Table":
 
     table = Table(box=box.SIMPLE_HEAD if ruled else None, show_edge=False, header_style="bold")
     table.padding = (0, _GAP - ruled, 0, 0)  # a rule takes a column between two
-    for heading, right, width in zip(block.header, block.numeric, _widths(block), strict=True):
-        whole = right or width <= _SHORT
-        table.add_column(Text(heading), overflow="fold", no_wrap=whole, min_width=width if whole else _SHORT)
+    for heading, width, kept in zip(block.header, _widths(block), _kept_widths(block), strict=True):
+        table.add_column(Text(heading), overflow="fold", no_wrap=width == kept, min_width=kept)
     for row in block.rows:
         table.add_row(*map(Text, row))
     return table

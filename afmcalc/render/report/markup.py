@@ -35,19 +35,7 @@ def cell(text: str) -> Markup:
     """
     if text in keys():
         return Markup("<code>{}</code>").format(text)
-    return Markup(_POWER.sub(_power, symbol(_IN_ENGLISH.get(text, text))))  # noqa: S704
-
-
-_IN_ENGLISH = {
-    "min-friction": "smallest friction, f_min",
-    "mean-friction": "mean friction, f_cp",
-    "mean-stress": "mean stress",
-    "hertz-ball-on-flat": "Hertz, ball on a flat",
-    "hertz-ball-on-curved-wall": "Hertz, ball on a curved wall",
-    "monte-carlo": "Monte Carlo",
-    "simulate": "simulation of the event",
-}
-"""Values that are words of the spec or of JSON → what a reader of the report is told."""
+    return Markup(_POWER.sub(_power, symbol(text)))  # noqa: S704
 
 
 def _power(number: re.Match[str]) -> str:
