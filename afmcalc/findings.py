@@ -129,8 +129,8 @@ FINDINGS: Mapping[str, str] = {
     "machine-not-driven": "at some friction the clutch carries {value:.5g N·m}, less than the {limit:.5g N·m} that the "
     "machine asks for by its plate: it slips in rated running",
     "slips-at-start": "switched on directly the motor gives up to {value:.5g N·m} at the clutch, which carries "
-    "{limit:.5g N·m} at the smallest and {highest:.5g N·m} at the largest torque in service: as friction is, it may "
-    "slip while a heavy machine starts",
+    "{limit:.5g N·m} to {highest:.5g N·m} in service, by the friction at hand: it may slip while a heavy machine "
+    "starts",
     "slips-at-start/always": "switched on directly the motor gives up to {value:.5g N·m} at the clutch, which carries "
     "only {limit:.5g N·m} to {highest:.5g N·m}: it slips while a heavy machine starts, whatever the friction",
     "shaft-yields": "the shaft yields: {torque:.5g N·m} twists it with {value:.5g MPa}, above its yield strength in "

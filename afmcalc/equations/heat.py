@@ -148,7 +148,7 @@ def fourier_number(
 @equation
 def share_of_rise(
     temperature: ReachedTemperature, ambient: StartTemperature, temperature_limit: TemperatureLimit
-) -> Annotated[Number, "η", "1"]:
+) -> Annotated[Number, "η_Θ", "1"]:
     """Share that a temperature uses of the rise that a limit allows, (Θ − Θ_0)/(Θ_max − Θ_0).
 
     Source: Handbook, chapter 10; a ratio of absolute temperatures would be no share.
@@ -160,7 +160,7 @@ def share_of_rise(
 @equation
 def trips_without_cooling(
     temperature_limit: TemperatureLimit, ambient: StartTemperature, rise: TripRise
-) -> Annotated[Number, "n", "1"]:
+) -> Annotated[Number, "n_Θ", "1"]:
     """Trips one upon the other until the discs reach a limit, (Θ_max − Θ_0)/ΔΘ.
 
     Source: Handbook, chapter 10.

@@ -142,18 +142,15 @@ def keys_below(model: type[BaseModel], prefix: str = "") -> dict[str, Key]:
         symbol, about = extra.get("symbol"), _quantity(field)
         if block := _block_of(field):
             below = keys_below(block, path + ".")
-            if symbol:  # of the friction f_1 of a group f_1min is the smallest
-                letter, _, group = str(symbol).partition("_")
-                below = {each: key._replace(symbol=_of_group(key.symbol, letter, group)) for each, key in below.items()}
-            keys |= below
+            # of the friction f_1 of a group f_1min is the smallest
+            letter = f"{str(symbol or '').partition('_')[0]}_"
+            for each, key in below.items():
+                own = key.symbol.replace(letter, str(symbol)) if symbol and key.symbol else key.symbol
+                keys[each] = key._replace(symbol=own)
             continue
         unit = about.unit if about else None
         keys[path] = Key(path, unit, str(symbol) if symbol else None, field.description or "", about)
     return keys
-
-
-def _of_group(symbol: str | None, letter: str, group: str) -> str | None:
-    return symbol.replace(f"{letter}_", f"{letter}_{group}") if symbol else None
 
 
 def names_in(path: Sequence[str], model: type[BaseModel]) -> list[str]:

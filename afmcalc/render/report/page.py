@@ -19,7 +19,7 @@ from ...findings import Finding
 from ...messages import localized, named, printable, spoken, term, translate
 from ...messages import told as message
 from ...papers.register import Misprint, misprints, references
-from ...spec import resolved
+from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
 from ..layout import ranked
@@ -165,7 +165,7 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
     changed = _changed(subject.overrides)
     title = dict(subject.title)
     groups: dict[str, list[_SpecLine]] = {}
-    for line in _spec_lines(resolved(dossier.spec)):
+    for line in _spec_lines(_with_frictions(dossier.spec)):
         groups.setdefault(line.group, []).append(line._replace(overridden=line.path in changed))
     return template("page.html").render(
         subject=subject,
@@ -288,6 +288,15 @@ def _symbols(
     meanings |= {each: known[each] for each in alone if re.search(rf"(?<!\w){re.escape(each)}(?![\w.,]*\w)", said)}
     rows = ((each, latin.get(each, ""), text) for each, text in meanings.items())
     return sorted(rows, key=lambda row: row[0].casefold())
+
+
+def _with_frictions(spec: Spec) -> dict[str, Any]:
+    """Return a spec as resolved, with the coefficients of its friction materials."""
+    data: dict[str, Any] = resolved(spec)
+    for path, block in spec.friction.blocks.items():
+        given = data["friction"] if path == "friction" else data["friction"][path.rpartition(".")[2]]
+        given |= block.range._asdict()
+    return data
 
 
 def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
