@@ -64,7 +64,12 @@ def test_the_torque_of_a_plate():
 
 @pytest.mark.parametrize(
     ("start", "said"),
-    [(LOW - 0.01, None), (LOW + 0.01, "by the friction at hand"), (HIGH - 0.01, "as friction is"), (HIGH + 0.01, "whatever")],
+    [
+        (LOW - 0.01, None),
+        (LOW + 0.01, "by the friction at hand"),
+        (HIGH - 0.01, "by the friction at hand"),
+        (HIGH + 0.01, "whatever"),
+    ],
 )
 def test_a_direct_start_slips_or_not(start, said):
     _, limits, _, findings = checked(machine=PLATE | {"starting_torque_ratio": start / RATED})
