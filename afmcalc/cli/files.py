@@ -43,14 +43,11 @@ def is_json_spec(output: str) -> bool:
     return ending == ".json"
 
 
-def html_only(output: str | None) -> None:
-    """Refuse a name that says a page is something else."""
-    if _ending(output) in {*_FORMATS, *_OTHERS} - {".html", ".htm"}:
-        raise AfmcalcError(
-            "--output {output}: this page is HTML; --output {stem}.html --pdf writes {stem}.pdf beside it",
-            output=output,
-            stem=os.path.splitext(output or "")[0],
-        )
+def is_pdf(output: str | None) -> bool:
+    """Whether a page goes to a PDF alone, by its name; refuse a name that says it is neither that nor HTML."""
+    if _ending(output) in {*_FORMATS, *_OTHERS} - {".html", ".htm", ".pdf"}:
+        raise AfmcalcError("--output {output}: this page is HTML or PDF; end it in .html or .pdf", output=output)
+    return _ending(output) == ".pdf"
 
 
 def picture_of(output: str | None) -> str | None:

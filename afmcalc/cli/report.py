@@ -10,7 +10,7 @@ from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say, spoken
-from .files import html_only, refuse
+from .files import is_pdf, refuse
 from .options import Common, SpecArgument, common_options, need_drawing
 
 
@@ -18,7 +18,7 @@ def _entry(text: str) -> Any:
     return Option(metavar="TEXT", help=text)
 
 
-@common_options("HTML file; without it standard output.")
+@common_options("HTML file, or PDF by its name; without it HTML to standard output.")
 def report(
     spec: SpecArgument = None,
     pdf: Annotated[
@@ -56,6 +56,7 @@ def report(
 
     \b
     afmcalc report clutch.toml -o report.html
+    afmcalc report clutch.toml -o report.pdf
     afmcalc report clutch.toml -o report.html --pdf
     afmcalc report clutch.toml -o report.html --drawing AFM-17 --author "A. N. Other"
 
@@ -89,7 +90,7 @@ def report(
     _write(common, page, spec=spec, pdf=pdf)
 
 
-@common_options("HTML file; without it standard output.")
+@common_options("HTML file, or PDF by its name; without it HTML to standard output.")
 def handbook(
     pdf: Annotated[
         bool, Option("--pdf", help="Print it to PDF too, beside FILE, with a headless browser found here.")
@@ -101,7 +102,7 @@ def handbook(
 
     \b
     afmcalc handbook -o handbook.html
-    afmcalc handbook -o handbook.html --pdf
+    afmcalc handbook -o handbook.pdf
     """  # noqa: D301
     need_drawing("report")
     from ..analysis.handbook import handbook as gathered
@@ -113,25 +114,28 @@ def handbook(
 
 
 def _write(common: Common, render: Callable[[], str], *, spec: str | None = None, pdf: bool) -> None:
-    """Write a page, and print it to PDF if so wanted: both, or neither where the browser fails."""
+    """Write a page, print it to PDF, or both; nothing where the browser fails."""
     from ..render.report.browser import find_browser
     from ..render.report.sheets import need_pdf, printed
 
-    output = common.output
-    html_only(output)
-    target = browser = None
-    if pdf:
+    output, browser = common.output, None
+    alone = is_pdf(output)
+    target = output if alone else None
+    if pdf and not alone:
         if output in (None, "-"):
             raise AfmcalcError("--pdf prints beside the HTML file: name that with -o FILE.html")
+        target = f"{os.path.splitext(output)[0]}.pdf"
+    if target:
         need_pdf()
-        target, browser = f"{os.path.splitext(output)[0]}.pdf", find_browser()
-    refuse(output, target, force=common.force, inputs=[spec])
+        browser = find_browser()
+    refuse(*dict.fromkeys((output, target)), force=common.force, inputs=[spec])
     with common.bar() as bar:
         page = render()
         bar.advance("report", 1, 2 if browser else 1)
         pdf_bytes = printed(browser, page) if browser else b""
-    common.write(page)
-    if output not in (None, "-"):
-        common.wrote(say("wrote {output}", output=output))
+    if not alone:
+        common.write(page)
+        if output not in (None, "-"):
+            common.wrote(say("wrote {output}", output=output))
     if target:
         common.save(pdf_bytes, target)

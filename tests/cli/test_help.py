@@ -63,7 +63,7 @@ def test_every_example_of_a_help_runs(command, afmcalc, tmp_path, monkeypatch):
         there["clutch"] = NEEDS.get(command, "default")
     listed = "name,description,condition,friction_min,friction_max,source\nX,pad,dry,0.2,0.3,test\n"
     lines = [line.strip().partition("  ")[0] for line in _function(command).__doc__.splitlines()]
-    for number, example in enumerate(line for line in lines if line.startswith("afmcalc ") and "--pdf" not in line):
+    for number, example in enumerate(line for line in lines if line.startswith("afmcalc ") and "pdf" not in line):
         folder = tmp_path / str(number)
         folder.mkdir()
         monkeypatch.chdir(folder)

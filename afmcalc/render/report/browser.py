@@ -23,8 +23,8 @@ def find_browser() -> str:
     if browser is None:
         looked = chosen or ", ".join(NAMES)
         raise AfmcalcError(
-            "--pdf: no headless browser found (looked for {looked}): install Chromium, name one in "
-            "AFMCALC_BROWSER, or leave --pdf out and print the HTML file from any browser",
+            "no headless browser found that prints a PDF (looked for {looked}): install Chromium, name one in "
+            "AFMCALC_BROWSER, or write the HTML file alone and print it from any browser",
             looked=looked,
         )
     return browser
@@ -62,8 +62,8 @@ def print_pdf(browser: str, page: str) -> bytes:
                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=_SECONDS, check=False,
             ).returncode  # fmt: skip
         except (OSError, subprocess.TimeoutExpired) as error:
-            raise AfmcalcError("--pdf: {browser} did not print: {why}", browser=browser, why=error) from None
+            raise AfmcalcError("PDF: {browser} did not print: {why}", browser=browser, why=error) from None
         content = target.read_bytes() if target.is_file() else b""
     if code or not (content.startswith(b"%PDF-") and content.rstrip().endswith(b"%%EOF")):
-        raise AfmcalcError("--pdf: {browser} did not print a whole PDF (exit code {code})", browser=browser, code=code)
+        raise AfmcalcError("PDF: {browser} did not print a whole PDF (exit code {code})", browser=browser, code=code)
     return content

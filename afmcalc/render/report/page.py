@@ -161,7 +161,7 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
     tables = _numbered((name, counts.get(name, 0)) for name in order)
     figures = _numbered((name, len(sheets)) for name, sheets in drawn.items())
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
-    judged = verdict(dossier.check, dossier.findings)
+    judged, most = verdict(dossier.check, dossier.findings), max(_LEAST, _MOST - len(required))
     changed = _changed(subject.overrides)
     title = dict(subject.title)
     groups: dict[str, list[_SpecLine]] = {}
@@ -176,7 +176,7 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
         overridden=[name_of(path) if path in keys() else path for path in changed],
         verdict=judged,
         groups=groups,
-        limits=sorted(limits, key=lambda limit: -limit.utilisation)[:_MOST] if short else limits,
+        limits=sorted(limits, key=lambda limit: -limit.utilisation)[:most] if short else limits,
         peaks=loads,
         chapters=parts,
         figures={
@@ -202,8 +202,8 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
     )
 
 
-_MOST = 8
-"""Limits that a short report shows."""
+_MOST, _LEAST = 12, 4
+"""Requirements and limits that a short report shows together, and how many limits at least."""
 
 
 def _numbered(counts: Iterable[tuple[str, int]]) -> dict[str, list[int]]:

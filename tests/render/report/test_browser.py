@@ -127,16 +127,19 @@ def test_the_command_prints_beside_the_page(afmcalc, monkeypatch, tmp_path):
     assert afmcalc("report", "--pdf", "-o", tmp_path / "x.html").code == 0
     assert sorted(path.name for path in tmp_path.iterdir()) == ["x.html", "x.pdf"]
     assert (tmp_path / "x.pdf").read_bytes().startswith(b"%PDF")
+    assert afmcalc("report", "-o", tmp_path / "y.PDF").code == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["x.html", "x.pdf", "y.PDF"]
+    assert (tmp_path / "y.PDF").read_bytes().startswith(b"%PDF")
 
 
 def test_pdf_refusals(afmcalc, monkeypatch, tmp_path):
     assert "-o FILE.html" in afmcalc("report", "--pdf").err
-    assert "x.html --pdf" in afmcalc("report", "--pdf", "-o", "x.pdf").err
     monkeypatch.setenv("PATH", str(tmp_path))
-    run = afmcalc("report", "--pdf", "-o", tmp_path / "x.html")
-    assert run.code == 2
-    assert "no headless browser found" in run.err
-    assert not (tmp_path / "x.html").exists()
+    for name in ("x.html", "x.pdf"):
+        run = afmcalc("report", "--pdf", "-o", tmp_path / name)
+        assert run.code == 2
+        assert "no headless browser found" in run.err
+        assert not (tmp_path / name).exists()
 
 
 def test_a_date_that_is_none(afmcalc, monkeypatch):

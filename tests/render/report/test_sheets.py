@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from conftest import CONFIGS, WANTED
 
+from afmcalc.messages import ENGLISH, language, speaking
 from afmcalc.render.report.browser import print_pdf
 from afmcalc.render.report.sheets import printed
 
@@ -32,9 +33,10 @@ def on_paper(drawn, parsed):
     """The tree of the report of a shipped spec, and its PDF."""
 
     @functools.cache
-    def printed_once(name, *options):
-        page = drawn(name, *options)
-        return parsed(page), printed(chromium.PATH, page)
+    def printed_once(name, spoken, *options):
+        page = drawn(name, "--lang", spoken, *options)
+        with speaking(ENGLISH if spoken == "en" else language(spoken)):
+            return parsed(page), printed(chromium.PATH, page)
 
     return printed_once
 
@@ -48,7 +50,7 @@ def every_report(test):
 
 @every_report
 def test_contents_tell_the_sheet_of_each_heading(name, language, on_paper):
-    tree, pdf = on_paper(name, "--lang", language)
+    tree, pdf = on_paper(name, language)
     sheets = lines_of(pdf)
     entries = ["".join(entry.itertext()).strip() for entry in tree.findall(".//nav//li/div")]
     assert len(entries) > 8
@@ -74,7 +76,7 @@ def fields_of(pdf, language):
 @every_report
 def test_nothing_is_parted_from_what_it_is_of(name, language, on_paper):
     """No sheet ends with a heading, the caption or head of a table, or begins with the caption of a figure."""
-    tree, pdf = on_paper(name, "--lang", language)
+    tree, pdf = on_paper(name, language)
     tables = [(table.find("caption"), table.find("thead")) for table in tree.findall(".//table")]
     tables = [tuple(map(squeezed, parts)) for parts in tables if None not in parts]
     ends = [squeezed(part) for level in ("h2", "h3", "h4") for part in tree.findall(f".//{level}")]
@@ -88,14 +90,49 @@ def test_nothing_is_parted_from_what_it_is_of(name, language, on_paper):
 
 
 @every_report
+def test_a_table_that_goes_on_says_so_with_its_head(name, language, on_paper):
+    """On each sheet that it reaches; one of few rows stays on its sheet."""
+    tree, pdf = on_paper(name, language)
+    caption = {"en": "Table{}–", "ru": "Таблица{}–"}[language]
+    again = {"en": "Table{},continued", "ru": "Продолжениетаблицы{}"}[language]
+    fields = [*fields_of(pdf, language)]
+    parted = 0
+    for number, table in enumerate((part for part in tree.findall(".//table") if part.find("caption") is not None), 1):
+        head, rows = squeezed(table.find("thead")), [squeezed(row) for row in table.findall("tbody/tr")]
+        (place,) = [place for place, field in enumerate(fields) if caption.format(number) in field]
+        _, _, rest = fields[place].partition(caption.format(number))
+        assert head in rest
+        for row in rows:
+            if row not in rest:
+                parted += 1
+                place, begin = place + 1, again.format(number) + head
+                assert fields[place].startswith(begin + row), (number, row)
+                assert len(rows) > 5
+                rest = fields[place].removeprefix(begin)
+            rest = rest[rest.index(row) + len(row) :]
+    assert len(re.findall(again.format(r"\d+"), "".join(fields))) == parted
+    assert parted or (name, language) != ("default", "en")
+
+
+@every_report
 def test_each_table_and_figure_on_paper_is_referred_to(name, language, on_paper):
-    tree, pdf = on_paper(name, "--lang", language)
+    tree, pdf = on_paper(name, language)
     text = "".join(fields_of(pdf, language))
     words = {"en": ("table", "figure"), "ru": ("таблица", "рисунок")}[language]
     for word, parts in zip(words, (tree.findall(".//caption"), tree.findall(".//figure")), strict=True):
         captions = [int(number) for number in re.findall(rf"{word.capitalize()}(\d+)–", text)]
         assert captions == [*range(1, len(parts) + 1)]
         assert {int(number) for number in re.findall(rf"{word}(\d+)[.,]", text)} == {*captions}
+
+
+@pytest.mark.every(20)
+@pytest.mark.parametrize("name", ["wood-chipper-clutch", *(name for name in EXAMPLES if name != "wood-chipper-clutch")])
+@pytest.mark.parametrize("language", ["ru", "en"])
+def test_a_short_report_has_two_sheets(language, name, on_paper):
+    _, pdf = on_paper(name, language, "--short")
+    fields = [*fields_of(pdf, "en")]
+    assert len(fields) <= 2
+    assert {"en": "Whatistobedonenext", "ru": "Чтоследуетсделать"}[language] in fields[-1]
 
 
 MM = 25.4 / 72
