@@ -122,8 +122,8 @@ FINDINGS: Mapping[str, str] = {
     "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
     "strength {limit:.4g MPa}: the shaft fails at once",
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
-    "band at equal mean costs no life (misprint M23); afmcalc life --model amplitude, or goodman, takes it into "
-    "account",
+    "band at equal mean costs no life (misprint M23); the rules of Serensen–Kinasoshvili (amplitude) and of "
+    "Goodman (goodman) take it into account",
     # machine and shaft
     "service-factor-assumed": "{path} is not given: {value:g} is taken, for a machine without shocks",
     "machine-not-driven": "at some friction the clutch carries {value:.5g N·m}, less than the {limit:.5g N·m} that the "
@@ -239,9 +239,10 @@ FINDINGS: Mapping[str, str] = {
     "faces-not-judged": "the temperature of the faces is not known (it needs heat.conductivity, heat.density and both "
     "radii): the mean of the discs, which is lower, is held against what {name} allows",
     "lining-thick": "no heat.lining: the lining is taken as endlessly thick, a lower bound of the surface temperature",
-    "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
-    "the faces, an upper bound of their surface temperature",
-    "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
+    "discs-take-all": "no heat.lining_conductivity, heat.lining_density and heat.lining_specific_heat: the discs "
+    "take all the heat of the faces, an upper bound of their surface temperature",
+    "discs-thick": "no heat.disc_mass: the discs are taken as endlessly thick, a lower bound of their surface "
+    "temperature",
     "spring-slack-before-worn": "the spring falls slack once each pair has worn by {value:.4g mm}, before its lining "
     "of {limit:.4g mm} is gone: trips until it is gone are not told",
     "heat-not-told": "not calculated: what the spec does not give the data for, {listed}",
@@ -309,7 +310,8 @@ FINDINGS: Mapping[str, str] = {
     "sampled: without --no-simulate it is",
     "front-of-grid": "{names}: a check of each clutch tells it, so the front is that of the points searched, with "
     "nothing between them tried",
-    "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
+    "room-not-given": "{path}.inner_diameter, {path}.outer_diameter or {path}.length is not given: nothing "
+    "bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
     "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g kN}, more than the "
     "allowable {limit:.5g kN}: the curved wall pushes the ball across it",
@@ -362,10 +364,10 @@ FINDINGS: Mapping[str, str] = {
     "f_1 = {at:.4g}",
     "accuracy-not-lasting": "K_т = {factor:.4g} holds as friction rises; under a load that lasts, friction falling "
     "again, K_т,h = {value:.4g} is above {limit:.4g}: requirements.accuracy_factor_hysteresis says what it may be",
-    "as-made": 'every sample has the springs of the nominal clutch (tolerance.setting = "as-made"); with '
-    '"each-adjusted" every clutch is set on the bench',
-    "each-adjusted": "every sample is set on the bench, its springs by its own dimensions (tolerance.setting = "
-    '"each-adjusted"); with "as-made" it has those of the nominal clutch',
+    "as-made": "every sample has the springs of the nominal clutch; tolerance.setting may have each clutch set on "
+    "the bench instead",
+    "each-adjusted": "every sample is set on the bench, its springs by its own dimensions; tolerance.setting may "
+    "have it keep those of the nominal clutch instead",
     "number-without-unit": '{path}: a number without a unit is in SI, {given}; {meant}? Write "{meant}" or "{given}"',
     "few-samples": "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in "
     "full: at least {limit:.0f}",

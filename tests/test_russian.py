@@ -73,7 +73,7 @@ STRUCK = (
 
 FOREIGN = (
     *(r"``", r"\b(tan|cot|arctan)\b", r"(?<![,.\d])\d*([05-9]|1\d) раза\b", r"\{[^}]*g\} раза\b"),
-    *(r"(?<![\w.])-\d", r"\d (kN|mm|MPa|kJ|kg|rpm)\b", r"\[default: ", "<=", ">=", " — "),
+    *(r"(?<![\w.])-\d", r"\d (kN|mm|MPa|kJ|kg|rpm)\b", r"\[default: ", "<=", ">=", " — ", "[“”]"),
 )  # fmt: skip
 """English functions, signs and units outside quotation marks, and the wrong form after a number."""
 

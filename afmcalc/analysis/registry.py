@@ -137,8 +137,8 @@ def _any_effect(clutch: "Clutch") -> bool:
 
 def _about_tolerance(found: Any) -> str:
     if found.method == "exact":
-        return "The slip torque as making and service scatter, by the block [tolerance]; the answer is exact."
-    return "The slip torque as making and service scatter, by the block [tolerance]; ± is the standard error."
+        return "The slip torque as making and service scatter as given; the answer is exact."
+    return "The slip torque as making and service scatter as given; ± is the standard error."
 
 
 def _narrower(found: Any) -> str:
@@ -256,7 +256,7 @@ ANALYSES: dict[str, Analysis] = {
             "simulate", "analysis.simulate", "SimulateResult", "drive", _can_be_simulated,
             section=Section(
                 "Drive",
-                "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
+                "The given event of the drive in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
                 "At the largest friction the torque in the shaft reaches {peak_torque.max:.5g N·m}, with an ordinary "
                 "clutch {peak_torque_conventional.max:.5g N·m}.",
             ),

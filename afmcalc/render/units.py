@@ -101,6 +101,8 @@ _IN_ENGLISH = {
     "hertz-ball-on-flat": "Hertz, ball on a flat",
     "hertz-ball-on-curved-wall": "Hertz, ball on a curved wall",
     "monte-carlo": "Monte Carlo",
+    "as-made": "as made for the nominal clutch",
+    "each-adjusted": "each clutch adjusted",
     "simulate": "simulation of the event",
 }
 """Values that are words of the spec or of JSON → what people are told."""

@@ -340,7 +340,7 @@ def in_words(text: str) -> str:
     def named_so(found: re.Match[str]) -> str:
         path = found[1] or found[0]
         name = name_of(path) if path in keys() else _titled(path)
-        return found[0] if path in name.split(": ") else message("“{name}”", name=name)
+        return found[0] if path in name.split(": ") else translate("“…”", "symbol").replace("…", name)
 
     return _PATH.sub(named_so, text)
 

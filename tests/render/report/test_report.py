@@ -17,8 +17,10 @@ from texts import models
 
 from afmcalc.analysis.dossier import dossier
 from afmcalc.equations.catalogue import equations
-from afmcalc.findings import Finding
+from afmcalc.findings import FINDINGS, Finding
+from afmcalc.messages import translate
 from afmcalc.render.report import words
+from afmcalc.render.report.page import in_words
 from afmcalc.render.report.words import REPORT
 from afmcalc.render.symbols import latin_symbols, native
 from afmcalc.render.verdict import SENTENCES, verdict
@@ -285,6 +287,40 @@ def test_sources_have_numbers_in_the_order_of_their_mention(name, form, language
     assert len(set(sources)) == len(sources)
     assert bool(form) or len(sources) > 3
     assert not re.findall(r"\b(?:F11|S19|S21|S22|[A-Z]\w\d\d|CJ|JM|SKS)\b|[Hh]andbook|правочник|ohnson|Marshek", text)
+
+
+KEYS = sorted((re.escape(key) for key in keys() if re.search("[._]", key)), key=len, reverse=True)
+TYPED = re.compile(
+    rf"(?<![\w.])(?:{'|'.join(KEYS)})(?!\.?\w)|--[a-z][\w-]*|\[(?!p\])[a-z_.]+\]|``|\b[a-z]{{3,}}_[a-z_]{{3,}}\b"
+)
+"""What one writes in a spec or on a command line: keys, tables, options, names of fields; [p] is an allowable pressure."""
+
+
+@pytest.mark.every(9)
+@pytest.mark.parametrize("language", ["en", "ru"])
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_no_text_is_for_who_writes_the_spec(name, language, drawn, parsed):
+    """Neither keys nor options, and quotation marks are those of the language."""
+    body = parsed(drawn(name, "--lang", language)).find(".//body")
+    labels = (part.get("aria-label", "") for part in body.iter())
+    shown = "\n".join(
+        [*(text for part in body.iter() if part.tag != "pre" for text in (part.text or "", part.tail or "")), *labels]
+    )
+    assert not TYPED.findall(shown)
+    if language == "ru":
+        assert not re.findall('[“”"].*', shown)
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_no_finding_of_a_clutch_is_for_who_writes_the_spec(language, monkeypatch):
+    """Whatever is found, a report names what the keys mean."""
+    monkeypatch.setenv("AFMCALC_LANG", language)
+    shown = {code: in_words(translate(text)) for code, text in FINDINGS.items() if code not in OF_A_SEARCH}
+    paths = {code: re.sub(r"\{path\}[\w.]*", "", text) for code, text in shown.items()}
+    assert not {code: found for code, text in paths.items() if (found := TYPED.findall(text))}
+
+
+OF_A_SEARCH = ("shaft-not-at-peaks", "front-not-simulated")
 
 
 def test_latin_symbols_stay_apart():
