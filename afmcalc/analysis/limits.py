@@ -38,6 +38,10 @@ class Utilisation(Result):
     verdict: Grade = described("verdict")
     by_choice: bool = described("whether it holds by what was set or chosen so that it does", details=True)
 
+    def words(self, name: str) -> str | None:
+        """Say of a limit that is reached on purpose that it is: it does not limit the clutch."""
+        return term("as chosen") if name == "verdict" and self.by_choice else None
+
     @property
     def shown_unit(self) -> str:
         """Unit: what is held against a limit is a temperature, not a difference of two."""

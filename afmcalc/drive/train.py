@@ -110,7 +110,8 @@ def train_of(clutch: Clutch) -> Train:
     given: Any = clutch.spec.drive
     if (event := given.event) is None:
         message = say(
-            'required by simulate: what happens, for example event = {{ kind = "stop", stop_time = "10 ms" }}'
+            'required by simulate: what happens, for example event = {{ kind = "stop", stop_time = "10 ms" }}; '
+            "afmcalc init --kind drive writes a spec that has it"
         )
         raise clutch.spec.refused("drive.event", message)
     load: Number = clutch.running_torque if given.load_torque is None else given.load_torque

@@ -113,7 +113,7 @@ class Row(Result):
     inputs: str = described("inputs")
     printed: str = described("printed")
     computed: Sentence = described("computed")
-    deviation: float | None = quantity("1", "dev.", "computed over printed, less 1")
+    deviation: float | None = quantity("1", "dev.", "relative deviation: computed/printed − 1")
     verdict: Verdict = described("verdict")
     correction: str | None = described("correction")
     why: str = described("why")
@@ -150,7 +150,7 @@ class ReproduceResult(Answer):
     corrected: int = described("reproduced with a correction")
     not_reproduced: int = described("not reproduced")
     undecided: int = described("left open by the paper")
-    as_expected: bool = described("every verdict is the one on record")
+    as_expected: bool = described("all verdicts agree with those on record")
     curves: list[CurveRow] | None = described("curves of the figures, recomputed", optional=True)
     points: list[CurvePoint] | None = described("points of the curves", optional=True, data=True)
 

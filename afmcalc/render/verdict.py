@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ..findings import Finding
 from ..messages import told, translate
+from .symbols import native
 from .units import worded
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ def verdict(check: "CheckResult", findings: Iterable[Finding]) -> Verdict:
             "What limits the clutch first is “{name}” ({symbol}): it uses {utilisation:.1%} of that limit."
             if held
             else "The clutch goes farthest beyond “{name}” ({symbol}): {utilisation:.1%} of that limit.",
-            name=worded(most.name), symbol=most.symbol, utilisation=share,
+            name=worded(most.name), symbol=native(most.symbol), utilisation=share,
         )  # fmt: skip
     sentence = translate(SENTENCES[f"{required}/{checked}"])
     return Verdict("fail" if failed else "pass" if whole else "warning", sentence, limit)

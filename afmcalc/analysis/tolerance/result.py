@@ -55,7 +55,7 @@ def error(of: str, figure: Any, description: str = "standard error of it", symbo
 class InputRow(Result):
     """One number that scatters."""
 
-    path: str = described("field")
+    path: str = described("parameter")
     distribution: str = described("distribution")
     min: float | None = described("min", optional=True, unit_in="unit")
     center: float = described("mean or peak", unit_in="unit")
@@ -93,7 +93,7 @@ class PeakRow(Estimated):
 class IndexRow(Estimated):
     """Sobol indices of one input."""
 
-    path: str = described("field")
+    path: str = described("parameter")
     first_order: float = quantity("1", "S_1", "first-order Sobol index")
     first_order_standard_error: float = error("first_order", first_order, "standard error of S_1")
     total: float = quantity("1", "S_T", "total Sobol index")

@@ -14,8 +14,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.registry import ANALYSES
+from afmcalc.messages import ENGLISH, language, speaking, translate
 from afmcalc.render.layout import TextTable, padded, told_apart
 from afmcalc.render.units import display, estimate, significant
+from afmcalc.render.verdict import SENTENCES
 from afmcalc.result import Result, shown_as
 from afmcalc.spec.keys import keys
 
@@ -232,3 +234,37 @@ def test_a_step_says_its_setting_only_where_another_differs():
     assert told_apart(step, [step, step]) == []
     assert told_apart(step, [step, other]) == ["set at f_min"]
     assert told_apart(step, [step, SimpleNamespace(**vars(other) | {"symbol": "K"})]) == []
+
+
+CLUTCHES = [path.stem for path in sorted(CONFIGS.glob("*.toml")) if "\nvariant = " in path.read_text(encoding="utf-8")]
+
+
+@pytest.mark.every(6)
+@pytest.mark.parametrize("name", CLUTCHES)
+def test_check_begins_with_its_verdict_and_compare_tells_a_finding_once(name, afmcalc, monkeypatch):
+    for lang in ("en", "ru"):
+        monkeypatch.setenv("COLUMNS", "400")
+        with speaking(language(lang) if lang == "ru" else ENGLISH):
+            sentences = tuple(translate(sentence) for sentence in SENTENCES.values())
+        run = afmcalc("--lang", lang, "check", f"example:{name}")
+        assert run.out.splitlines()[1].startswith(sentences)
+        if lang == "ru":
+            assert "T_peak" not in run.out
+    monkeypatch.delenv("COLUMNS")
+    told = afmcalc("compare", f"example:{name}", f"example:{name}", "example:indirect").out.splitlines()
+    codes = [re.search(r"\[[^]]*\]$", line) for line in told if re.match(r"(info|warning|error): ", line)]
+    messages = [
+        line.partition(": ")[2].partition(": ")[2] for line in told if re.match(r"(info|warning|error): ", line)
+    ]
+    assert all(codes)
+    assert len(set(messages)) == len(messages)
+
+
+@pytest.mark.parametrize("width", [60, 80, 100])
+@pytest.mark.parametrize("lang", ["en", "ru"])
+def test_a_key_is_never_broken(lang, width, afmcalc, monkeypatch):
+    monkeypatch.setenv("COLUMNS", str(width))
+    run = afmcalc("--lang", lang, *TOLERANCE)
+    scattering = ("closing_spring.force", "friction_group.mean_radius", "control_unit.gain", "fatigue.endurance_limit")
+    assert all(run.out.count(key) == 2 for key in scattering)
+    assert max(map(len, run.out.splitlines())) <= width
