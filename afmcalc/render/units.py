@@ -100,6 +100,8 @@ _IN_ENGLISH = {
     "mean-stress": "mean stress",
     "hertz-ball-on-flat": "Hertz, ball on a flat",
     "hertz-ball-on-curved-wall": "Hertz, ball on a curved wall",
+    "uniform-wear": "uniform wear",
+    "uniform-pressure": "uniform pressure",
     "monte-carlo": "Monte Carlo",
     "as-made": "as made for the nominal clutch",
     "each-adjusted": "each clutch adjusted",

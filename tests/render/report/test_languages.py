@@ -5,6 +5,9 @@ import re
 import pytest
 from conftest import CONFIGS, WANTED
 
+from afmcalc.findings import FINDINGS
+from afmcalc.spec.keys import keys
+
 EXAMPLES = sorted({path.stem for path in CONFIGS.glob("*.toml")} - WANTED, key=lambda name: (name != "tolerance", name))
 """Those whose report is written, the one with the most tables first."""
 
@@ -76,3 +79,35 @@ def test_both_languages_have_the_same_numbers(name, drawn, parsed):
     assert verdicts[0] == verdicts[1] != []
     listed = [len(each["symbols"].findall(".//dt")) for each in sections]
     assert listed[0] == listed[1] > 50
+
+
+CODES = {
+    *(path for path in keys() if "." in path),
+    *(part for path in keys() for part in path.split(".") if "_" in part),
+    *(code.partition("/")[0] for code in FINDINGS if "-" in code),
+    *(f"[{path.rpartition('.')[0]}]" for path in keys() if "." in path),
+}
+CODE = re.compile(rf"--[a-z][\w-]*|(?<![\w.])(?:{'|'.join(map(re.escape, sorted(CODES, reverse=True)))})(?![\w-])")
+"""A key of the spec of more than one word, a table of it, a code of a finding, an option of the command line."""
+
+
+@pytest.mark.every(12)
+@pytest.mark.parametrize(("name", "language"), [(name, language) for name in EXAMPLES for language in ("en", "ru")])
+def test_what_people_read_has_words_in_the_place_of_keys(name, language, drawn, parsed):
+    """And in Russian its own quotation marks; what the file is called is no key."""
+    page = parsed(drawn(name, "--lang", language))
+    read = [*page.find(".//main").iter(), *page.find(".//header/div").iter(), page.find(".//h1")]
+    whole = "p", "li", "td", "th", "dt", "dd", "caption", "figcaption", "text", "h1", "h2", "h3", "h4"
+    texts = [plain(part) for part in read if part.tag.rpartition("}")[2] in whole]
+    assert len(texts) > 500
+    assert not [(found, text) for text in texts for found in CODE.findall(text)]
+    if language == "ru":
+        assert not [text for text in texts if re.search('[“”„"]', text)]
+
+
+def test_a_key_would_be_found():
+    """Every key and code that is looked for would be found."""
+    for code in CODES:
+        assert CODE.fullmatch(code), code
+        assert CODE.search(f"give {code}, or --set"), code
+    assert not CODE.search("the largest torque T_max at f_min, T_н.маш, [F_n]")
