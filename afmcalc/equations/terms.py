@@ -245,7 +245,7 @@ TorqueBetween = Annotated[Number, "T", "N*m", "torque between the two inertias"]
 BalancedNormalForce = Annotated[Number, "N_eq", "N", "normal force in balance with the load"]
 ForceLag = Annotated[Number, "τ", "s", "time by which the normal force lags the load"]
 TorqueGrowth = Annotated[Number, "f T'(f)", "N*m", "growth of the torque with friction"]
-StribeckSpeed = Annotated[Number, "v_s", "m/s", "sliding speed in which static friction decays"]
+StribeckSpeed = Annotated[Number, "v_s", "m/s", "sliding speed over which static friction falls to sliding friction"]
 MotorTorque = Annotated[Number, "M_1", "N*m", "torque of the motor"]
 
 # Heat and wear
@@ -273,7 +273,7 @@ TemperatureLimit = Annotated[Number, "Θ_max", "K", "largest temperature the dis
 TripRise = Annotated[Number, "ΔΘ", "K", "rise of temperature by a trip"]
 Cooling = Annotated[Number, "α A_c", "W/K", "heat given off per kelvin"]
 SurroundingTemperature = Annotated[Number, "Θ_0", "K", "temperature of the surroundings"]
-LiningThickness = Annotated[Number, "s_w", "m", "thickness that a pair may lose"]
+LiningThickness = Annotated[Number, "s_w", "m", "thickness of lining that a pair may lose by wear"]
 SpecificWear = Annotated[Number, "w", "m^3/J", "volume worn per energy"]
 FollowingStiffness = Annotated[Number, "c_п", "N/m", "stiffness of the spring that follows the pack"]
 PackForce = Annotated[Number, "F", "N", "force on the pack at rest"]

@@ -118,7 +118,8 @@ class FrictionRange(RuledBlock):
     mean: Coefficient | None = key("mean coefficient of friction; default (min + max)/2", "f_cp")
     max: Coefficient | None = key("largest coefficient of friction", "f_max")
     material: MaterialNames | None = key(
-        "name of a friction material of the catalogue; of a list a design tries each, and a clutch has the worst"
+        "name of a friction material of the catalogue, or a list of them: design tries each, a clutch is calculated "
+        "with the worst"
     )
 
     _own: Mapping[str, Material] | None = PrivateAttr(default=None)
@@ -186,7 +187,9 @@ class Friction(FrictionRange):
     driving: FrictionRange | None = key("friction of the driving (bypass) pairs", "f_1")
     driven: FrictionRange | None = key("friction of the driven (controlled) pairs", "f_2")
     static_ratio: AtLeastOne | None = key("static over sliding friction; default 1", "r_s")
-    stribeck_speed: SlidingSpeed | None = key("sliding speed in which static friction decays", "v_s")
+    stribeck_speed: SlidingSpeed | None = key(
+        "sliding speed over which static friction falls to sliding friction", "v_s"
+    )
     unknown: StrictBool | None = key("of several materials it is not known which is fitted: the worst of them counts")
 
     def broken_rules(self) -> Iterable[Broken]:
@@ -239,7 +242,10 @@ class FrictionGroup(RuledBlock):
     spline_friction: Ratio | None = key("friction of the discs in their splines (effects only)", "μ_s")
     inner_spline_radius: Length | None = key("radius of the inner discs' splines (effects only)", "r_si")
     outer_spline_radius: Length | None = key("radius of the outer discs' splines (effects only)", "r_so")
-    vertical_axis: VerticalAxis | None = key("end of the pack that the spring is at; default horizontal (effects only)")
+    vertical_axis: VerticalAxis | None = key(
+        "axis vertical, the spring at the upper end of the pack (spring-above) "
+        "or at the lower (spring-below); default horizontal (effects only)"
+    )
     pressure_disc_mass: DiscMass | None = key("mass of the pressure disc (effects only)", "m_н")
     discs_mass: Mass | None = key("mass of all friction discs of the pack (effects only)", "m_д")
 
@@ -268,7 +274,7 @@ class Room(RuledBlock):
 
     inner_diameter: Gap | None = key("diameter of what the spring stands around", "D_1")
     outer_diameter: Length | None = key("diameter of what is around the spring", "D_2")
-    length: Length | None = key("length there is for the spring as set, and as worn", "L")
+    length: Length | None = key("length available for the spring, as set and after wear", "L")
 
     def broken_rules(self) -> Iterable[Broken]:
         """The outer diameter is the greater one."""
@@ -424,7 +430,9 @@ class Adjustment(Block):
 
     method: Method = key("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key("torque margin", "β_н", default=1.0)
-    nominal_torque: Torque | None = key("nominal torque of the clutch; gives the spring force where absent", "T_н")
+    nominal_torque: Torque | None = key(
+        "nominal torque of the clutch; gives the spring force where that is not given", "T_н"
+    )
 
 
 class Motor(Block):
@@ -443,12 +451,12 @@ class Event(Block):
     )
     stop_time: TimeOrNone | None = key("time in which the tool is stopped; 0 is a sudden lock", "t_b")
     torque: Torque | None = key(
-        "load to which that of the tool rises; it resists as friction does: it holds a stopped tool, and does not turn "
-        "it back as that of a hoist would",
+        "load on the tool after the rise; it resists as friction does: it holds a stopped tool and does not turn it "
+        "back, as the load of a hoist would",
         "M_L",
     )
     rise_time: TimeOrNone | None = key("time in which the load rises", "t_r")
-    duration: Time | None = key("time that is simulated; default until nothing more can come", "t_max")
+    duration: Time | None = key("time that is simulated; default until nothing more can happen", "t_max")
 
 
 class Drive(Block):
@@ -494,7 +502,7 @@ class Heat(RuledBlock):
     ambient: Temperature | None = key("temperature around the clutch, and of the discs before a trip", "Θ_0")
     cooling: Cooling | None = key("heat given off per kelvin above the surroundings, α A_c", "α A_c")
     wear: Wear | None = key("volume of lining worn per energy", "w")
-    lining: Length | None = key("thickness that a pair may lose", "s_w")
+    lining: Length | None = key("thickness of lining that a pair may lose by wear", "s_w")
 
     def broken_rules(self) -> Iterable[Broken]:
         """A lining has all its data or none."""
