@@ -38,6 +38,15 @@ _LATIN_OF = {
 }  # fmt: skip
 """The same of a symbol in which they stand for another word."""
 
+_OURS = {
+    "T_ср": "T_ср", "T_сраб": "T_ср", "C_экв": "C_eff", "наст": "set", "ср": "cp", "экв": "eq", "равн": "eq",
+    "действ": "act", "ожид": "exp", "доп": "allow", "верх": "high", "ниж": "low", "пред": "lim", "опт": "opt",
+    "пик": "peak", "обр": "ret", "пор": "thr", "ст": "st", "сер": "mid", "треб": "req", "баз": "base", "косв": "ind",
+    "диф": "diff", "вед": "all",
+}  # fmt: skip
+"""Symbols and words of indices that Russian sentences write → the same in ours."""
+_RUSSIAN = re.compile(rf"(?<![а-яё])(?:{'|'.join(_OURS)})(?![а-яё])")
+
 _as_latin: ContextVar[dict[str, str] | None] = ContextVar("as_latin", default=None)
 
 
@@ -73,9 +82,10 @@ _INDEX_WORD = re.compile(r"[а-яё]+|(?<![^\W\d_])cp(?![^\W\d_])")
 
 
 def _recorded(symbol: re.Match[str]) -> str:
-    set_so = latin(symbol[0])
-    if set_so != symbol[0] and (record := _as_latin.get()) is not None:
-        record[set_so] = symbol[0]
+    ours = symbol[0] if spoken() == "en" else _RUSSIAN.sub(lambda word: _OURS[word[0]], symbol[0])
+    set_so = latin(ours)
+    if set_so != ours and (record := _as_latin.get()) is not None:
+        record[set_so] = ours
     return set_so
 
 
@@ -92,7 +102,7 @@ def native(text: str) -> str:
 
 
 def _native(symbol: re.Match[str]) -> str:
-    if _as_latin.get() is not None and "_" in symbol[0]:
+    if _as_latin.get() is not None and ("_" in symbol[0] or symbol[0] == "opt"):
         return symbol[0]
     whole = translate(symbol[0], "symbol")
     return whole if whole != symbol[0] else _WORD.sub(lambda word: translate(word[0], "symbol"), whole)

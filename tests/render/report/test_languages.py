@@ -111,3 +111,38 @@ def test_a_key_would_be_found():
         assert CODE.fullmatch(code), code
         assert CODE.search(f"give {code}, or --set"), code
     assert not CODE.search("the largest torque T_max at f_min, T_н.маш, [F_n]")
+
+
+def indices(page):
+    """Every index of a symbol in text and formulas, but for those of the papers that are quoted as such."""
+    quoted = {id(part) for key in ("symbols", "misprints") for part in page.find(f".//section[@id='{key}']").iter()}
+    parts = [part for part in page.find(".//main").iter() if id(part) not in quoted]
+    return {text_of(part) for part in parts if part.tag == "sub"} | {
+        text_of(part[1]) for part in parts if part.tag.endswith("}msub")
+    }
+
+
+@pytest.mark.every(2)
+@pytest.mark.parametrize("name", ["tolerance", "indirect"])
+def test_latin_letters_are_the_same_in_both_languages(name, framed, parsed):
+    """In Russian sentences too, which write words of their own in indices; what the papers write stands beside."""
+    pages = [parsed(framed(CONFIGS / f"{name}.toml", "--lang", each, "--symbols", "latin")) for each in ("en", "ru")]
+    english, russian = (
+        sorted(text_of(each).replace("tg ", "tan ") for each in page.findall(".//section[@id='symbols']//dt"))
+        for page in pages
+    )
+    assert english == russian
+    assert "Fcl (Fп)" in russian
+    assert not [index for page in pages for index in indices(page) if re.search("[а-яё]", index)]
+    assert {"cl", "mean"} <= indices(pages[1])
+
+
+def test_letters_of_the_papers_are_all_theirs_in_english(framed, parsed):
+    """What is set in Latin letters by default, here in none."""
+    usual = parsed(framed(CONFIGS / "tolerance.toml"))
+    papers = text_of(parsed(framed(CONFIGS / "tolerance.toml", "--symbols", "papers")).find(".//main"))
+    pairs = [text_of(each).rstrip(")").split(" (") for each in usual.findall(".//section[@id='symbols']//dt")]
+    theirs = dict(pair for pair in pairs if len(pair) == 2 and re.search("[а-яё]|cp", pair[1]))
+    assert theirs["Fcl"] == "Fп"
+    assert [symbol for symbol in theirs.values() if symbol in papers][20:]
+    assert not [symbol for symbol in theirs if re.search(rf"(?<!\w){re.escape(symbol)}(?![\w,])", papers)]
