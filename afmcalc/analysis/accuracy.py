@@ -46,7 +46,7 @@ class AccuracyResult(Answer):
     nominal_torque_ratio: float | None = quantity(
         "1",
         "K_п",
-        "nominal torque over that of the base clutch with equal spring and gain, all pairs controlled",
+        "nominal torque over that of a base clutch whose pairs are all controlled, of equal spring force and gain",
         optional=True,
     )
     slope_in_ratio_max: float | None = quantity(

@@ -32,8 +32,8 @@ class ComparedClutch(Result):
     accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks")
     gain_limit: float | None = quantity("1", "C_max", "gain limit", optional=True)
     travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
-    warnings: int = described("warnings of check, nothing simulated")
-    errors: int = described("errors of check, nothing simulated")
+    warnings: int = described("warnings of check (event not simulated)")
+    errors: int = described("errors of check (event not simulated)")
 
 
 class CompareResult(Answer):

@@ -62,9 +62,11 @@ class OverloadResult(Answer):
     machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
     margin: float = quantity("1", "β_н", "torque margin")
     potential_torque: Triple = quantity(
-        "N*m", "T_п", "potential torque: what the clutch could carry while T_н.маш loads it; it trips at most here"
+        "N*m",
+        "T_п",
+        "potential torque: what the clutch could carry while T_н.маш loads it; upper bound of the tripping torque",
     )
-    expected_torque: Triple = quantity("N*m", "T_муф", "expected slip torque; the clutch trips at least here")
+    expected_torque: Triple = quantity("N*m", "T_муф", "expected slip torque; lower bound of the tripping torque")
     potential_torque_gain: Triple | None = quantity(
         "N*m",
         "T'_п − T_п",

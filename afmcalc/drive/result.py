@@ -129,7 +129,7 @@ class HeatResult(Answer):
     )
     temperature_limit: float | None = quantity("K abs", "Θ_max", "allowable temperature, for the discs", optional=True)
     trips_without_cooling: OpenTriple | None = quantity(
-        "1", "n_Θ", "trips one upon the other until the limit, all their heat in the discs", optional=True
+        "1", "n_Θ", "trips in immediate succession until the limit, no heat given off", optional=True
     )
     trips_per_hour: OpenTriple | None = quantity(
         "1/h", "ν", "trips per hour, mean temperature at the limit", optional=True
