@@ -340,6 +340,23 @@ def test_the_letters_of_the_papers(framed):
     assert "F<sub>cl</sub>" not in papers
 
 
+@pytest.mark.every(3)
+@pytest.mark.parametrize("name", ["default", "indirect", "tolerance"])
+def test_latin_symbols_in_russian(name, drawn, parsed):
+    """Every index is Latin, those that Russian texts have too; the list of symbols tells what the papers write."""
+    tree = parsed(drawn(name, "--lang", "ru", "--symbols", "latin"))
+    (papers,) = tree.findall(".//section[@id='symbols']")
+    assert any(re.search("[а-я]", text_of(low)) for low in papers.iter("sub"))
+    (misprints,) = tree.findall(".//section[@id='misprints']")
+    for quoted in (papers, misprints):
+        quoted.clear()
+    indices = [text_of(low) for low in tree.iter("sub")]
+    indices += [text_of(sub[1]) for sub in tree.iter("msub")]
+    indices += [text_of(low) for low in tree.iter("tspan") if "font-size" in low.get("style", "")]
+    assert len(indices) > 300
+    assert not [index for index in indices if re.search("[а-яА-Я]", index)]
+
+
 def test_title_block(framed, parsed, tmp_path):
     """From the spec, under the options; who signs has a place in any case; the hash is that of the file."""
     spec = tmp_path / "titled.toml"
