@@ -30,13 +30,11 @@ def split(text: str, ours: bool = True) -> list[tuple[str, bool]]:
 _LATIN = {
     "н": "n", "т": "T", "п": "sp", "ш": "ball", "ц": "c", "д": "dyn", "в": "sh", "р": "s", "cp": "mean", "ср": "pub",
     "муф": "c", "маш": "m", "дв": "mot", "пуск": "st", "тр": "fr", "зад": "req", "ном": "nom",
-    "наст": "set", "сраб": "pub", "равн": "eq", "экв": "eff", "обр": "ret", "ниж": "low", "треб": "req",
-    "баз": "base", "косв": "ind", "диф": "diff", "вед": "all",
 }  # fmt: skip
-"""Letters of an index of the papers, and of our Russian texts → Latin ones, of the English word that they stand for."""
+"""Letters of an index of the papers → Latin ones, of the English word that they stand for."""
 _LATIN_OF = {
     "F_п": "cl", "T_п": "pot", "K_п": "n", "m_п": "st", "m_н": "p", "m_д": "d", "T_муф": "exp", "T_маш": "mach",
-    "σ_т": "y", "τ_т": "y", "τ_экв": "eq", "f_ср": "mean", "R_ср": "mean",
+    "σ_т": "y", "τ_т": "y",
 }  # fmt: skip
 """The same of a symbol in which they stand for another word."""
 

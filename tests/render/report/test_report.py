@@ -296,21 +296,6 @@ TYPED = re.compile(
 """What one writes in a spec or on a command line: keys, tables, options, names of fields; [p] is an allowable pressure."""
 
 
-@pytest.mark.every(9)
-@pytest.mark.parametrize("language", ["en", "ru"])
-@pytest.mark.parametrize("name", EXAMPLES)
-def test_no_text_is_for_who_writes_the_spec(name, language, drawn, parsed):
-    """Neither keys nor options, and quotation marks are those of the language."""
-    body = parsed(drawn(name, "--lang", language)).find(".//body")
-    labels = (part.get("aria-label", "") for part in body.iter())
-    shown = "\n".join(
-        [*(text for part in body.iter() if part.tag != "pre" for text in (part.text or "", part.tail or "")), *labels]
-    )
-    assert not TYPED.findall(shown)
-    if language == "ru":
-        assert not re.findall('[“”"].*', shown)
-
-
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_no_finding_of_a_clutch_is_for_who_writes_the_spec(language, monkeypatch):
     """Whatever is found, a report names what the keys mean."""
@@ -338,23 +323,6 @@ def test_the_letters_of_the_papers(framed):
     papers = framed(CONFIGS / "default.toml", "--symbols", "papers")
     assert "F<sub>п</sub>" in papers
     assert "F<sub>cl</sub>" not in papers
-
-
-@pytest.mark.every(3)
-@pytest.mark.parametrize("name", ["default", "indirect", "tolerance"])
-def test_latin_symbols_in_russian(name, drawn, parsed):
-    """Every index is Latin, those that Russian texts have too; the list of symbols tells what the papers write."""
-    tree = parsed(drawn(name, "--lang", "ru", "--symbols", "latin"))
-    (papers,) = tree.findall(".//section[@id='symbols']")
-    assert any(re.search("[а-я]", text_of(low)) for low in papers.iter("sub"))
-    (misprints,) = tree.findall(".//section[@id='misprints']")
-    for quoted in (papers, misprints):
-        quoted.clear()
-    indices = [text_of(low) for low in tree.iter("sub")]
-    indices += [text_of(sub[1]) for sub in tree.iter("msub")]
-    indices += [text_of(low) for low in tree.iter("tspan") if "font-size" in low.get("style", "")]
-    assert len(indices) > 300
-    assert not [index for index in indices if re.search("[а-яА-Я]", index)]
 
 
 def test_title_block(framed, parsed, tmp_path):
