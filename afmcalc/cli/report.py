@@ -116,7 +116,7 @@ def handbook(
 def _write(common: Common, render: Callable[[], str], *, spec: str | None = None, pdf: bool) -> None:
     """Write a page, print it to PDF, or both; nothing where the browser fails."""
     from ..render.report.browser import find_browser
-    from ..render.report.sheets import need_pdf, printed
+    from ..render.report.sheets import need_pdf, printed, printed_without_margins
 
     output, browser = common.output, None
     alone = is_pdf(output)
@@ -139,3 +139,5 @@ def _write(common: Common, render: Callable[[], str], *, spec: str | None = None
             common.wrote(say("wrote {output}", output=output))
     if target:
         common.save(pdf_bytes, target)
+        if printed_without_margins(pdf_bytes):
+            common.note(say("the PDF has no numbers of sheets and no frame: that takes Chromium 131 or later"))

@@ -12,6 +12,8 @@ from .browser import print_pdf
 
 _TIMES = 4
 """How often a page is printed at most: what its contents say of the sheets may move what they tell of."""
+_CHROMIUM = 131
+"""The first version that prints running title, number and frame of a sheet."""
 _NUMBER = re.compile(r'(data-of="([^"]+)">)[^<]*')
 _TABLE = re.compile(
     r'<table class="(?P<kind>[^"]*)">\s*<caption id="table-(?P<number>\d+)">(?P<caption>.*?)</caption>\s*'
@@ -70,6 +72,12 @@ def _parted(table: re.Match[str], sheets: Mapping[str, int]) -> str:
         f'<table class="{kind}"><thead>{caption} id="table-{number}">{table["caption"]}</th></tr>{head}</thead>'
         f"{text}</table>{links}"
     )
+
+
+def printed_without_margins(pdf: bytes) -> bool:
+    """Whether an old browser, which left out what stands round the text, printed a PDF."""
+    version = re.search(rb"Skia/PDF m(\d+)", pdf)
+    return version is not None and int(version[1]) < _CHROMIUM
 
 
 def sheets_of(pdf: bytes) -> dict[str, int]:

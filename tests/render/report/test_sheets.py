@@ -253,3 +253,12 @@ def test_without_a_reader_of_pdf_it_is_said_before_anything_is_calculated(afmcal
     assert (run.code, run.out) == (2, "")
     assert run.err.splitlines()[-1] == "error: this needs pypdf, not installed here: pip install 'afmcalc[report]'"
     assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize(("version", "noted"), [(130, True), (131, False)])
+def test_a_browser_that_prints_no_margins_is_named(version, noted, afmcalc, monkeypatch, tmp_path, undrawn):
+    pdf = f"%PDF-1.4 /Producer (Skia/PDF m{version}) %%EOF".encode()
+    monkeypatch.setattr("afmcalc.render.report.sheets.printed", lambda *given: pdf)
+    run = afmcalc("report", CONFIGS / "default.toml", "-o", tmp_path / "x.pdf")
+    assert (run.code, (tmp_path / "x.pdf").read_bytes()) == (0, pdf)
+    assert ("Chromium 131" in run.err) == noted
