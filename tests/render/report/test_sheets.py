@@ -75,16 +75,16 @@ def fields_of(pdf, language):
 
 @every_report
 def test_nothing_is_parted_from_what_it_is_of(name, language, on_paper):
-    """No sheet ends with a heading, the caption or head of a table, or begins with the caption of a figure."""
+    """No sheet ends with a heading, the caption or head of a table, what a formula is of, or begins with the caption of a figure."""
     tree, pdf = on_paper(name, language)
     tables = [(table.find("caption"), table.find("thead")) for table in tree.findall(".//table")]
     tables = [tuple(map(squeezed, parts)) for parts in tables if None not in parts]
     ends = [squeezed(part) for level in ("h2", "h3", "h4") for part in tree.findall(f".//{level}")]
     ends += [caption for caption, _ in tables] + [caption + head for caption, head in tables]
+    ends += [squeezed(part) for part in tree.findall(".//p[@class='what']")]
     begins = [squeezed(part) for part in tree.findall(".//figcaption")]
     fields = [*fields_of(pdf, language)]
-    text = "".join(fields)
-    assert [part for part in (*ends, *begins) if part not in text] == []
+    assert [part for part in (*ends, *begins) if not any(part in field for field in fields)] == []
     assert [part for part in ends for field in fields if field.endswith(part)] == []
     assert [part for part in begins for field in fields if field.startswith(part[:14])] == []
 
