@@ -134,12 +134,7 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
     parts, loads = ([], peaks(dossier)) if short else (chapters(dossier), [])
     if short:
         form = form._replace(sections=SHORT, appendices=(), always=())
-    drawn = {chapter.topic.name: chapter.sheets for chapter in parts}
-    if dossier.section is not None:
-        section = sheet_of("section", dossier.section)
-        if short:
-            section = replace(section, panels=[panel.without_table() for panel in section.panels])
-        drawn = {"spec": [section], **drawn}
+    drawn = _section(dossier, short) | {chapter.topic.name: chapter.sheets for chapter in parts}
     # what is said of the papers has an appendix of its own
     findings, required, limits = ranked(dossier.findings), dossier.check.requirements, dossier.check.limits
     remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
@@ -148,18 +143,11 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
         "requirements": required, "peaks": loads, "symbols": spoken() != "en" or subject.symbols != "papers",
         "misprints": mended, "source": subject.with_source,
     }  # fmt: skip
-    sections, appendices = (
-        [name for name in names if name in form.always or has.get(name, True)]
-        for names in (form.sections, form.appendices)
-    )
-    labels = {name: str(number) for number, name in enumerate(sections, 1)}
-    lettered = zip(appendices, form.letters, strict=False)
-    labels |= {name: message("Appendix {letter}", letter=letter) for name, letter in lettered}
+    labels = _labels(form, has)
     counts = {"requirements": bool(required), "checks": 1, "spec": not short, "peaks": 1, "misprints": 1}
     counts |= {chapter.topic.name: len(chapter.tables) for chapter in parts}
     order = chain(*((chapter.topic.name for chapter in parts) if name == "calculation" else [name] for name in labels))
     tables = _numbered((name, counts.get(name, 0)) for name in order)
-    figures = _numbered((name, len(sheets)) for name, sheets in drawn.items())
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
     judged, most = verdict(dossier.check, dossier.findings), max(_LEAST, _MOST - len(required))
     changed = _changed(subject.overrides)
@@ -179,13 +167,7 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
         limits=sorted(limits, key=lambda limit: -limit.utilisation)[:most] if short else limits,
         peaks=loads,
         chapters=parts,
-        figures={
-            name: [
-                _Figure(number, sheet, _panels(sheet, number))
-                for number, sheet in zip(numbers, drawn[name], strict=True)
-            ]
-            for name, numbers in figures.items()
-        },
+        figures=_figures(drawn),
         tables=tables,
         labels=labels,
         sections=[*labels],
@@ -206,8 +188,36 @@ _MOST, _LEAST = 12, 4
 """Requirements and limits that a short report shows together, and how many limits at least."""
 
 
+def _section(dossier: Dossier, short: bool) -> dict[str, Sequence[Sheet]]:
+    """The clutch in section, which stands with the initial data; in a short report without its table."""
+    if dossier.section is None:
+        return {}
+    sheet = sheet_of("section", dossier.section)
+    return {"spec": [replace(sheet, panels=[panel.without_table() for panel in sheet.panels]) if short else sheet]}
+
+
+def _labels(form: Form, has: Mapping[str, object]) -> dict[str, str]:
+    """Number of each section that has content, letter of each appendix, in the order of the page."""
+    sections, appendices = (
+        [name for name in names if name in form.always or has.get(name, True)]
+        for names in (form.sections, form.appendices)
+    )
+    labels = {name: str(number) for number, name in enumerate(sections, 1)}
+    lettered = zip(appendices, form.letters, strict=False)
+    return labels | {name: message("Appendix {letter}", letter=letter) for name, letter in lettered}
+
+
+def _figures(drawn: Mapping[str, Sequence[Sheet]]) -> dict[str, list[_Figure]]:
+    """Draw what each section shows, numbered in the order of the page."""
+    numbers = count(1)
+    return {
+        name: [_Figure(number, sheet, _panels(sheet, number)) for sheet, number in zip(sheets, numbers, strict=False)]
+        for name, sheets in drawn.items()
+    }
+
+
 def _numbered(counts: Iterable[tuple[str, int]]) -> dict[str, list[int]]:
-    """Number the tables or the figures of each part, in the order of the page."""
+    """Number the tables of each part, in the order of the page."""
     numbers = count(1)
     return {name: list(islice(numbers, many)) for name, many in counts}
 
