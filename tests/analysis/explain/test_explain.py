@@ -339,7 +339,7 @@ def test_the_heat_of_a_trip_is_explained_by_its_own_numbers():
     """Each at its friction; the power is that of the slip, not a unit by which the surface's is scaled."""
     drive = resolved(read_spec(CONFIGS / "drive.toml"))
     steps = explain("heat", make_spec(drive))[0].steps
-    per_trip = {"q_A", "ΔΘ", "q", "n", "ν", "t_p", "n_w"}
+    per_trip = {"q_A", "ΔΘ", "q", "n_Θ", "ν", "t_p", "n_w"}
     told = [(step.symbol, step.at) for step in steps if step.symbol in per_trip]
     assert sorted(told) == sorted((symbol, f"f_{end}") for symbol in per_trip for end in ("min", "cp", "max"))
     assert not any(" 1 W" in step.substituted or step.substituted.startswith("1 W") for step in steps)
