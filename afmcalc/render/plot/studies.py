@@ -61,7 +61,7 @@ def _study_caption(figure: "ToleranceFigure") -> str:
     result = figure.study.result
     method = term(_SAMPLING[result.method])
     how = told(
-        "{method}, {samples:,} samples, seed {seed}." if result.samples else "{method}: only friction scatters.",
+        "{method}, {samples:.0f} samples, seed {seed}." if result.samples else "{method}: only friction scatters.",
         method=method, samples=result.samples, seed=figure.seed,
     )  # fmt: skip
     listed = "; ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)

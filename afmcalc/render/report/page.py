@@ -301,11 +301,16 @@ def _symbols(
 
 
 def _with_frictions(spec: Spec) -> dict[str, Any]:
-    """Return a spec as resolved, with the coefficients of its friction materials."""
+    """Return a spec as resolved, with the friction of its materials, and the mean also where it follows."""
     data: dict[str, Any] = resolved(spec)
-    for path, block in spec.friction.blocks.items():
-        given = data["friction"] if path == "friction" else data["friction"][path.rpartition(".")[2]]
-        given |= block.range._asdict()
+    friction = spec.friction
+    if friction.unlike:
+        groups = {"driving": friction.driving, "driven": friction.driven}
+        data["friction"] |= {
+            name: block.range._asdict() | data["friction"][name] for name, block in groups.items() if block
+        }
+    else:
+        data["friction"] = friction.range._asdict() | data["friction"]
     return data
 
 

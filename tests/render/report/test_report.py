@@ -153,7 +153,7 @@ def test_checks_have_utilisation_and_verdict(framed, report, parsed):
 def test_each_group_of_unlike_materials_has_its_own_symbols(report, parsed):
     rows = table_rows(parsed(report("unlike-materials")), "spec")
     symbols = [row[0] for row in rows if len(row) > 1 and row[1].endswith("coefficient of friction")]
-    assert symbols == ["f1min", "f1max", "f2min", "f2max"]
+    assert symbols == ["f1min", "f1mean", "f1max", "f2min", "f2mean", "f2max"]
     # of a material: 0.25…0.45 of moulded-dry, the mean between them
     rows = table_rows(parsed(report("wood-chipper-clutch")), "spec")
     assert [row[2] for row in rows if row[0] in ("fmin", "fmean", "fmax")] == ["0.25", "0.35", "0.45"]
