@@ -285,10 +285,14 @@ def _symbols(
         first = name[:1].lower() if name[1:2].islower() else name[:1]
         meanings.setdefault(native(step.symbol), first + name[1:])
     tables = (table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol"))
-    named = ((row[0], row[1]) for table in tables for row in table.rows)
-    for shown, text in chain(named, ((native(line.symbol), line.about) for line in lines)):
+    named = (
+        (row[0], row[1], row[-1] if table.header[-1] == translate("Unit") else "–")
+        for table in tables
+        for row in table.rows
+    )
+    for shown, text, unit in chain(named, ((native(line.symbol), line.about, line.unit) for line in lines)):
         if shown:
-            meanings.setdefault(shown, text)
+            meanings.setdefault(shown, f"{text}, {unit}" if unit not in ("", "–") else text)
     # what stands in no formula and no table, but in a check, a note or a meaning
     known = {native(key.symbol): name_of(path) for path, key in keys().items() if key.symbol}
     notes = (*(limit.symbol for limit in dossier.check.limits), *(finding.message for finding in dossier.findings))
