@@ -8,7 +8,7 @@ from typer import Option
 
 from .. import __version__
 from ..analysis.registry import StressRule
-from ..errors import AfmcalcError
+from ..errors import AfmcalcError, need
 from ..messages import say, spoken
 from .files import is_pdf, refuse
 from .options import Common, SpecArgument, common_options, need_drawing
@@ -115,8 +115,7 @@ def handbook(
 
 def _write(common: Common, render: Callable[[], str], *, spec: str | None = None, pdf: bool) -> None:
     """Write a page, print it to PDF, or both; nothing where the browser fails."""
-    from ..render.report.browser import find_browser
-    from ..render.report.sheets import need_pdf, printed, printed_without_margins
+    from ..render.report.sheets import find_browser, printed, printed_without_margins
 
     output, browser = common.output, None
     alone = is_pdf(output)
@@ -126,7 +125,7 @@ def _write(common: Common, render: Callable[[], str], *, spec: str | None = None
             raise AfmcalcError("--pdf prints beside the HTML file: name that with -o FILE.html")
         target = f"{os.path.splitext(output)[0]}.pdf"
     if target:
-        need_pdf()
+        need("report", "pypdf")
         browser = find_browser()
     refuse(*dict.fromkeys((output, target)), force=common.force, inputs=[spec])
     with common.bar() as bar:

@@ -16,7 +16,7 @@ from conftest import CONFIGS, ROOT
 
 from afmcalc.cli import signals
 from afmcalc.errors import AfmcalcError
-from afmcalc.render.report.browser import print_pdf
+from afmcalc.render.report.sheets import print_pdf
 
 SPEC = CONFIGS / "default.toml"
 PROGRAM = f"{sys.executable} -m afmcalc"

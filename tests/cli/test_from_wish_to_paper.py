@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 
-from afmcalc.render.report.browser import NAMES
+from afmcalc.render.report.sheets import NAMES
 
 WISHES = [
     "friction.min=", "friction.mean=", "friction.max=", "friction.material=moulded-dry", "wanted.nominal_torque=350 N*m",

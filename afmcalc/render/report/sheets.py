@@ -1,15 +1,24 @@
-"""A page on sheets of paper: its contents say on which of them each heading stands, a table that goes on says so."""
+"""A page on sheets of paper, printed by a headless browser where there is one.
+
+Its contents say on which sheet each heading stands; a table that goes on says so.
+"""
 
 import io
+import os
 import re
+import shutil
+import subprocess
+import tempfile
 from collections.abc import Mapping
 from functools import partial
+from pathlib import Path
 from typing import Any
 
-from ...errors import need
+from ...errors import AfmcalcError
 from ...messages import told as message
-from .browser import print_pdf
 
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "microsoft-edge", "msedge")
+_SECONDS = 120
 _TIMES = 4
 """How often a page is printed at most: what its contents say of the sheets may move what they tell of."""
 _CHROMIUM = 131
@@ -22,13 +31,61 @@ _TABLE = re.compile(
 )
 
 
-def need_pdf() -> None:
-    """Require what reads a printed page.
+def find_browser() -> str:
+    """Return the program of a headless browser: AFMCALC_BROWSER, or one of ``NAMES`` on the path.
 
     Raises:
-        AfmcalcError: it is not installed; it says how to get it.
+        AfmcalcError: there is none.
     """
-    need("report", "pypdf")
+    chosen = os.environ.get("AFMCALC_BROWSER")
+    browser = next((path for name in ((chosen,) if chosen else NAMES) if (path := shutil.which(name))), None)
+    if browser is None:
+        looked = chosen or ", ".join(NAMES)
+        raise AfmcalcError(
+            "no headless browser found that prints a PDF (looked for {looked}): install Chromium, name one in "
+            "AFMCALC_BROWSER, or write the HTML file alone and print it from any browser",
+            looked=looked,
+        )
+    return browser
+
+
+def arguments(browser: str, profile: str) -> list[str]:
+    """Command line that starts a browser without window, network chatter or traces."""
+    options = [
+        "--headless", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+        "--disable-component-update", "--disable-sync", f"--user-data-dir={profile}",
+    ]  # fmt: skip
+    # Chromium refuses to start its sandbox as root (containers); the page has neither script nor network
+    sandbox = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
+    return [browser, *options, *sandbox]
+
+
+def print_pdf(browser: str, page: str) -> bytes:
+    """Print a page; the browser never outlives this process.
+
+    Raises:
+        AfmcalcError: the browser does not start, does not end, or prints no whole PDF.
+    """
+    with tempfile.TemporaryDirectory(prefix="afmcalc-") as folder:
+        source, target = Path(folder, "report.html"), Path(folder, "report.pdf")
+        source.write_text(page, encoding="utf-8")
+        printing = [
+            "--no-pdf-header-footer",
+            "--generate-pdf-document-outline",
+            f"--print-to-pdf={target}",
+            source.as_uri(),
+        ]
+        try:
+            code = subprocess.run(
+                [*arguments(browser, str(Path(folder, "profile"))), *printing],
+                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=_SECONDS, check=False,
+            ).returncode  # fmt: skip
+        except (OSError, subprocess.TimeoutExpired) as error:
+            raise AfmcalcError("PDF: {browser} did not print: {why}", browser=browser, why=error) from None
+        content = target.read_bytes() if target.is_file() else b""
+    if code or not (content.startswith(b"%PDF-") and content.rstrip().endswith(b"%%EOF")):
+        raise AfmcalcError("PDF: {browser} did not print a whole PDF (exit code {code})", browser=browser, code=code)
+    return content
 
 
 def printed(browser: str, page: str) -> bytes:

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from afmcalc.render.report.browser import NAMES, arguments
+from afmcalc.render.report.sheets import NAMES, arguments
 
 PATH = next((path for name in NAMES if (path := shutil.which(name))), None)
 REASON = f"no headless browser on the path ({', '.join(NAMES[:3])}, …): the report is not opened in one"

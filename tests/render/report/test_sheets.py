@@ -12,8 +12,7 @@ import pytest
 from conftest import CONFIGS, WANTED
 
 from afmcalc.messages import ENGLISH, language, speaking
-from afmcalc.render.report.browser import print_pdf
-from afmcalc.render.report.sheets import printed
+from afmcalc.render.report.sheets import print_pdf, printed
 
 EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)
 pytestmark = [
