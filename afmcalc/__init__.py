@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from .python import Clutch, build, compare, design, load
     from .spec import Spec, read_spec
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"
 __all__ = [
     "AfmcalcError",
     "Clutch",
