@@ -340,8 +340,8 @@ def _wide(what: str, rows: Sequence[Sequence[float]]) -> Iterator[Finding]:
 
 
 def _ends(kind: type[AtEnds], values: Iterable[float | None]) -> Any:
-    """Values at f_min, mean friction and f_max, one without end as None; None of no values."""
-    ends = [None if value == math.inf else value for value in values]
+    """Values at f_min, mean friction and f_max, one without end as None where there may be one; None of no values."""
+    ends = [None if value == math.inf and kind is OpenTriple else value for value in values]
     return kind.of(ends) if ends else None
 
 

@@ -204,9 +204,11 @@ def test_a_result_beyond_the_range_of_numbers_is_an_error_for_people(afmcalc):
     run = afmcalc("torque", "--set", "F=1e308", "--set", "R=1e10 m")
     assert (run.code, run.out) == (2, "")
     assert "not finite" in run.err
-    tiny = afmcalc("accuracy", "--set", "friction.min=1e-320", "--set", "friction.mean=", "--json")
-    assert (tiny.code, tiny.out) == (2, "")
-    assert "not finite" in tiny.err
+    frictions = [part for name in ("min", "mean", "max") for part in ("--set", f"friction.{name}=1e-320")]
+    for asked in (["accuracy", "--set", "friction.min=1e-320", "--set", "friction.mean="], ["simulate", *frictions]):
+        tiny = afmcalc(*asked, "--json")
+        assert (tiny.code, tiny.out) == (2, "")
+        assert "not finite" in tiny.err
 
 
 def test_nothing_heavy_is_loaded_for_help_and_import():

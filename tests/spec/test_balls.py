@@ -97,4 +97,4 @@ def test_only_a_standard_ball_has_a_designation(afmcalc):
     for sizes, shown in (("25", True), ("25.1", False)):
         told = afmcalc("--lang", "ru", "synthesize", "--set", f"control_unit.ball_diameter={sizes} mm").out
         assert ("Шарик 25 ГОСТ 3722-2014" in told) is shown
-        assert ("степень точности – по чертежу" in told) is shown
+        assert ("без степени точности" in told) is shown

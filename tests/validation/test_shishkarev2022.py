@@ -162,7 +162,7 @@ def test_base_clutch_with_all_pairs_controlled():
 def test_the_best_reduced_gain_says_by_which_torque(afmcalc):
     """At equilibrium K_т falls with the gain for ever: (zC)_opt is by the published T_ср alone."""
     (row,) = [line for line in afmcalc("overload").out.splitlines() if line.startswith("(zC)_opt")]
-    assert "by the published T_ср, 1/f_max; by T_eq none is" in row
+    assert "by the published T_ср, 1/f_max; T_eq has no optimum" in row
     gains = (0.5, 1.25, 2.5)
     factors = [
         afmcalc("overload", CONFIGS / "all-driving.toml", "--set", f"C={gain}", "--json").json["result"]
