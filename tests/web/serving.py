@@ -69,6 +69,9 @@ class Served:
         self.folder = folder
         name, _, value = self.mark.partition("=")
         given = [*PROGRAM, "serve", *(str(argument) for argument in arguments), "--no-browser", "--port", "0"]
+        # what a background job of a shell ignores would be ignored by the server too
+        if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
         self.process = subprocess.Popen(
             given, cwd=folder, env={**os.environ, name: value}, stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
