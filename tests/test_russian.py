@@ -1,6 +1,7 @@
 """Russian: everything has it, in whole sentences, and only people see it."""
 
 import copy
+import inspect
 import io
 import json
 import os
@@ -19,10 +20,11 @@ from babel.messages.pofile import read_po
 from conftest import CONFIGS, ROOT
 from hypothesis import given
 from hypothesis import strategies as st
-from texts import texts
+from texts import models, texts
 
 from afmcalc.cli.main import without_lang
 from afmcalc.errors import AfmcalcError, chosen_language
+from afmcalc.findings import Finding
 from afmcalc.messages import FOLDER, joined, known, language, localized, say, say_many, speaking, term, translate
 
 
@@ -41,7 +43,9 @@ def russian(monkeypatch):
 def test_every_text_has_russian_and_nothing_is_left_over(catalogue):
     found = texts()
     assert not {key: where for key, where in found.items() if key not in catalogue}
-    assert not {key for key in catalogue if key not in found}
+    # an old pydantic leaves some docstrings out of its schemas
+    documented = {("", inspect.getdoc(model)) for model in (*models(), Finding)}
+    assert not {key for key in catalogue if key not in found} - documented
 
 
 def fields(template: str) -> set[str]:
