@@ -14,6 +14,7 @@ from afmcalc.analysis.dossier import dossier
 from afmcalc.analysis.figures import Request, gathered
 from afmcalc.analysis.registry import ANALYSES, PLOTS
 from afmcalc.analysis.tolerance.study import study
+from afmcalc.analysis.torque import torque
 from afmcalc.cli.main import COMMANDS
 from afmcalc.engines import build
 from afmcalc.render.plot import _HOMES
@@ -99,11 +100,12 @@ def test_every_symbol_of_a_report_is_given_explained_or_derived(name):
                 assert {own, STANDS_FOR.get(own)} & (derived | GIVEN), (topic.name, own)
 
 
-def test_a_force_that_is_only_rounding_is_none():
+def test_a_report_has_the_number_of_the_command_where_it_is_rounding_too():
     """At f_min the stop of configs/constant-torque.toml carries 4176 − 2000 − 160 · 1.36/0.1 = 0 N."""
-    topics = dossier(read_spec(CONFIGS / "constant-torque.toml")).topics
-    (reaction,) = (step for topic in topics for step in topic.derivations if step.symbol == "S")
-    assert [row.value for row in reaction.rows] == [0.0]
+    spec = read_spec(CONFIGS / "constant-torque.toml")
+    (reaction,) = (step for topic in dossier(spec).topics for step in topic.derivations if step.symbol == "S")
+    told, _ = torque(build(spec))
+    assert [row.value for row in reaction.rows] == [told.stop_reaction.min] == pytest.approx([0.0], abs=1e-9)
 
 
 STANDS_FOR = {

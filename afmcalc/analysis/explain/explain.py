@@ -149,14 +149,6 @@ def derivations(sections: Mapping[str, list[Call]]) -> dict[str, list[Derivation
     return {name: report.section(calls) for name, calls in sections.items()}
 
 
-def _unrounded(call: Call) -> float:
-    """Return the value of a call; 0 where it is but the rounding of larger ones that it is the difference of."""
-    terms, unit = call.equation.arguments, call.equation.result.unit
-    alike = (abs(value) for name, value in call.arguments.items() if terms[name].unit == unit)
-    value = float(call.value)
-    return value if unit == "1" or abs(value) > 1e-12 * max(alike, default=0.0) else 0.0
-
-
 class _Report:
     """What a report has shown so far."""
 
@@ -192,7 +184,7 @@ class _Report:
             formula=texts[0].latex() if is_new else "",
             where=list(self.meanings_of(calls)),
             rows=[
-                CaseRow(call.case, text.latex_with_numbers(line=len(calls) > _FEW), _unrounded(call))
+                CaseRow(call.case, text.latex_with_numbers(line=len(calls) > _FEW), float(call.value))
                 for call, text in zip(calls, texts, strict=True)
             ],
             source=equation.source if is_new else "",
