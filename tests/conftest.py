@@ -1,11 +1,15 @@
 """Shared by all tests: running the program in-process, random clutches."""
 
 import contextlib
+import functools
 import gc
 import io
 import json
+import math
 import os
+import re
 import sys
+import time
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -75,6 +79,12 @@ def afmcalc():
     return run
 
 
+@pytest.fixture(scope="session")
+def answered(afmcalc):
+    """Run the program as ``afmcalc`` does, once for each command line: for those that read only what ships."""
+    return functools.cache(afmcalc)
+
+
 FRAME = "<svg viewBox='0 0 7 4'></svg>"
 
 
@@ -85,15 +95,50 @@ def undrawn(monkeypatch):
 
 
 def pytest_configure(config):
-    """Some random examples of each kind, many with what is exhaustive; no verdict by the clock."""
+    """Derandomised examples, few of each, more where slow tests run; no refusal by the clock, every event kept."""
     if os.environ.get("AFMCALC_UPDATE"):
         config.option.markexpr = ""  # every stored output
-    exhaustive = "not exhaustive" not in config.option.markexpr
-    # the same ones every time where a machine judges, new ones where a person looks
-    machine = bool(os.environ.get("CI"))
-    settings.register_profile("quick", deadline=None, derandomize=machine, max_examples=8)
-    settings.register_profile("exhaustive", deadline=None, derandomize=machine, max_examples=200)
+    exhaustive = not re.search(r"not (exhaustive|slow)", config.option.markexpr)
+    settings.register_profile("quick", deadline=None, derandomize=True, max_examples=8)
+    settings.register_profile("exhaustive", deadline=None, derandomize=True, max_examples=50)
     settings.load_profile("exhaustive" if exhaustive else "quick")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _the_whole_run():
+    """Keep every event for the whole run; give no estimate of a duration, which depends on the load."""
+    from afmcalc import progress
+    from afmcalc.drive import cases
+
+    progress.LONG = math.inf
+    cases.run_of = functools.lru_cache(4096)(cases.run_of.__wrapped__)
+
+
+LONGEST = 1.0
+"""Process time of a test that is marked neither slow nor tool, s."""
+LOOP = 0.06
+"""Process time of ``_loop`` on the machine on which LONGEST was set, s."""
+
+
+def _loop() -> float:
+    begun = time.process_time()
+    sum(i * i for i in range(1_000_000))
+    return time.process_time() - begun
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item):
+    """Fail a test that takes too long, relative to the speed that this machine has just now."""
+    begun = time.process_time()
+    result = yield
+    taken = time.process_time() - begun
+    if (
+        taken > LONGEST
+        and not any(map(item.get_closest_marker, ("slow", "tool", "exhaustive")))
+        and taken > LONGEST * max(1.0, _loop() / LOOP)
+    ):
+        pytest.fail(f"took {taken:.1f} s of process time: make it faster, or mark it slow or tool", pytrace=False)
+    return result
 
 
 @pytest.hookimpl(tryfirst=True)
