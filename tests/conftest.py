@@ -163,6 +163,17 @@ def fewer(parts: int) -> settings:
     return settings(max_examples=settings.default.max_examples // parts)
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item):
+    """Where AFMCALC_TOOLS is ``required`` a tool that is not there is a failure; an optional one may be skipped."""
+    report = yield
+    if report.skipped and item.get_closest_marker("tool") and os.environ.get("AFMCALC_TOOLS") == "required":
+        reason = str(report.longrepr[-1]) if isinstance(report.longrepr, tuple) else ""
+        if "optional" not in reason and not hasattr(report, "wasxfail"):
+            report.outcome, report.longrepr = "failed", f"skipped although every tool is required: {reason}"
+    return report
+
+
 def pytest_collection_finish():
     gc.freeze()  # what is imported by now stays
     gc.set_threshold(100_000)

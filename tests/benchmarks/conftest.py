@@ -7,7 +7,7 @@ import pytest
 
 @pytest.fixture
 def report(capsys: pytest.CaptureFixture[str]) -> Callable[[str, float, float], None]:
-    """Print a figure and hold it to its limit."""
+    """Print a ratio and hold it to its limit."""
 
     def hold(name: str, ratio: float, limit: float) -> None:
         with capsys.disabled():
