@@ -104,11 +104,10 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
 
 
 EXTRAS = {
-    "explain": ("sympy",),
     "plot": ("matplotlib",),
     "cad": ("ezdxf",),
     "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
-    "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "latex2mathml", "markdown_it", "sympy"),
+    "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "latex2mathml", "markdown_it"),
 }
 """Optional dependencies, as pip knows them → modules they bring."""
 

@@ -133,7 +133,7 @@ def pytest_runtest_call(item):
     result = yield
     taken = time.process_time() - begun
     if (
-        taken > LONGEST
+        taken > LONGEST * settings.default.max_examples / 8  # more of them where slow tests run
         and not any(map(item.get_closest_marker, ("slow", "tool", "exhaustive")))
         and taken > LONGEST * max(1.0, _loop() / LOOP)
     ):

@@ -41,7 +41,6 @@ def command_lines():
     yield from (
         *WITHOUT_CLUTCH,
         ["equations"],
-        ["equations", "--prove", "--id", "F11 (1)"],
         ["examples"],
         ["handbook", "-o", "h.html", "--force"],
         ["materials"],

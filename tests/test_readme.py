@@ -139,12 +139,6 @@ def friction_width(friction_min: FrictionMin, friction_max: FrictionMax) -> Fric
     """
     return friction_max - friction_min
 ''',
-    "proofs/direct.py": '''
-
-def width_of_the_friction() -> Steps:
-    """From its ends."""
-    yield "f_min + Δf = f_max", fmin + direct.friction_width(fmin, fmax) - fmax
-''',
     "variants.py": """
         Variant(
             name="two-driving",
@@ -178,8 +172,6 @@ ASKED = """
 import afmcalc
 from afmcalc.cli.main import main
 assert afmcalc.__file__.startswith({home!r}), afmcalc.__file__
-from afmcalc.proofs import prove
-prove("width_of_the_friction")
 print(afmcalc.load().gap().gap)
 for arguments in {arguments!r}:
     print("====")
@@ -191,7 +183,7 @@ for arguments in {arguments!r}:
 
 
 def test_what_is_added_as_the_page_says_is_there(tmp_path):
-    """A variant, a material, a finding, rows and columns, an analysis, a formula with its proof."""
+    """A variant, a material, a finding, rows and columns, an analysis, a formula."""
     recipes = README[README.index("To add") :]
     for file in PIECES:
         folder, _, name = file.rpartition("/")

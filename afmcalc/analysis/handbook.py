@@ -47,6 +47,7 @@ class Entry(NamedTuple):
     printed: list[Formula]
     """Its places in the papers."""
     proofs: list[str]
+    """Tests that prove it, for formulas of the papers."""
     commands: list[str]
     """Commands that calculate it."""
 
@@ -126,7 +127,7 @@ def _calls() -> dict[str, tuple[str, Call]]:
 
 def _entry(equation: Equation) -> Entry:
     example, call = _calls().get(equation.name, ("", None))
-    terms, uses = equation.arguments, _uses()[equation.name]
+    terms = equation.arguments
     symbols = {key: term.symbol for key, term in terms.items()}
     units = {key: term.unit for key, term in terms.items()}
     numbers = call.arguments if call else dict.fromkeys(terms, 1.0)
@@ -140,9 +141,8 @@ def _entry(equation: Equation) -> Entry:
         worked=f"{symbol_latex(shown.result)} = {texts[0].latex_with_numbers()}" if shown else "",
         value=float(shown.value) if shown else 0.0,
         printed=printed,
-        # the proof of its place in a paper; else those that run it
-        proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)) or uses["proofs"][:3],
-        commands=uses["commands"],
+        proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
+        commands=_uses()[equation.name],
     )
 
 
@@ -163,6 +163,6 @@ def _parts(equation: Equation) -> list[Callable[..., Any]]:
 
 
 @cache
-def _uses() -> dict[str, dict[str, list[str]]]:
-    """Equation → commands that calculate it, proofs that run it."""
+def _uses() -> dict[str, list[str]]:
+    """Equation → commands that calculate it."""
     return tomllib.loads(_FOLDER.joinpath("uses.toml").read_text(encoding="utf-8"))

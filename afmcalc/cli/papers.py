@@ -50,7 +50,6 @@ def equations(
         list[str] | None, Option("--id", metavar="ID", help='A formula, e.g. "S21 (15)"; repeatable.')
     ] = None,
     misprints: Annotated[bool, Option("--misprints", help="The papers' misprints and contradictions.")] = False,
-    prove: Annotated[bool, Option("--prove", help="Run the proofs of what is listed (needs SymPy).")] = False,
     *,
     common: Common,
 ) -> None:
@@ -58,10 +57,10 @@ def equations(
 
     \b
     afmcalc equations --paper S21
-    afmcalc equations --id "S21 (15)" --prove
+    afmcalc equations --id "S21 (15)"
     afmcalc equations --misprints
     """  # noqa: D301
-    common.without_clutch(paper or [], id_ or [], show_misprints=misprints, prove=prove)
+    common.without_clutch(paper or [], id_ or [], show_misprints=misprints)
 
 
 @with_common

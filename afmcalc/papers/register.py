@@ -8,7 +8,6 @@ from typing import Any, Literal
 from ..errors import AfmcalcError
 from ..findings import Finding
 from ..messages import did_you_mean, say, spoken
-from ..progress import counted
 from ..result import Answer, Result, described
 from . import PAPERS
 
@@ -20,7 +19,7 @@ class Formula(Result):
     status: Literal["as printed", "mended", "covered", "not recoverable"] = described("status")
     misprint: str | None = described("misprint")
     function: str | None = described("equation function")
-    proof: str | None = described("proof")
+    proof: str | None = described("proof", detail=True)
     says: str = described("says")
     printed: str | None = described("printed", detail=True)
     correct: str | None = described("should be", detail=True)
@@ -36,19 +35,12 @@ class Misprint(Result):
     printed: str = described("printed")
     correct: str = described("should be")
     why: str = described("why")
-    proof: str | None = described("proof")
+    proof: str | None = described("proof", detail=True)
     status: Literal["in print", "as extracted", "criticism", "repeats another", "withdrawn"] = described("status")
     certainty: Literal["proved", "contradicts its own text", "as extracted", "modelling"] = described("certainty")
     quote: str | None = described("in the words of the paper", optional=True, detail=True)
     reading: str | None = described("right if read as", optional=True, detail=True)
     repeats: str | None = described("repeats", optional=True, detail=True)
-
-
-class Proved(Result):
-    """One proof that was run."""
-
-    proof: str = described("proof")
-    shows: str = described("what it shows")
 
 
 class EquationsResult(Answer):
@@ -58,7 +50,6 @@ class EquationsResult(Answer):
     accounted: int = described("of them implemented or covered")
     formulas: list[Formula] | None = described("formulas", optional=True)
     misprints: list[Misprint] | None = described("misprints and contradictions", optional=True)
-    proved: list[Proved] | None = described("proofs run", optional=True)
 
 
 @cache
@@ -126,7 +117,6 @@ def equations(
     ids: list[str],
     *,
     show_misprints: bool = False,
-    prove: bool = False,
 ) -> tuple[EquationsResult, list[Finding]]:
     """Look up papers, or formulas such as ``S21 (15)``, in the register, all where none are asked for.
 
@@ -147,21 +137,10 @@ def equations(
     chosen = [entry for entry in chosen if not ids or entry.id in ids]
     numbered = [entry for entry in chosen if is_numbered(entry)]
     slips = [m for m in misprints() if not papers or m.where.split()[0] in papers] if show_misprints else None
-    listed = slips if slips is not None else chosen
     result = EquationsResult(
         numbered=len(numbered),
         accounted=sum(is_accounted(entry) for entry in numbered),
         formulas=None if show_misprints else chosen,
         misprints=slips,
-        proved=_prove([entry.proof for entry in listed if entry.proof]) if prove else None,
     )
     return result, []
-
-
-def _prove(names: list[str]) -> list[Proved]:
-    from ..errors import need
-    from ..proofs import prove
-
-    need("explain")
-    wanted = list(dict.fromkeys(names))
-    return [Proved(proof=name, shows="; ".join(prove(name))) for name in counted(say("proving"), wanted)]

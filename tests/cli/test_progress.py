@@ -57,7 +57,6 @@ LONG = {
         "drive.shaft_stiffness",
     ],
     "check": ["check", STUDY, "--set", "requirements.exceedance=0.5"],
-    "equations": ["equations", "--prove", "--id", "F11 (1)"],
     "heat": ["heat", DRIVE, "--set", "drive.event.duration=0.02"],
     "tolerance of a drive": [
         "tolerance",

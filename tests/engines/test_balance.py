@@ -1,116 +1,249 @@
-"""A sleeve between curved springs behind curved walls: against the closed law, and against what a march over x finds."""
+"""A sleeve between straight or disc springs, behind straight or curved walls, against a march over its travel.
+
+Spring 13 presses pack and sleeve with N(x), spring 11 pushes it back with Q(x), the balls lift it with T tan α/r, the key
+resists with 2 T f_1/d whichever way it slides, T = z R f N (S21, fig. 1). Off its stop nothing pushes it on where
+f = (Q/N − 1)/(z κ(x)), κ(x) = C + C_1 x ∓ 2 R f_1/d. Friction that rises takes it to the first such place, friction
+that falls back to the first from where it was; where there is none it sits at its stop, which bears Q − N − T κ/R.
+"""
+
+from typing import NamedTuple
 
 import numpy as np
 import pytest
-from conftest import several
-from hypothesis import assume, given, settings
+from hypothesis import HealthCheck, assume, example, given, settings
 from hypothesis import strategies as st
-from strategies import indirect_specs
+from scipy.optimize import brentq
+from strategies import direct_specs, indirect_specs, p5
 
+from afmcalc.analysis.sweep.grid import evaluate
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.engines.springs import DiscCharacteristic, SetSpring
+from afmcalc.errors import SpecError
+from afmcalc.spec import make_spec, resolved
 from afmcalc.spec.catalogues import discs
 from afmcalc.spec.models import DiscStack
 
 SIZES = {size.name: size for size in discs()}
 SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
-PLACES = 40_001
+PATIENT = settings(suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
+SOFT = "{outer_diameter=0.1, inner_diameter=0.05, thickness=2e-3, free_height=4.8e-3, series=10}"
+OFF, BACK = -1, 1
+"""Which way the key's friction acts on a sleeve that slides off its stop, or back to it."""
 
 
-def stack(name, series):
-    return DiscStack(**{each: getattr(SIZES[name], each) for each in SHAPE}, parallel=6, series=series)
+def stack(name, series, parallel=1):
+    return DiscStack(**{each: getattr(SIZES[name], each) for each in SHAPE}, parallel=parallel, series=series)
 
 
-@settings(max_examples=several(10, 40))
-@given(indirect_specs(curved=True))
-def test_the_same_place_as_the_closed_law_of_straight_springs(spec):
-    """Jumps off the stop and back to it among them."""
-    clutch = build(spec)
-    own = clutch.friction[0]
-    assume(not clutch.straight)
-    for friction in np.linspace(own.min, own.max, 7)[1:]:
-        if clutch.is_seated(friction):
-            continue
-        found, rounding = (
-            clutch.balance(clutch.net_gain).travel(friction),
-            clutch.closing_force / clutch.closing_stiffness,
+@st.composite
+def stacks(draw, wanted, spare):
+    """A stack that bears a force, and some more."""
+    name, series = draw(st.sampled_from(["A 40", "B 40", "C 40", "C 100"])), draw(st.integers(2, 12))
+    one = DiscCharacteristic(stack(name, series))
+    return stack(name, series, int(np.ceil(spare * wanted / float(one.force(one.end))))).model_dump(exclude_none=True)
+
+
+@st.composite
+def sleeves(draw):
+    """Indirect clutches with walls, springs, setting and force of every kind."""
+    data = resolved(draw(indirect_specs(curved=draw(st.booleans()))))
+    assume(data["control_spring"]["stiffness"] > 1e3)
+    unit, force = data["control_unit"], data["closing_spring"]["force"]
+    if draw(st.booleans()):
+        # leaves its stop below, within or above the range
+        at, net = draw(st.floats(0.01, 1.0)), float(build(make_spec(data)).net_gain)
+        data["control_spring"]["force"] = force * (1 + data["friction_group"]["pairs"] * net * at)
+    elif draw(st.booleans()):
+        unit.pop("gain_slope", None)
+        unit["pocket"] = "constant-torque"
+    held = float(build(make_spec(data)).control_force)
+    for name, wanted in (("closing_spring", force), ("control_spring", held)):
+        if draw(st.booleans()):
+            data[name]["disc"] = draw(stacks(wanted, 1.6 if name == "control_spring" else 1.05))
+    try:
+        return make_spec(data)
+    except SpecError:
+        assume(False)
+
+
+class Place(NamedTuple):
+    """Travel and normal force."""
+
+    travel: float
+    pressed: float
+
+
+class March:
+    """The forces on the sleeve over its travel."""
+
+    def __init__(self, spec, slope):
+        unit, own = spec.control_unit, spec.friction.range
+        self.z, self.radius = spec.friction_group.pairs, spec.friction_group.mean_radius
+        self.gain, self.slope, self.key = unit.gain, slope, 2 * self.radius * unit.key_friction / unit.hub_diameter
+        self.force, at = (
+            spec.closing_spring.force,
+            own.mean if spec.adjustment.method == "mean-friction" else own.min,
         )
-        assert float(found) == pytest.approx(float(clutch.travel(friction)), rel=1e-7, abs=1e-9 * rounding)
-    back = float(clutch.torque_returning(own.min))
-    place = clutch.travel_returning(own.min)
-    torque = clutch.mean_radius * clutch.pairs * own.min * float(clutch.balance(0.0).pressed(place))
-    if place > 1e-9:
-        assert torque == pytest.approx(back, rel=1e-6)
-
-
-@settings(max_examples=several(8, 30))
-@given(
-    indirect_specs(curved=True),
-    st.sampled_from(sorted(SIZES)),
-    st.sampled_from(sorted(SIZES)),
-    st.integers(1, 40),
-    st.booleans(),
-)
-def test_the_first_place_that_holds_the_sleeve(spec, one, two, series, both):
-    plain = build(spec)
-    assume(spec.control_unit.gain_slope > 0)
-    closing, control = stack(one, series), stack(two, series) if both else None
-    first, second = DiscCharacteristic(closing), control and DiscCharacteristic(control)
-    assume(float(first.force(first.end)) > plain.closing_force)
-    assume(second is None or float(second.force(second.end)) > 1.5 * plain.control_force)
-    parts = {
-        "closing_spring": spec.closing_spring.model_copy(update={"disc": closing}),
-        "control_spring": spec.control_spring.model_copy(update={"disc": control}),
-    }
-    clutch = build(spec.model_copy(update=parts))
-    law, own, start = clutch, clutch.friction[0], float(first.deflection(clutch.closing_force))
-    x = np.linspace(0, start, PLACES)
-    pressed = first.force(start - x)
-    held = float(clutch.control_force)
-    pushed = held + law.control_stiffness * x if second is None else second.force(second.deflection(held) + x)
-
-    def left(friction, threshold):
-        return pushed - pressed * (1 + law.pairs * friction * (law.gain + law.gain_slope * x + threshold))
-
-    frictions = np.linspace(own.min, own.max, 9)
-    rising = []
-    for friction in frictions:
-        off = np.flatnonzero(left(friction, -law.gain_threshold) >= -1e-9 * held)
-        rising.append(x[off[0]] if off.size else start)
-    moved = clutch.travel(frictions)
-    assert moved == pytest.approx([float(clutch.travel(each)) for each in frictions], abs=1e-12 + 1e-9 * start)
-    near = np.diff(np.concatenate([[0.0], rising])) < start / 20  # a jump is as far off as the march is coarse
-    assert moved[near] == pytest.approx(np.array(rising)[near], abs=3e-4 * start)
-    assert (np.diff(moved) >= -1e-9 * start).all()
-    # back from where f_max put it: the last place that holds it
-    far = float(moved[-1])
-    for friction in frictions[::3]:
-        there = np.flatnonzero((left(friction, law.gain_threshold) <= 0) & (x <= far))
-        back = float(law.travel_returning(friction))
-        assert back == pytest.approx(x[there[-1]] if there.size else 0.0, abs=3e-4 * start)
-        if back > 0:
-            torque = law.mean_radius * law.pairs * friction * float(first.force(start - back))
-            assert clutch.torque_returning(friction) == pytest.approx(torque, rel=1e-9)
-    # extremes: of the places that friction brings the sleeve to, the jumps left out
-    ends = [float(clutch.torque(each)) for each in (own.min, own.max)]
-    for threshold, way, least in (
-        (-law.gain_threshold, slice(None), clutch.torque_min),
-        (law.gain_threshold, slice(None, None, -1), clutch.torque_returning_min),
-    ):
-        net = (law.gain + law.gain_slope * x + threshold)[x <= far][way]
-        most, less = pushed[x <= far][way], pressed[x <= far][way]
-        with np.errstate(divide="ignore"):
-            at = (most / less - 1) / (law.pairs * net)
-        farthest = np.maximum.accumulate(at) if threshold <= 0 and way.step is None else np.minimum.accumulate(at)
-        held = law.mean_radius * ((most - less) / net)[(at == farthest) & (at >= own.min) & (at <= own.max)]
-        if way.step:
-            ends[0] = float(clutch.torque_returning(own.min))
+        made = spec.control_spring.force
+        self.control = self.force * (1 + self.z * self.net(0.0, OFF) * at) if made is None else made
+        first, second = spec.closing_spring, spec.control_spring
+        if first.disc:
+            own = DiscCharacteristic(first.disc)
+            self.reach = float(own.deflection(self.force))
+            self.pressed = lambda x: own.force(self.reach - x)
         else:
-            assert clutch.torque_max == pytest.approx(max([*ends, *held]), rel=1e-3)
-            assert clutch.torque_max >= max([*ends, *held]) * (1 - 1e-9)
-        assert least == pytest.approx(min([*ends, *held]), rel=1e-3)
-        assert least <= min([*ends, *held]) * (1 + 1e-9)
+            self.reach = self.force / first.stiffness
+            self.pressed = lambda x: self.force - first.stiffness * x
+        if second.disc:
+            other = DiscCharacteristic(second.disc)
+            set_at = float(other.deflection(self.control))
+            self.pushed = lambda x: other.force(set_at + x)
+        else:
+            self.pushed = lambda x: self.control + second.stiffness * x
+        self.grid = np.linspace(0, self.reach * (1 - 1e-9), 2_001)
+
+    def net(self, x, way):
+        return self.gain + way * self.key + self.slope * x
+
+    def friction(self, x, way):
+        """Friction at which nothing pushes the sleeve."""
+        return (self.pushed(x) / self.pressed(x) - 1) / (self.z * self.net(x, way))
+
+    def rising(self, f):
+        """Friction of every place before it is less."""
+        needed = self.friction(self.grid, OFF)
+        assume(
+            np.abs(needed[1:-1][(np.diff(needed)[:-1] > 0) & (np.diff(needed)[1:] < 0)] / f - 1).min(initial=1) > 1e-4
+        )
+        assume(abs(needed[0] / f - 1) > 1e-6)
+        return self._between(f, OFF, np.flatnonzero(needed >= f), after=True)
+
+    def returning(self, f, start, top):
+        """From ``start``, where friction ``top`` put it and the key holds it while it bears what pushes it back."""
+        if f * self.net(start.travel, BACK) >= top * self.net(start.travel, OFF):
+            return start
+        needed = self.friction(self.grid, BACK)
+        assume(
+            np.abs(needed[1:-1][(np.diff(needed)[:-1] < 0) & (np.diff(needed)[1:] > 0)] / f - 1).min(initial=1) > 1e-4
+        )
+        assume(abs(needed[0] / f - 1) > 1e-6)
+        return self._between(f, BACK, np.flatnonzero((needed <= f) & (self.grid < start.travel))[::-1], after=False)
+
+    def _between(self, f, way, places, *, after):
+        """The first of the places, to rounding; else the stop."""
+        if (after and places[0] == 0) or not places.size:
+            return Place(0.0, self.control / (1 + self.z * self.net(0.0, way) * f))
+        low, high = (self.grid[places[0] + step] for step in ((-1, 0) if after else (0, 1)))
+        at = brentq(lambda x: self.friction(x, way) - f, low, high, xtol=1e-13 * self.reach)
+        return Place(at, float(self.pressed(at)))
+
+
+@PATIENT
+@given(sleeves())
+@example(p5("control_unit.gain_slope=30", "control_unit.key_friction=0.01"))  # jumps off its stop, and back to it
+@example(p5("control_unit.gain_slope=30", "control_unit.key_friction=0.01", f"closing_spring.disc={SOFT}"))
+def test_the_first_place_that_holds_the_sleeve(spec):
+    clutch = build(spec)
+    march, own = March(spec, clutch.gain_slope), clutch.friction[0]
+    assert clutch.control_force == pytest.approx(march.control)
+    assert clutch.pack_force_at_rest == pytest.approx(march.control), "the balls bear nothing"
+    for f in np.linspace(own.min, own.max, 5):
+        at = march.rising(f)
+        torque = march.z * march.radius * f * at.pressed
+        assert clutch.travel(f) == pytest.approx(at.travel, rel=1e-6, abs=1e-7 * march.reach)
+        assert clutch.normal_force(f) == pytest.approx(at.pressed, rel=1e-6)
+        assert clutch.torque(f) == pytest.approx(torque, rel=1e-6)
+        assert clutch.release_force(f) == pytest.approx(torque * (march.gain + march.slope * at.travel) / march.radius)
+        stop = march.pushed(at.travel) - at.pressed - torque * march.net(at.travel, OFF) / march.radius
+        borne = at.pressed - march.pressed(at.travel)
+        assert clutch.stop_reaction(f) == pytest.approx(borne, abs=1e-6 * march.control)
+        assert abs(stop) <= 1e-6 * march.control
+    for f in np.linspace(own.max, own.min, 7)[1:]:
+        back = march.returning(f, at, own.max)
+        assert clutch.torque_returning(f) == pytest.approx(march.z * march.radius * f * back.pressed, rel=1e-6)
+        if clutch.curved:
+            assert clutch.travel_returning(f) == pytest.approx(back.travel, rel=1e-6, abs=1e-7 * march.reach)
+
+
+def seated(low):
+    """Key's friction halves the net gain, κ 2 and κ₊ 4; the sleeve leaves its stop at f = 1 only, above f_max = 0.5."""
+    unit = {"gain": 3.0, "gain_slope": 40.02, "key_friction": 0.3, "hub_diameter": 0.03, "ball_circle_radius": 0.05}
+    disc = stack("A 40", 4).model_dump(exclude_none=True)
+    return make_spec(
+        {
+            "variant": "indirect",
+            "friction": {"min": low, "mean": low, "max": 0.5},
+            "friction_group": {"pairs": 1, "mean_radius": 0.05},
+            "closing_spring": {"force": 500.0, "stiffness": 2000.0},
+            "control_spring": {"stiffness": 1000.0, "force": 1500.0, "disc": disc},
+            "control_unit": {**unit, "balls": 6},
+        }
+    )
+
+
+@pytest.mark.parametrize("low", [0.5, 0.4, 0.25, 0.1])
+def test_a_sleeve_that_never_left_its_stop_does_not_return(low):
+    """The key keeps N = F_п2/(1 + z κ f_max) = 750 N down to f_max κ/κ₊ = 0.25; below, N = F_п2/(1 + z κ₊ f).
+
+    Along κ₊ the force on the stop would be nought at f = 0.5: a sleeve that came back from a travel would sit down there.
+    """
+    clutch = build(seated(low))
+    assert clutch.travel_max == 0
+    pressed = max(1500 / (1 + 2 * 0.5), 1500 / (1 + 4 * low))
+    assert clutch.torque_returning_min == pytest.approx(0.05 * low * pressed, rel=1e-12)
+
+
+UNLIKE = direct_specs(variants=("unlike", "differentiated", "all-driving"))
+
+
+@PATIENT
+@given(st.one_of(sleeves(), sleeves(), UNLIKE))
+def test_no_friction_gives_more_or_less_and_a_step_aside_gives_as_much(spec):
+    clutch = build(spec)
+    own, path = clutch.torque_range, clutch.path(np.append(np.linspace(0.0, 1.0, 10_001), clutch.path_bend))
+    swept, first = np.asarray(clutch.torque(*path)), clutch.friction[0]
+    low, high = float(swept.min()), float(swept.max())
+    assert low * (1 - 1e-3) <= own.low <= low * (1 + 1e-9)
+    assert high * (1 + 1e-3) >= own.high >= high * (1 - 1e-9)
+    assert clutch.scatter == pytest.approx(own.high - own.low, rel=1e-9, abs=1e-12 * high)
+    assert clutch.accuracy_factor == pytest.approx(own.high / own.low, rel=1e-9)
+    bent = spec.spring_parts and clutch.gain_slope  # where the torque jumps it does so ever more steeply
+    for at, extreme in ((own.at_low, own.low), (own.at_high, own.high)):
+        assert first.min * (1 - 1e-9) <= at <= first.max * (1 + 1e-9)
+        # within a step of 10⁴ on either side; a step and a hair, for a jump is just there
+        step = (first.max - first.min) / 1e4 + 1e-9
+        near = np.clip(at + step * np.linspace(-1, 1, 10_001), first.min, first.max)
+        torques = [low, high] if spec.friction.unlike else clutch.torque(near)
+        assert np.min(np.abs(np.asarray(torques) / extreme - 1)) < (1e-4 if bent else 1e-6)
+    if clutch.sleeve is not None:
+        back = float(np.min(clutch.torque_returning(path[0])))
+        assert clutch.torque_returning_min <= min(back, own.low) * (1 + 1e-9)
+        assert clutch.torque_returning_min == pytest.approx(back, rel=2e-2)
+        assert clutch.accuracy_factor_hysteresis == pytest.approx(own.high / clutch.torque_returning_min, rel=1e-9)
+
+
+@pytest.mark.slow
+@PATIENT
+@given(st.one_of(sleeves(), sleeves(), UNLIKE))
+def test_arrays_equal_numbers(spec):
+    path, radius = "friction_group.mean_radius", spec.friction_group.mean_radius
+    radii = np.array([0.97, 1.0, 1.02]) * radius
+    names = ["accuracy_factor", "torque_min", "torque_max"] + ["torque_returning_min"] * spec.kind.travels
+    asked = {name: lambda own, name=name: getattr(own, name) for name in names}
+    try:
+        swept = evaluate(spec, {path: radii}, {**asked, "at": lambda own: own.torque_range.at_high})
+    except SpecError:
+        assume(False)
+    for place, radius in enumerate(radii):
+        data = resolved(spec)
+        data["friction_group"]["mean_radius"] = radius
+        one = build(make_spec(data))
+        for name in names:
+            assert swept[name][place] == pytest.approx(float(getattr(one, name)), rel=1e-9), name
+        # a pocket that holds the torque leaves the place to rounding
+        if one.scatter > 1e-9 * one.torque_max:
+            assert swept["at"][place] == pytest.approx(float(one.torque_range.at_high), rel=1e-6)
 
 
 def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
@@ -118,7 +251,7 @@ def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
         "variant": "indirect",
         "friction": {"min": 0.1, "mean": 0.3, "max": 0.8},
         "friction_group": {"pairs": 8, "mean_radius": 0.1},
-        "closing_spring": {"force": 2000.0, "stiffness": 4e5, "disc": stack("B 40", 2).model_dump() | {"parallel": 1, "series": 6}},
+        "closing_spring": {"force": 2000.0, "stiffness": 4e5, "disc": stack("B 40", 6).model_dump(exclude_none=True)},
         "control_spring": {"stiffness": 2e5},
         "control_unit": {
             "gain": 2.0, "ball_circle_radius": 0.05, "hub_diameter": 0.05, "key_friction": 0.01, "balls": 6,
@@ -126,13 +259,11 @@ def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
         },
     }  # fmt: skip
     clutch = build(own)
-    assert 1 < clutch.accuracy_factor < 1.03
     assert clutch.torque(0.8) == pytest.approx(clutch.torque(0.1), rel=1e-9), "the same at both ends"
     swept = clutch.torque(np.linspace(0.1, 0.8, 10_001))
     assert clutch.torque_min == pytest.approx(swept.min(), rel=1e-9), "between them"
-    assert clutch.torque_min < clutch.torque(0.8) / 1.001
-    found, _ = synthesize(clutch)
-    assert found.travel_max == pytest.approx(float(clutch.travel(0.8)))
+    assert clutch.torque(0.8) / 1.03 < clutch.torque_min < clutch.torque(0.8) / 1.001
+    assert synthesize(clutch)[0].travel_max == pytest.approx(float(clutch.travel(0.8)))
 
 
 def test_a_jump_between_disc_springs_is_seen_from_both_sides():

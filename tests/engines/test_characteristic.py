@@ -1,18 +1,14 @@
 """Parts as springs: the standard's printed forces, examples of others, and clutches that follow a curved spring."""
 
 import math
-from dataclasses import replace
 
-import numpy as np
 import pytest
-from conftest import CONFIGS, fewer
-from hypothesis import assume, given
+from conftest import CONFIGS
+from hypothesis import given
 from hypothesis import strategies as st
-from strategies import indirect_specs
 
 from afmcalc.engines import build
 from afmcalc.engines.springs import CoilCharacteristic, DiscCharacteristic
-from afmcalc.equations import springs
 from afmcalc.equations import springs as law
 from afmcalc.spec import read_spec
 from afmcalc.spec.catalogues import discs
@@ -39,18 +35,14 @@ def almen_laszlo(outer, inner, thickness, height, deflection):
     return 4 * 206e9 / 0.91 * thickness**4 / (k1 * outer**2) * s * ((h - s) * (h - s / 2) + 1)
 
 
-@pytest.mark.parametrize("name", SIZES)
-def test_printed_forces_of_the_standard(name):
+def test_printed_forces_of_the_standard():
     """DIN EN 16983: the force at ¾ of the cone height, rounded to 0.01 mm, to the figures printed."""
-    size = SIZES[name]
-    deflection = math.floor(size.cone_height * 75e3 + 0.5 + 1e-9) * 1e-5
-    found = float(disc(name).force(deflection))
-    if size.printed_force is None:
-        assert (name, round(found, -2)) == ("C 125", 15400), "not printed; the theory computes 15 416 N at ¾ h_0"
-        assert float(disc(name).force(0.75 * size.cone_height)) == pytest.approx(15416, abs=0.5)
-        return
-    figures = 2 if name == "C 8" else 3
-    assert float(f"{found:.{figures}g}") == size.printed_force
+    for name, size in SIZES.items():
+        found = float(disc(name).force(math.floor(size.cone_height * 75e3 + 0.5 + 1e-9) * 1e-5))
+        if size.printed_force is None:
+            assert (name, round(found, -2)) == ("C 125", 15400), "not printed; the theory computes 15 416 N at ¾ h_0"
+        else:
+            assert float(f"{found:.{2 if name == 'C 8' else 3}g}") == size.printed_force, name
 
 
 def test_the_sizes_are_those_of_the_standard():
@@ -74,17 +66,6 @@ def test_a_stack_is_n_forces_and_i_deflections(name, parallel, series, share):
     if size.reduced_thickness is None:
         shape = size.outer_diameter, size.inner_diameter, size.thickness, size.cone_height
         assert single.force(each) == pytest.approx(almen_laszlo(*shape, each), rel=1e-12)
-
-
-def test_softness_of_the_series():
-    """At ¾ h_0 series C keeps 0.22…0.37 of a flat plate's stiffness, A 0.89…0.95: 1 − 0.406 (h_0/t)²."""
-    for name in SIZES:
-        own = disc(name)
-        plate = float(own.stiffness(0.75 * own.cone_height)) / (
-            4 * 206e9 / 0.91 * own.thickness**3 * own.factors[1] ** 2 / (own.factors[0] * own.part.outer_diameter**2)
-        )
-        if own.part.reduced_thickness is None:
-            assert plate == pytest.approx(1 - 0.40625 * (own.cone_height / own.thickness) ** 2)
 
 
 def test_disc_spring_of_a_textbook():
@@ -119,21 +100,21 @@ def test_coil_spring_of_a_textbook():
     G = 11.2·10⁶ lb/in² that its tables are laid out for, so that 9 active coils of 11 give 1.25 in; 1 in long solid.
     """
     wire, coil, load = 0.0915, 13 / 16 - 0.0915, 36.0
-    assert load / springs.coil_stiffness(11.2e6, wire, coil, 1) == pytest.approx(0.1375, abs=1e-4)
-    assert load / springs.coil_stiffness(11.2e6, wire, coil, 9) == pytest.approx(1.25, rel=0.011)
-    assert springs.coil_stress(load, wire, coil, 1, math.pi) == pytest.approx(86300, abs=50)
-    assert springs.coil_solid_length(wire, 9) == pytest.approx(11 * 0.0915)
+    assert load / law.coil_stiffness(11.2e6, wire, coil, 1) == pytest.approx(0.1375, abs=1e-4)
+    assert load / law.coil_stiffness(11.2e6, wire, coil, 9) == pytest.approx(1.25, rel=0.011)
+    assert law.coil_stress(load, wire, coil, 1, math.pi) == pytest.approx(86300, abs=50)
+    assert law.coil_solid_length(wire, 9) == pytest.approx(11 * 0.0915)
 
 
 def test_curvature_of_a_coil_in_a_textbook():
     """Budynas & Nisbett, Shigley's Mechanical Engineering Design, example 10-1: 4.13 lbf/in, K_B 1.124, 6.46 lbf."""
     inch, pound = 25.4e-3, 4.4482216152605
     psi = pound / inch**2
-    stiffness = springs.coil_stiffness(11.85e6 * psi, 0.037 * inch, 0.4 * inch, 10.5)
+    stiffness = law.coil_stiffness(11.85e6 * psi, 0.037 * inch, 0.4 * inch, 10.5)
     assert stiffness / (pound / inch) == pytest.approx(4.13, abs=0.005)
-    correction = springs.coil_correction(0.037 * inch, 0.4 * inch)
+    correction = law.coil_correction(0.037 * inch, 0.4 * inch)
     assert correction == pytest.approx(1.124, abs=0.0005)
-    stress = springs.coil_stress(6.46 * pound, 0.037 * inch, 0.4 * inch, correction, math.pi)
+    stress = law.coil_stress(6.46 * pound, 0.037 * inch, 0.4 * inch, correction, math.pi)
     assert stress / psi == pytest.approx(146e3, rel=1e-3)
 
 
@@ -148,70 +129,6 @@ def test_coil_spring_by_en_13906_1():
     assert own.deflection(280.0) == pytest.approx(17.3e-3, abs=5e-5)
     twice = CoilCharacteristic(own.part.model_copy(update={"count": 2}))
     assert twice.force(0.01) == pytest.approx(2 * own.force(0.01))
-
-
-def curved(spec, closing=None, control=None):
-    """The clutch with disc springs as strong as it needs."""
-    first = spec.closing_spring.model_copy(update={"disc": closing})
-    second = spec.control_spring.model_copy(update={"disc": control})
-    return build(spec.model_copy(update={"closing_spring": first, "control_spring": second}))
-
-
-@fewer(2)
-@given(
-    indirect_specs(), st.sampled_from(sorted(SIZES)), st.sampled_from(sorted(SIZES)), st.integers(1, 40), st.booleans()
-)
-def test_a_sleeve_between_disc_springs_is_in_balance(spec, one, two, series, both):
-    plain = build(spec)
-    closing, control = disc(one, 6, series), disc(two, 6, series)
-    assume(float(closing.force(closing.end)) > plain.closing_force)
-    assume(float(control.force(control.end)) > 1.5 * plain.control_force)
-    clutch = curved(spec, closing.part, control.part if both else None)
-    own, law_of = clutch.friction[0], clutch
-    starts = closing.deflection(clutch.closing_force), control.deflection(clutch.control_force)
-    for friction in np.linspace(own.min, own.max, 5):
-        travel, pressed = float(clutch.travel(friction)), float(clutch.normal_force(friction))
-        pushed = (
-            float(control.force(starts[1] + travel))
-            if both
-            else clutch.control_force + law_of.control_stiffness * travel
-        )
-        wanted = pushed / (1 + law_of.pairs * law_of.net_gain * friction)
-        if travel > 0:
-            assert pressed == pytest.approx(float(closing.force(starts[0] - travel)), rel=1e-9)
-            assert pressed == pytest.approx(wanted, rel=1e-6, abs=1e-6 * clutch.closing_force)
-        else:
-            assert pressed == pytest.approx(wanted, rel=1e-12)
-    assert clutch.accuracy_factor == pytest.approx(clutch.torque(own.max) / clutch.torque(own.min))
-    several = clutch.torque(np.linspace(own.min, own.max, 5))
-    assert several == pytest.approx([clutch.torque(f) for f in np.linspace(own.min, own.max, 5)], rel=1e-12)
-
-
-def test_a_nearly_straight_disc_is_a_straight_spring():
-    """Cones of 0.3 mm on plates of 10 mm: the straight law of the stiffness as set, to (h_0/t)²."""
-    flat = DiscStack(outer_diameter=0.3, inner_diameter=0.15, thickness=0.01, free_height=0.0103, series=36)
-    spec = read_spec(CONFIGS / "indirect.toml")
-    own = DiscCharacteristic(flat)
-    force = float(build(spec).closing_force)
-    assert own.end > own.deflection(force)
-    straight = spec.closing_spring.model_copy(update={"stiffness": float(own.stiffness(own.deflection(force)))})
-    plain = build(spec.model_copy(update={"closing_spring": straight}))
-    bent = curved(spec.model_copy(update={"closing_spring": straight}), flat)
-    for friction in (0.1, 0.3, 0.5, 0.8):
-        assert bent.torque(friction) == pytest.approx(plain.torque(friction), rel=2e-3)
-        assert bent.torque_returning(friction) == pytest.approx(plain.torque_returning(friction), rel=2e-3)
-
-
-def test_samples_follow_the_curve_one_by_one():
-    """Arrays of forces, as a tolerance study has them."""
-    spec = read_spec(CONFIGS / "indirect.toml")
-    one, two = stack("B 40", 1, 6), stack("C 90", 1, 10)
-    clutch = curved(spec, one, two)
-    forces = np.array([1800.0, 2000.0, 2100.0])
-    many = replace(clutch, closing_force=forces, made_control_force=clutch.control_force)
-    for at, force in enumerate(forces):
-        alone = replace(many, closing_force=float(force))
-        assert many.torque(0.8)[at] == pytest.approx(float(alone.torque(0.8)), rel=1e-12)
 
 
 def test_wear_follows_the_curve():
@@ -229,24 +146,25 @@ def test_wear_follows_the_curve():
     assert clutch.following_stiffness == pytest.approx(float(disc("C 90", 1, 2).stiffness(1.4 * size.cone_height)))
 
 
-@pytest.mark.parametrize(
-    ("block", "code", "level"),
-    [
-        ("closing_spring.disc={outer_diameter=0.04, inner_diameter=0.0204, thickness=1e-3, free_height=2.3e-3}", "spring-too-weak", "error"),
-        ("closing_spring.disc={outer_diameter=0.04, inner_diameter=0.0204, thickness=2.25e-3, free_height=3.15e-3, parallel=4}", "spring-beyond-range", "warning"),
-    ],
-)  # fmt: skip
-def test_a_part_that_does_not_do_is_told(block, code, level, afmcalc):
-    found = afmcalc("check", CONFIGS / "default.toml", "--set", block, "--json").json["findings"]
-    (own,) = (each for each in found if each["code"] == code)
-    assert own["level"] == level
-    assert own["path"] == "closing_spring.disc"
+PART = (
+    "closing_spring.disc={outer_diameter=0.04, inner_diameter=0.0204, thickness=1.5e-3, free_height=2.65e-3, series=6}"
+)
+
+
+def test_a_part_that_does_not_do_is_told(afmcalc):
+    for sizes, code, level in (
+        ("thickness=1e-3, free_height=2.3e-3", "spring-too-weak", "error"),
+        ("thickness=2.25e-3, free_height=3.15e-3, parallel=4", "spring-beyond-range", "warning"),
+    ):
+        block = f"closing_spring.disc={{outer_diameter=0.04, inner_diameter=0.0204, {sizes}}}"
+        found = afmcalc("check", CONFIGS / "default.toml", "--set", block, "--json").json["findings"]
+        (own,) = (each for each in found if each["code"] == code)
+        assert (own["level"], own["path"]) == (level, "closing_spring.disc")
 
 
 def test_a_swept_stiffness_takes_the_place_of_the_part(afmcalc):
-    part = "closing_spring.disc={outer_diameter=0.04, inner_diameter=0.0204, thickness=1.5e-3, free_height=2.65e-3, series=6}"
     spec = CONFIGS / "indirect.toml"
-    swept = afmcalc("accuracy", spec, "--set", part, "--sweep", "c1=3e5,4e5", "--json").json
+    swept = afmcalc("accuracy", spec, "--set", PART, "--sweep", "c1=3e5,4e5", "--json").json
     plain = afmcalc("accuracy", spec, "--sweep", "c1=3e5,4e5", "--json").json
     assert swept["result"]["sweep"][0]["accuracy_factor"] == plain["result"]["sweep"][0]["accuracy_factor"]
     assert swept["result"]["accuracy_factor"] != plain["result"]["accuracy_factor"]
@@ -254,8 +172,7 @@ def test_a_swept_stiffness_takes_the_place_of_the_part(afmcalc):
 
 
 def test_a_stack_has_no_stiffness_that_scatters(afmcalc):
-    part = "closing_spring.disc={outer_diameter=0.04, inner_diameter=0.0204, thickness=1.5e-3, free_height=2.65e-3, series=6}"
     scatter = 'tolerance.fields={"closing_spring.stiffness"={distribution="normal", spread="5 %"}}'
-    run = afmcalc("tolerance", CONFIGS / "indirect.toml", "--set", part, "--set", scatter)
+    run = afmcalc("tolerance", CONFIGS / "indirect.toml", "--set", PART, "--set", scatter)
     assert run.code == 2
     assert "has no effect beside closing_spring.disc" in run.err

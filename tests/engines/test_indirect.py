@@ -1,78 +1,17 @@
-"""The engine of indirect regulation; its torque, forces and travel are held in ``validation/test_indirect_balance.py``."""
+"""The engine of indirect regulation; its torque, forces and travel are held in ``test_balance.py``."""
 
 import numpy as np
 import pytest
 from conftest import S21
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
-from strategies import FRICTION, indirect_specs
+from strategies import FRICTION, indirect_specs, p5
 
 import afmcalc
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
-from afmcalc.spec import make_spec, read_spec, resolved
+from afmcalc.spec import read_spec
 from afmcalc.spec.edit import with_nominal_torque, with_values
-
-
-@given(indirect_specs(curved=True), FRICTION)
-def test_travel_never_exceeds_what_the_spring_has(spec, f):
-    reach = spec.closing_spring.force / spec.closing_spring.stiffness
-    assert 0 <= build(spec).travel(f) < reach
-
-
-@given(indirect_specs())
-def test_accuracy_is_the_extreme_ratio_and_torque_rises_without_a_dip(spec):
-    clutch = build(spec)
-    own = spec.friction.range
-    along = clutch.torque(np.linspace(own.min, own.max, 501))
-    assert np.all(np.diff(along) >= -1e-9 * along.max())
-    assert clutch.accuracy_factor == pytest.approx(along.max() / along.min(), rel=1e-9)
-    assert clutch.torque_max == pytest.approx(along.max(), rel=1e-12)
-
-
-@given(indirect_specs())
-def test_it_is_the_all_driving_law_with_the_equivalent_gain(spec):
-    """T_indirect(f)·1 = T_all-driving(f)·(1 + z C_eff f_set) with C_eff = κ c_1/(c_1 + c_2), for f ≥ f_set."""
-    clutch = build(spec)
-    twin = build(
-        make_spec(
-            {
-                "variant": "all-driving",
-                "friction": resolved(spec)["friction"],
-                "friction_group": resolved(spec)["friction_group"],
-                "closing_spring": {"force": spec.closing_spring.force},
-                "control_unit": {"gain": clutch.equivalent_gain},
-            }
-        )
-    )
-    f = np.linspace(float(clutch.friction_set), spec.friction.range.max, 7)
-    raised = 1 + spec.friction_group.pairs * clutch.equivalent_gain * clutch.friction_set
-    assert clutch.torque(f) == pytest.approx(twin.torque(f) * raised, rel=1e-9)
-
-
-def test_returning_torque_is_lower_by_the_ratio_of_the_stiffnesses():
-    """Theory, section 5: once friction has fallen by κ₊/κ the torque is lower by D_κ/D_κ₊."""
-    clutch = afmcalc.load(S21)
-    ratio = clutch.net_gain_returning / clutch.net_gain
-    assert ratio == pytest.approx(4)
-    f = 0.8 / ratio * 0.9
-    stiffness = [20e3 + 10e3 + 8 * 20e3 * f * kappa for kappa in (clutch.net_gain, clutch.net_gain_returning)]
-    assert clutch.torque_returning(f) == pytest.approx(clutch.torque(f) * stiffness[0] / stiffness[1])
-    assert clutch.torque_returning(0.8) == clutch.torque(0.8)
-
-
-@given(indirect_specs(methods=("min-friction",)))
-def test_signs_of_s21(spec):
-    """∂K_т/∂c_1 < 0 (= 0 if c_2 = 0), ∂K_т/∂C < 0, ∂K_т/∂c_2 > 0."""
-    own = spec.friction.range
-    assume(own.max > own.min * 1.001)
-    sensitivity = build(spec).sensitivity()
-    assert sensitivity["control_unit.gain"] < 0
-    if spec.control_spring.stiffness > 1e-3:
-        assert sensitivity["closing_spring.stiffness"] < 0
-        assert sensitivity["control_spring.stiffness"] > 0
-    no_spring = make_spec({**resolved(spec), "control_spring": {"stiffness": 0.0}})
-    assert build(no_spring).sensitivity()["closing_spring.stiffness"] == pytest.approx(0, abs=1e-12)
 
 
 def _smooth(clutch):
@@ -90,6 +29,7 @@ def _smooth(clutch):
 
 
 @given(st.one_of(indirect_specs(), indirect_specs(curved=True)), st.booleans())
+@example(p5("control_spring.force=3920", "control_unit.gain_slope=8"), False)  # most torque where the sleeve leaves
 def test_sensitivities_are_the_derivatives_of_the_accuracy(spec, by_torque):
     clutch = build(spec)
     assume(clutch.net_gain > 1e-2)

@@ -5,7 +5,7 @@ import math
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.springs.springs import part_of, springs
+from afmcalc.analysis.springs.springs import option_of, part_of, springs
 from afmcalc.engines import build
 from afmcalc.engines.parts import INNER, PartCheck
 from afmcalc.engines.springs import characteristic
@@ -134,8 +134,7 @@ def test_a_coil_that_moves_at_every_trip(cycles, loading, level):
     overrides += ["control_spring.stiffness=50e3", "closing_spring.force=4500"]
     overrides += [] if cycles is None else [f"requirements.cycles={cycles}"]
     clutch = build(read_spec(INDIRECT, overrides))
-    result, found = springs(clutch, kind="disc", top=1)
-    (own,) = result.named
+    own = option_of(clutch.spring_demands()[0], clutch.spec.spring_parts["closing"])
     index = 36 / 8
     factor = 1 + 1.25 / (index - 0.75) if loading == "dynamic" else 1
     assert (own.loading, own.stress_correction) == (loading, pytest.approx(factor))
@@ -145,9 +144,10 @@ def test_a_coil_that_moves_at_every_trip(cycles, loading, level):
     ultimate = 0.67 * (1980 - 740 * math.log10(8))
     alternating = factor * (upper - lower) / 2e6 / (241 / (1 - 379 / ultimate))
     assert alternating + factor * (upper + lower) / 2e6 / ultimate > 1 or level is None
-    assert {each.code: each.level for each in found}.get("coil-fatigue") == level
+    assert {each.code: each.level for each in clutch.findings()}.get("coil-fatigue") == level
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", [DEFAULT, INDIRECT])
 def test_what_is_found_holds_what_is_named(path):
     """What the search offers has no finding once it is in the spec."""
@@ -169,9 +169,7 @@ def test_what_is_found_holds_what_is_named(path):
 def test_a_stiffness_beside_a_coil_is_the_coil_s(afmcalc):
     """94.33 N/mm; eight linings worn by 0.1 mm take 75.46 N of 2 kN."""
     refused = afmcalc("torque", DEFAULT, "--set", coil(), "--set", "closing_spring.stiffness=2e6")
-    assert refused.code == 2
-    assert "closing_spring.stiffness" in refused.err
-    assert "94329 N/m" in refused.err
+    assert (refused.code, "closing_spring.stiffness" in refused.err) == (2, True)
     assert rate(0.01, 0.06, 5) == pytest.approx(94329, abs=1)
     for given in ([], ["--set", "closing_spring.stiffness=94.3 N/mm"]):
         worn = afmcalc("effects", DEFAULT, "--set", coil(), *given, "--set", "heat.lining=1e-4", "--json").json

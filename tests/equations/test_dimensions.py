@@ -1,5 +1,6 @@
 """Every equation, called with pint quantities, gives the dimension its docstring states."""
 
+import numpy as np
 import pint
 import pytest
 from hypothesis import given
@@ -60,25 +61,15 @@ def test_numbers_do_not_depend_on_the_units(name):
     )
 
 
-def printed_m9(friction_min, friction_max, c1, c2, pairs, gain, radius, key):
+def printed_m9(f_min, f_max, c1, c2, z, C, R, key):
     """S21 (15) as printed, without ÷ d."""
-    at_min = c2 + (1 + pairs * gain * friction_min) * c1 - 2 * pairs * radius * c1 * friction_min * key
-    at_max = c2 + (1 + pairs * gain * friction_max) * c1 - 2 * pairs * radius * c1 * friction_max * key
-    return friction_max * at_min / (friction_min * at_max)
+    ends = [c2 + (1 + z * C * f) * c1 - 2 * z * R * c1 * f * key for f in (f_min, f_max)]
+    return f_max * ends[0] / (f_min * ends[1])
 
 
-def printed_m10(c1, c2, pairs, gain, friction, radius, key, hub):
+def printed_m10(c1, c2, z, C, f, R, key, d):
     """The bracket of S21's contact force as printed: c_2 + (1 + zCf_min)."""
-    return c2 + (1 + pairs * gain * friction) - 2 * pairs * radius * c1 * friction * key / hub
-
-
-def test_printed_m9_and_m10_fail():
-    stiffness, length = UNITS.Quantity(2e4, "N/m"), UNITS.Quantity(0.1, "m")
-    with pytest.raises(pint.DimensionalityError):
-        printed_m9(0.1, 0.8, stiffness, stiffness, 8, 1.0, length, 0.15)
-    with pytest.raises(pint.DimensionalityError):
-        printed_m10(stiffness, stiffness, 8, 1.0, 0.1, length, 0.15, length)
-    assert sleeve_stiffness(stiffness, stiffness, 8, 0.3, 0.4).check("[mass]/[time]**2")
+    return c2 + (1 + z * C * f) - 2 * z * R * c1 * f * key / d
 
 
 def printed_m11(loop_gain, loop_gain_min, friction, friction_min, margin):
@@ -87,31 +78,32 @@ def printed_m11(loop_gain, loop_gain_min, friction, friction_min, margin):
     return weighted / (margin * (1 + loop_gain_min))
 
 
-def test_printed_m11_fails():
-    """Friction is a pure number in SI; given a dimension of its own (and C its inverse) it shows the lost ÷ f."""
+def test_printed_m9_m10_and_m11_fail():
+    """Friction is a pure number in SI; given a dimension of its own (and C its inverse) it shows the lost ÷ f of M11."""
+    stiffness, length = UNITS.Quantity(2e4, "N/m"), UNITS.Quantity(0.1, "m")
+    with pytest.raises(pint.DimensionalityError):
+        printed_m9(0.1, 0.8, stiffness, stiffness, 8, 1.0, length, 0.15)
+    with pytest.raises(pint.DimensionalityError):
+        printed_m10(stiffness, stiffness, 8, 1.0, 0.1, length, 0.15, length)
+    assert sleeve_stiffness(stiffness, stiffness, 8, 0.3, 0.4).check("[mass]/[time]**2")
     tagged = pint.UnitRegistry()
     tagged.define("mu = [friction]")
     friction, smallest, gain = tagged.Quantity(0.3, "mu"), tagged.Quantity(0.1, "mu"), tagged.Quantity(5, "1/mu")
-    loop_gains = (gain * friction).to(""), (gain * smallest).to("")
-    mended = actuation_factor(*loop_gains, friction, smallest, 1.25)
-    assert mended.check("")
+    of = (gain * friction).to(""), (gain * smallest).to(""), friction, smallest, 1.25
+    assert actuation_factor(*of).check("")
     with pytest.raises(pint.DimensionalityError):
-        printed_m11(*loop_gains, friction, smallest, 1.25)
+        printed_m11(*of)
+
+
+POWERS = {"life.cycles", "life.damage", "life.cycles_of_band", "synthesis.least_contact_force_cubic"}
 
 
 @given(st.lists(st.floats(0.05, 3), min_size=10, max_size=10))
 def test_floats_and_arrays_agree(values):
     """The same function on an array of one gives the float, to the last bit but for powers."""
-    import numpy as np
-
     for equation in equations().values():
         arguments = dict(zip(equation.arguments, values, strict=False))
-        if equation.name in (
-            "life.cycles",
-            "life.damage",
-            "life.cycles_of_band",
-            "synthesis.least_contact_force_cubic",
-        ):
+        if equation.name in POWERS:
             continue
         arrays = {name: np.array([value]) for name, value in arguments.items()}
         try:

@@ -211,7 +211,7 @@ WORDS = st.one_of(
     st.sampled_from([str(CONFIGS / f"{name}.toml") for name in ("default", "indirect", "materials")]),
     st.one_of(TEXTS, SETS, SWEEPS, TARGETS, NUMBERS.map(str)),
 )  # fmt: skip
-_SLOW = {"report", "reproduce", "--prove", "serve"}
+_SLOW = {"report", "reproduce", "serve"}
 """Slow whatever is asked of them, and little of that: what they show others show too; serve goes on (tests/web)."""
 _WRITE = {"init", "-o", "--output", "--force"}
 """Would leave files; tests/cli/test_files.py and test_faults.py look at those."""

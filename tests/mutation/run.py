@@ -1,16 +1,23 @@
-"""Mutation run over afmcalc/equations: every arithmetic operator and every constant flipped once.
+"""Mutation run over afmcalc/equations: every arithmetic operator and every constant changed once.
 
-    python tests/mutation/run.py            # all modules
-    python tests/mutation/run.py direct     # one
+    python tests/mutation/run.py            # all modules, where equations or proofs differ from those of the last run
+    python tests/mutation/run.py direct     # one, always
 
-A mutant is killed when a proof or a dimension check fails. Each runs in a forked process with only the mutated
-function exchanged. Exit code 1 if one survives that is not justified below.
+A mutant is killed where a proof's identity fails to vanish or a dimension is wrong, but also where a proof or a dimension
+check raises anything else (``TypeError``, a solution that is none): without the mutant all pass, and pytest fails of an
+exception as of an assertion; how many died so is told. A proof that does not end within SECONDS kills nothing: the other
+proofs decide. Each mutant runs in a process of its own, with only the mutated function exchanged. Exit code 1 if one
+survives that is not justified below, 2 if an unchanged function does not survive. A run over all modules without
+survivors stores the hash of what it has tested (``equations.sha256``).
 """
 
 import ast
+import hashlib
+import multiprocessing
 import os
 import signal
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module, reload
@@ -18,11 +25,21 @@ from inspect import getsource, unwrap
 from pathlib import Path
 from typing import NamedTuple
 
+os.environ["OPENBLAS_NUM_THREADS"] = "1"  # a process that forks has one thread
+ROOT = Path(__file__).parents[2]
+sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+STORED = Path(__file__).with_name("equations.sha256")
+TESTED = ("afmcalc/equations/*.py", "tests/proofs/*.py", "tests/equations/test_dimensions.py")
 EQUIVALENT: dict[str, str] = {}
 """Mutants (as printed) that compute the same as the original, each with the reason."""
-
+NO_EQUATIONS = ("__init__", "arrays", "calls", "catalogue", "terms")
 SWAPS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
-SECONDS = 30
+SECONDS = 20
+FATES = ("survived", "by an assertion", "by another exception")
+
+
+class TimeUp(BaseException):
+    """A proof takes too long."""
 
 
 class Mutant(NamedTuple):
@@ -85,110 +102,136 @@ def _apply(node: ast.AST) -> str:
     return f"{before} → {before + 1} at column {node.col_offset}"
 
 
-def survives(mutant: Mutant) -> bool:
-    """Whether every proof and dimension check passes with the mutant in place."""
-    order = _proof_order(mutant.equation)
+def fate(mutant: Mutant) -> int:
+    """Number of its fate, from a process of its own."""
     child = os.fork()
     if child == 0:
-        signal.alarm(SECONDS)
-        os._exit(0 if _passes(mutant, order) else 1)
-    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+        os._exit(_fate(mutant))
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 
 
-def _passes(mutant: Mutant, order: list[str]) -> bool:
-    from afmcalc.proofs import prove
-
+def _fate(mutant: Mutant) -> int:
+    signal.signal(signal.SIGALRM, _stop)
     try:
         module = import_module(f"afmcalc.equations.{mutant.module}")
-        code = compile(ast.fix_missing_locations(mutant.tree), "mutant", "exec")
         original = unwrap(vars(module)[mutant.function])
-        exec(code, vars(module))
+        exec(compile(ast.fix_missing_locations(mutant.tree), "mutant", "exec"), vars(module))
         original.__code__ = unwrap(vars(module)[mutant.function]).__code__
         _check_dimensions(mutant.equation)
-        _proofs_anew()
-        for name in order:
-            prove(name)
-    except BaseException:
-        return False
-    return True
+        anew: set[str] = set()
+        for name in _nearest_first(mutant.equation):
+            try:
+                signal.alarm(SECONDS)
+                _prove_anew(name, anew)
+            except TimeUp:
+                print(f"{mutant}: {name} takes more than {SECONDS} s", flush=True)
+            finally:
+                signal.alarm(0)
+    except (AssertionError, import_module("pint").DimensionalityError):
+        return 1
+    except Exception:
+        return 2
+    return 0
 
 
-def _proofs_anew() -> None:
-    """Import the proofs again: what they prepare when they are imported must come from the mutant."""
-    from afmcalc import proofs
+def _stop(*_: object) -> None:
+    raise TimeUp
 
-    for name in proofs.MODULES:
-        reload(import_module(f"afmcalc.proofs.{name}"))
-    proofs.proofs.cache_clear()
+
+def _prove_anew(name: str, anew: set[str]) -> None:
+    """Run a proof, its module imported again: what it prepares then must come from the mutant."""
+    from proofs.symbols import prove
+
+    file, _, function = name.rpartition("/")[2].partition(".py::")
+    module = import_module(f"proofs.{file}")
+    if file not in anew:
+        reload(module)
+        anew.add(file)
+    prove(getattr(module, function))
 
 
 @cache
-def _proof_order(equation: str) -> list[str]:
-    """Proofs by how near they are to an equation: those that name it first."""
-    from afmcalc.proofs import proofs
+def _sources() -> dict[str, tuple[str, str]]:
+    """Proof → its source, and that of its module."""
+    from proofs.symbols import proofs
 
-    return sorted(proofs(), key=lambda name: equation not in getsource(proofs()[name]))
+    return {name: (getsource(proof), getsource(sys.modules[proof.__module__])) for name, proof in proofs().items()}
+
+
+def _nearest_first(equation: str) -> list[str]:
+    """Names of the proofs: those that name an equation, those of modules that do, the others."""
+    return sorted(_sources(), key=lambda name: [equation not in text for text in _sources()[name]])
 
 
 def _check_dimensions(name: str) -> None:
-    import pint
+    from equations import test_dimensions
 
-    from afmcalc.equations.catalogue import equations
-
-    units, equation = _registry(), equations()[name]
-    arguments = {
-        key: 0.31 + 0.17 * i if term.unit == "1" else units.Quantity(0.31 + 0.17 * i, term.unit.replace("^", "**"))
-        for i, (key, term) in enumerate(equation.arguments.items())
-    }
-    value = equation.function(**arguments)
-    for part in value if isinstance(value, tuple) else (value,):
-        wanted = units.Quantity(1, "" if equation.result.unit == "1" else equation.result.unit.replace("^", "**"))
-        if units.Quantity(part).dimensionality != wanted.dimensionality:
-            raise pint.DimensionalityError(part, wanted)
+    test_dimensions.test_dimension_is_as_documented(name)
+    if test_dimensions.equations()[name].result.unit != "1":
+        test_dimensions.test_numbers_do_not_depend_on_the_units(name)
 
 
-def _registry(cache: list[object] = []) -> object:  # noqa: B006
-    import pint
-
-    if not cache:
-        cache.append(pint.UnitRegistry())
-    return cache[0]
-
-
-def _control(source: str) -> Mutant:
+def _control(folder: Path) -> Mutant:
     """A function as it is: it must survive, or the run kills everything."""
-    function = next(
-        node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef) and node.name == "torque"
-    )
+    tree = ast.parse((folder / "direct.py").read_text(encoding="utf-8"))
+    function = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == "torque")
     return Mutant("direct", "torque", function.lineno, "unchanged", ast.Module([function], []))
+
+
+def fates(found: list[Mutant]) -> list[int]:
+    """Fates of all mutants, shared out among as many processes as there are processors."""
+    context, count = multiprocessing.get_context("fork"), os.cpu_count() or 1
+    pipes = [context.Pipe(duplex=False) for _ in range(count)]
+    workers = [
+        context.Process(target=lambda own=found[start::count], end=end: end.send([fate(each) for each in own]))
+        for start, (_, end) in enumerate(pipes)
+    ]
+    for worker in workers:
+        worker.start()
+    result = [0] * len(found)
+    for start, (receiver, _) in enumerate(pipes):
+        result[start::count] = receiver.recv()
+    for worker in workers:
+        worker.join()
+    return result
+
+
+def tested() -> str:
+    """Hash of everything that decides what a run finds."""
+    files = [file for pattern in TESTED for file in sorted(ROOT.glob(pattern))]
+    return hashlib.sha256(b"".join(file.name.encode() + file.read_bytes() for file in files)).hexdigest()
 
 
 def main(chosen: list[str]) -> int:
     """Run all mutants of the modules chosen (or all) and report."""
-    from concurrent.futures import ThreadPoolExecutor
+    now = tested()
+    if not chosen and STORED.exists() and STORED.read_text(encoding="utf-8").strip() == now:
+        print("equations and proofs are those of which every mutant was killed")
+        return 0
+    from proofs.symbols import proofs, prove
 
+    for proof in proofs().values():
+        prove(proof)
+    _sources()
+    _check_dimensions("direct.torque")  # imported before the processes part
     import afmcalc.equations
-    from afmcalc.proofs import proofs, prove
 
-    for name in proofs():
-        prove(name)
-    _registry()
     folder = Path(afmcalc.equations.__file__).parent
-    if not survives(_control((folder / "direct.py").read_text(encoding="utf-8"))):
+    if fate(_control(folder)) != 0:
         print("the control, an unchanged function, did not survive: nothing here can be believed")
         return 2
-    names = chosen or sorted(
-        p.stem for p in folder.glob("*.py") if p.stem not in ("__init__", "arrays", "calls", "catalogue", "terms")
-    )
+    names = chosen or sorted(file.stem for file in folder.glob("*.py") if file.stem not in NO_EQUATIONS)
     found = [mutant for name in names for mutant in mutants(name, (folder / f"{name}.py").read_text(encoding="utf-8"))]
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        alive = [str(m) for m, survived in zip(found, pool.map(survives, found), strict=True) if survived]
+    all_fates = fates(found)
+    alive = [str(mutant) for mutant, own in zip(found, all_fates, strict=True) if own == 0]
     for mutant in alive:
         print(f"survived: {mutant}" + (f" (equivalent: {EQUIVALENT[mutant]})" if mutant in EQUIVALENT else ""))
     unexplained = [mutant for mutant in alive if mutant not in EQUIVALENT]
-    print(
-        f"{len(found)} mutants, {len(found) - len(alive)} killed, {len(alive)} survived, {len(unexplained)} unexplained"
-    )
+    counts = Counter(all_fates)
+    told = ", ".join(f"{counts[number]} {fate}" for number, fate in enumerate(FATES))
+    print(f"{len(found)} mutants: {told}; {len(unexplained)} unexplained")
+    if not chosen and not unexplained:
+        STORED.write_text(now + "\n", encoding="utf-8")
     return 1 if unexplained else 0
 
 

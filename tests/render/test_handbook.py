@@ -1,5 +1,6 @@
 """The handbook: it shows every formula, leads nowhere that is not there, and says the same in both languages."""
 
+import json
 import os
 import re
 import tomllib
@@ -10,7 +11,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import tomli_w
 from conftest import WANTED
 
 import afmcalc
@@ -25,7 +25,6 @@ from afmcalc.errors import AfmcalcError
 from afmcalc.messages import ENGLISH, language, speaking
 from afmcalc.papers.claims import reproduce
 from afmcalc.papers.register import misprints, register
-from afmcalc.proofs import proofs, prove
 from afmcalc.render.handbook import render
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import respecified
@@ -33,6 +32,7 @@ from afmcalc.spec.parse import example_names
 
 PACKAGE = Path(afmcalc.__file__).parent
 USES = PACKAGE / "papers" / "handbook" / "uses.toml"
+HEAD = "Equation → commands that calculate it; renewed by AFMCALC_UPDATE=1."
 COMMANDS = [name for name, entry in ANALYSES.items() if entry.group in ("clutch", "drive") and name != "compare"]
 DIRECTIVE = re.compile(r"\{(\w+) ([^{}]+)\}")
 
@@ -49,14 +49,14 @@ def page(request):
 
 @pytest.mark.exhaustive
 def test_uses_are_those_of_the_program():
-    """Commands are run on clutches, reproduce on the papers, proofs on their symbols; the equations passed are noted."""
-    uses = {name: {"commands": set(), "proofs": set()} for name in equations()}
-    kind, user = "commands", ""
+    """Commands are run on clutches, reproduce on the papers; the equations passed are noted."""
+    uses = {name: set() for name in equations()}
+    user = ""
 
     def watched(name, function):
         def call(*args, **kwargs):
             if user:
-                uses[name][kind].add(user)
+                uses[name].add(user)
             return function(*args, **kwargs)
 
         return call
@@ -86,22 +86,17 @@ def test_uses_are_those_of_the_program():
                     closed_inverse(clutch, name, target, now, np.float64(1.01 * now))
         user = "reproduce"
         reproduce([])
-        user = ""
-        names = list(proofs())
-        kind = "proofs"
-        for user in names:
-            run_of.cache_clear()
-            prove(user)
-    found = {name: {key: sorted(values) for key, values in use.items()} for name, use in uses.items()}
+    found = {name: sorted(use) for name, use in uses.items()}
     if os.environ.get("AFMCALC_UPDATE"):
-        USES.write_text(tomli_w.dumps(found), encoding="utf-8")
+        lines = [f"{json.dumps(name)} = {json.dumps(use)}\n" for name, use in found.items()]
+        USES.write_text(f"# {HEAD}\n{''.join(lines)}", encoding="utf-8")
     assert tomllib.loads(USES.read_text(encoding="utf-8")) == found
 
 
 def test_every_formula_is_reached_or_says_why_not():
     """A function is calculated by a command; a formula without one is covered by others. Else the entry says why."""
     uses = tomllib.loads(USES.read_text(encoding="utf-8"))
-    reached = {entry.id: bool(entry.function and uses[entry.function]["commands"]) for entry in register()}
+    reached = {entry.id: bool(entry.function and uses[entry.function]) for entry in register()}
     assert len(register()) == 130
     for entry in register():
         assert entry.function is None or entry.function in uses, entry.id

@@ -303,9 +303,6 @@ def test_errors(afmcalc, monkeypatch):
     assert refused.code == 2
     monkeypatch.setattr("afmcalc.errors.find_spec", lambda name: None)
     assert afmcalc("explain", "torque").code == 0
-    missing = afmcalc("equations", "--id", "S21 (15)", "--prove")
-    assert missing.code == 2
-    assert "pip install 'afmcalc[explain]'" in missing.err
 
 
 def test_explain_shows_the_stop_the_corners_and_the_cycles(afmcalc):

@@ -1,7 +1,6 @@
 """Every command: its JSON and its table as stored, the other formats against these; and what holds for any output."""
 
 import csv
-import functools
 import io
 import math
 import os
@@ -12,7 +11,6 @@ import pytest
 from conftest import CONFIGS
 
 import afmcalc as package
-from afmcalc.proofs import prove
 from afmcalc.render import FORMATS
 from afmcalc.render.plot.chart import Chart, ChartAxis, Line
 from afmcalc.render.plot.text import draw
@@ -36,19 +34,17 @@ COMMANDS = {
     "compare-variants": ["compare", CONFIGS / "indirect.toml", "--variants"],
     "explain": ["explain", "synthesize", CONFIGS / "indirect.toml"],
     "equations": ["equations", "--paper", "F11"],
-    "equation": ["equations", "--id", "S21 (15)", "--prove"],
+    "equation": ["equations", "--id", "S21 (15)"],
     "misprints": ["equations", "--misprints"],
     "reproduce": ["reproduce", "--paper", "S21"],
     "materials": ["materials"],
     "check": ["check", CONFIGS / "default.toml", "--set", "C=2"],
 }
-PROVED = functools.cache(prove)
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_every_format_of_a_command(name, afmcalc, monkeypatch):
+def test_every_format_of_a_command(name, afmcalc):
     """JSON and table as stored; Markdown has the cells of the table, CSV the numbers of the JSON."""
-    monkeypatch.setattr("afmcalc.proofs.prove", PROVED)  # once for every format
     table, printed, sheet, markdown = (
         afmcalc(*COMMANDS[name], "--format", format_) for format_ in ("table", "json", "csv", "markdown")
     )

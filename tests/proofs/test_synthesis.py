@@ -1,10 +1,10 @@
 """Control unit, contact, friction surface (S21 (16)–(24); textbooks), curved walls (handbook, chapter 12), inverses."""
 
+import pytest
 import sympy as sp
+from proofs.symbols import *
 
-from ..equations import accuracy, direct, indirect, synthesis, wall
-from . import Refutation, Steps
-from .symbols import *
+from afmcalc.equations import accuracy, direct, indirect, synthesis, wall
 
 ALPHA = positive("alpha")
 BALL, GAP, EDGE = positive("r_b s y")
@@ -13,7 +13,8 @@ XI = positive("xi")
 K, T = positive("K T")
 
 
-def ball_and_pocket() -> Steps:
+@pytest.mark.slow
+def ball_and_pocket():
     """S21 (17)–(24): (20) = (22) for the ball of (23); C from (24)."""
     tangent = synthesis.tan_wall_angle(C, r, R)
     yield "(24) inverts C = (R/r) tan α", direct.gain(R, r, tangent) - C
@@ -32,7 +33,8 @@ def ball_and_pocket() -> Steps:
     yield "y for a given ball inverts (23)", synthesis.edge_clearance(ball, x, GAP, sine) - EDGE
 
 
-def cut_of_the_pockets() -> Steps:
+@pytest.mark.slow
+def cut_of_the_pockets():
     """Depth, mouth and web from where ball, wall and face lie: the ball's centre at 0, the face at s/2."""
     sine, cosine = sp.sin(ALPHA), sp.cos(ALPHA)
     deepest = sp.solve(sp.diff(BALL * sp.sin(x), x), x)[0]
@@ -46,7 +48,8 @@ def cut_of_the_pockets() -> Steps:
     yield "pitch less a half mouth on either side", synthesis.web(pitch, width) - (pitch - 2 * (width / 2))
 
 
-def contact_force_of_the_balls() -> Steps:
+@pytest.mark.slow
+def contact_force_of_the_balls():
     """S21 contact force (M10): the n normal forces carry T about the axis, and the release force along it."""
     cosine = sp.cos(ALPHA)
     torque = positive("T")
@@ -64,7 +67,7 @@ def contact_force_of_the_balls() -> Steps:
     yield Refutation("M10: as printed", synthesis.contact_force(largest, n, r, cosine) - printed)
 
 
-def least_contact_force() -> Steps:
+def least_contact_force():
     """The cubic is where F_n ∝ (a + bC)·√(1 + q²C²)/(a' + b'C) is stationary."""
     a, b, a2, b2 = positive("a b a_2 b_2")
     squared = ((a + b * C) / (a2 + b2 * C)) ** 2 * (1 + q**2 * C**2)
@@ -74,7 +77,7 @@ def least_contact_force() -> Steps:
     yield "d(F_n²)/dC ∝ the cubic", slope - 2 * (a + b * C) * cubic / (a2 + b2 * C) ** 3
 
 
-def hertz_ball_on_flat() -> Steps:
+def hertz_ball_on_flat():
     """Johnson (4.22)–(4.24): contact radius a and pressure p_0 at the allowable force give the allowable pressure."""
     e1, e2, nu1, nu2, pressure, ball, pi = positive("E_1 E_2 nu_1 nu_2 p_0 r_b pi")
     modulus = synthesis.hertz_contact_modulus(e1, nu1, e2, nu2)
@@ -87,7 +90,7 @@ def hertz_ball_on_flat() -> Steps:
     yield "the same of any force", of_force
 
 
-def mean_radii() -> Steps:
+def mean_radii():
     """The friction moment of a ring, ∫ f p 2π r² dr, over f and its thrust ∫ p 2π r dr."""
     inner, width, rho = positive("r_i w rho")
     outer = inner + width
@@ -100,7 +103,7 @@ def mean_radii() -> Steps:
         yield "R_cp = moment/(f·thrust)", radius - moment / thrust
 
 
-def surface_pressures() -> Steps:
+def surface_pressures():
     """Mean pressure of a ring and the peak at the inner edge, from their thrust."""
     inner, width, rho = positive("r_i w rho")
     outer = inner + width
@@ -112,7 +115,8 @@ def surface_pressures() -> Steps:
     yield Refutation("they differ", mean - peak)
 
 
-def curved_wall() -> Steps:
+@pytest.mark.slow
+def curved_wall():
     """r dφ = tan α dx; the wall is an envelope of the ball, convex while the ball is smaller than ρ."""
     steepening = wall.path_steepening(SLOPE, r, R, SLEEVES)
     path, tangent = wall.path(T0, Q, XI), wall.path_tangent(T0, Q, XI)
@@ -137,7 +141,7 @@ def curved_wall() -> Steps:
     yield Refutation("not at the radius of the ball", sp.diff(along, XI))
 
 
-def seat_of_the_ball() -> Steps:
+def seat_of_the_ball():
     """Curved wall at α against both walls of a seat at α_0: two forces bear the one."""
     alpha, seat = positive("alpha alpha_0")
     own = wall.seat_force(F, sp.sin(alpha + seat), sp.sin(seat), sp.cos(seat))
@@ -148,7 +152,7 @@ def seat_of_the_ball() -> Steps:
     yield "and the other none", other.subs(alpha, seat)
 
 
-def curved_wall_contact() -> Steps:
+def curved_wall_contact():
     """Johnson (4.5), (4.26), (4.27): pressure 3F/(2πab) on an ellipse, (ab)^{3/2} = 3 F R_e φ/(4 E_c)."""
     rho, k, b, d, pressure, modulus, pi = positive("rho k B D p_0 E_c pi")
     ratio = wall.hertz_curvature_ratio(rho, BALL)
@@ -173,7 +177,7 @@ def curved_wall_contact() -> Steps:
     yield "p_0 = 3F/(2πab) at the allowable force", (3 * force / (2 * pi)) ** 3 - pressure**3 * area_cubed
 
 
-def inverses_of_the_accuracy() -> Steps:
+def inverses_of_the_accuracy():
     """Gain and pairs for a wanted K_т put back into F11 (14) give it."""
     ends = f1min, f2min, f1max, f2max
     gain = synthesis.gain_for_accuracy_factor(z1, z2, K, *ends)
@@ -182,7 +186,7 @@ def inverses_of_the_accuracy() -> Steps:
     yield "K_т(z_2) = K, one material", accuracy.accuracy_factor(z1, pairs, C, fmin, fmin, fmax, fmax) - K
 
 
-def inverses_of_the_torque() -> Steps:
+def inverses_of_the_torque():
     """Gain, pairs and radius for a wanted torque put back into F11 (12) give it."""
     gain = synthesis.gain_for_torque(T, F, R, z1, z2, f1, f2)
     yield "T(C) = T", direct.torque(F, R, z1, z2, gain, f1, f2) - T
@@ -192,11 +196,12 @@ def inverses_of_the_torque() -> Steps:
     yield "T(R) = T", direct.torque(F, radius, z1, z2, C, f1, f2) - T
 
 
-def inverses_of_indirect_accuracy() -> Steps:
+@pytest.mark.slow
+def inverses_of_indirect_accuracy():
     """Net gain, pairs and stiffness ratio for a wanted K_т put back into S21 (15) mended give it."""
     ends = fmin, fset, fmax
 
-    def loop_gain(at_set: sp.Expr) -> sp.Expr:
+    def loop_gain(at_set):
         linear = synthesis.net_loop_gain_linear(fmin, at_set, fmax, c1, c2, K)
         constant = synthesis.net_loop_gain_constant(fmin, fmax, c1, c2, K)
         return exact(synthesis.net_loop_gain_for_accuracy_factor(fmin, at_set, fmax, c1, K, linear, constant))
@@ -215,7 +220,7 @@ def inverses_of_indirect_accuracy() -> Steps:
     yield "K_т(c_1) = K", indirect.accuracy_factor(*ends, c2 / ratio, c2, z, q) - K
 
 
-def best_attainable_accuracy() -> Steps:
+def best_attainable_accuracy():
     """The best K_т of each variant: at the gain limit, at zC = 5, as the gain grows."""
     limit = direct.gain_limit_differentiated(z1, f1max)
     best = (z1 * f1max + z2 * f2min) / (z1 * f1min + z2 * f2min)

@@ -1,13 +1,12 @@
 """Direct regulation and its accuracy (F11; handbook, chapters 2 and 3)."""
 
 import sympy as sp
+from proofs.symbols import *
 
-from ..equations import accuracy, direct
-from . import Refutation, Steps
-from .symbols import *
+from afmcalc.equations import accuracy, direct
 
 
-def _balance() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def _balance():
     """Release force, normal force and torque from F11 (1)–(10) alone: F_o r = R z_2 f_2 (F − F_p), F_o = F_p/tan α."""
     release = positive("F_p")
     solution = solved(release / t * r - R * f2 * z2 * (F - release), release)
@@ -15,7 +14,7 @@ def _balance() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     return solution, normal, R * (z1 * f1 + z2 * f2) * normal
 
 
-def torque_law_from_the_balance() -> Steps:
+def torque_law_from_the_balance():
     """F11 (11) mended and (12) from (1)–(10)."""
     release, normal, torque = _balance()
     gain = direct.gain(R, r, t)
@@ -43,14 +42,14 @@ def torque_law_from_the_balance() -> Steps:
     )
 
 
-def one_material_law() -> Steps:
+def one_material_law():
     """F11 (13), S19 (1), (2): one bypass pair; S22 (4), (16): none."""
     yield "(13): z_1 = 1", direct.torque(F, R, 1, z - 1, C, f, f) - z * F * R * f / (1 + (z - 1) * C * f)
     yield "S22 (16): z_1 = 0", direct.torque(F, R, 0, z, C, f, f) - z * F * R * f / (1 + z * C * f)
     yield "conventional: z_2 = 0", direct.torque(F, R, z, 0, C, f, f) - z * F * R * f
 
 
-def accuracy_factor_is_the_ratio_of_torques() -> Steps:
+def accuracy_factor_is_the_ratio_of_torques():
     """F11 (14) from (12)."""
     torques = [direct.torque(F, R, z1, z2, C, a, b) for a, b in ((f1max, f2max), (f1min, f2min))]
     factor = accuracy.accuracy_factor(z1, z2, C, f1min, f2min, f1max, f2max)
@@ -70,17 +69,17 @@ def accuracy_factor_is_the_ratio_of_torques() -> Steps:
     )
 
 
-def accuracy_by_ratios() -> Steps:
+def accuracy_by_ratios():
     """F11 (17) from (14) with (15), (16)."""
     factor = accuracy.accuracy_factor(z1, z2, C, f1min, p * f1min, f1max, n * f1max)
     yield "(17)", accuracy.accuracy_factor_by_ratios(z1, z2, C, n, p, f1min, f1max) - factor
 
 
-def _factor() -> sp.Expr:
+def _factor():
     return accuracy.accuracy_factor(z1, z2, C, f1min, p * f1min, f1max, n * f1max)
 
 
-def slope_in_n() -> Steps:
+def slope_in_n():
     """F11 (18) mended is the derivative of (17) (M2); (19)–(21) and n > 1 (M5, M20, M29)."""
     slope = sp.diff(_factor(), n)
     yield "(18) mended", accuracy.slope_in_ratio_max(z1, z2, C, n, p, f1min, f1max) - slope
@@ -99,7 +98,7 @@ def slope_in_n() -> Steps:
     )
 
 
-def slope_in_p() -> Steps:
+def slope_in_p():
     """F11 (22) mended is the derivative of (17) (M3); its root in n (M21)."""
     slope = sp.diff(_factor(), p)
     yield "(22) mended", accuracy.slope_in_ratio_min(z1, z2, C, n, p, f1min, f1max) - slope
@@ -111,7 +110,7 @@ def slope_in_p() -> Steps:
     yield Refutation("M21: printed root −1/z_2", slope.subs(n, -1 / z2))
 
 
-def gain_limits() -> Steps:
+def gain_limits():
     """F11, after (20), S22 (24): at the limit the bypass pairs alone carry the regulated torque."""
     limit = direct.gain_limit_differentiated(z1, fmax)
     bypass = direct.group_torque(F, R, z1, fmax)
@@ -126,7 +125,7 @@ def gain_limits() -> Steps:
     yield "T falls with f_2 where z_1 C f_1 > 1", slope * (1 + C * z2 * f2) ** 2 - F * R * z2 * (1 - z1 * C * f1)
 
 
-def breakaway_peaks() -> Steps:
+def breakaway_peaks():
     """Handbook, chapter 3: accuracy by peaks between the limits, and its best value."""
     peak = direct.group_torque(F, R, z1, fmax) / direct.torque(F, R, z1, z2, C, fmin, fmin)
     yield "P(f_max)/P(f_min)", z1 * fmax * (1 + z2 * C * fmin) / ((z1 + z2) * fmin) - peak
@@ -139,11 +138,11 @@ def breakaway_peaks() -> Steps:
     yield "above 1/(z_1 f_min) it is f_max/f_min", peak.subs(C, upper) - fmax / fmin
 
 
-def elasticities_are_derivatives() -> Steps:
+def elasticities_are_derivatives():
     """The elasticities of the direct law are its logarithmic derivatives."""
     torque = direct.torque(F, R, z1, z2, C, f1, f2)
 
-    def elasticity(symbol: sp.Symbol) -> sp.Expr:
+    def elasticity(symbol):
         return sp.diff(torque, symbol) * symbol / torque
 
     yield "in C", accuracy.torque_elasticity_in_gain(z2, C, f2) - elasticity(C)
@@ -155,7 +154,7 @@ def elasticities_are_derivatives() -> Steps:
     yield "in z_2 at fixed z_1", in_driven - elasticity(z2)
 
 
-def figure_2_needs_one_bypass_pair() -> Steps:
+def figure_2_needs_one_bypass_pair():
     """F11 fig. 2: curve 4 is level for z_1 = 1, C = 1.25 = 1/0.8; with z_1 = 2 it is not (M4)."""
     slope = accuracy.slope_in_ratio_max(z1, 6, sp.Rational(5, 4), n, p, sp.Rational(16, 100), sp.Rational(8, 10))
     yield "level for z_1 = 1", slope.subs(z1, 1)

@@ -1,29 +1,28 @@
 """Numbers the papers print, and what they leave out, in exact fractions (handbook, chapters 4–8)."""
 
 import sympy as sp
+from proofs.symbols import *
 
-from ..equations import adjustment, direct, indirect, life, overload
-from . import Refutation, Steps
-from .symbols import *
+from afmcalc.equations import adjustment, direct, indirect, life, overload
 
 RATIONAL = sp.Rational
 
 
-def numbers_of_s19() -> Steps:
+def numbers_of_s19():
     """S19, the example and fig. 2 (M7, M8, M22, M24, M25, M44, M45)."""
 
-    def threshold(gain: sp.Expr) -> sp.Expr:
+    def threshold(gain):
         return adjustment.pairs_threshold(1, gain, RATIONAL(15, 100), RATIONAL(33, 100), RATIONAL(5, 4))
 
     yield "P1: z > 8.197 with C = 1.6", threshold(RATIONAL(8, 5)) - RATIONAL(1082, 132)
     yield "M7: the printed 9.23 is C = 1.4", sp.Integer(round(threshold(RATIONAL(7, 5)) * 1000)) - 9225
     yield Refutation("M7: not C = 1.6", sp.Integer(round(threshold(RATIONAL(8, 5)) * 100)) - 923)
 
-    def cycles(low: int, high: int) -> sp.Expr:
+    def cycles(low, high):
         mean = life.mean_stress(*(life.shear_stress(torque, RATIONAL(15, 10**6)) for torque in (low, high)))
         return life.cycles(400 * 10**6, mean, 6, 10**7)
 
-    def band(scatter: int) -> sp.Expr:
+    def band(scatter):
         return life.cycles_of_band(400 * 10**6, RATIONAL(15, 10**6), 200, scatter, 6, 10**7)
 
     yield "P2: (1500/900)^6", band(500) / band(1100) - RATIONAL(5, 3) ** 6
@@ -47,7 +46,7 @@ def numbers_of_s19() -> Steps:
     yield "M25: T_min2 = 200·627/500", RATIONAL(200 * 627, 500) - RATIONAL(2508, 10)
 
 
-def numbers_of_s21() -> Steps:
+def numbers_of_s21():
     """S21, what its gain in capacity costs (M27) and the sleeve in slip (M48), with the data of fig. 2."""
     kappa, back = (gain(C, R, fk, d) for gain in (indirect.net_gain, indirect.net_gain_returning))
     control = indirect.control_force(F, z, kappa, fmin)
@@ -75,11 +74,11 @@ def numbers_of_s21() -> Steps:
     yield "M48: 4 times at C = 1", indirect.hysteresis_ratio(kappa, back).subs(data) - 4
 
 
-def numbers_of_s22() -> Steps:
+def numbers_of_s22():
     """S22, figs 3 and 4 and what is concluded from them (M14, M30, M46, M49–M51), f 0.1…0.8, β_н 1.25."""
     low, high, margin = RATIONAL(1, 10), RATIONAL(8, 10), RATIONAL(5, 4)
 
-    def factor(reduced: sp.Expr) -> sp.Expr:
+    def factor(reduced):
         return overload.actuation_factor(reduced * high, reduced * low, high, low, margin)
 
     yield "P9: A = 3 at zC = 5", factor(sp.Integer(5)) - 3

@@ -1,16 +1,16 @@
 """The drive in time: inertias that stick and slip, motor, lag, and the control unit as a torsion spring (section 9)."""
 
+import pytest
 import sympy as sp
+from proofs.symbols import *
 
-from ..equations import direct, drive, heat, indirect, machine, overload, pocket, sleeve
-from . import Steps
-from .symbols import *
+from afmcalc.equations import direct, drive, heat, indirect, machine, overload, pocket, sleeve
 
 J1, J2, Jh, k, zeta, speed, M, L, T, tau, N = positive("J_1 J_2 J_h k zeta omega M L T tau N")
 phi, time, rate = positive("phi t phi_dot")
 
 
-def shaft() -> Steps:
+def shaft():
     """Shaft and driven half are an oscillator; the inertia torque is its energy."""
     damping = exact(drive.shaft_damping(zeta, k, J2))
     natural = sp.sqrt(k / J2)
@@ -30,7 +30,8 @@ def shaft() -> Steps:
     yield "V4: a shaft that is loaded by T already swings to T + 2 J_2 a", peak.subs(above, 0) - J2 * a
 
 
-def kloss_motor() -> Steps:
+@pytest.mark.slow
+def kloss_motor():
     """Kloss' curve: breakdown at s_b, and its inverse on the stable branch."""
     Mb, sb, s, ws = positive("M_b s_b s omega_s")
     torque = drive.kloss_torque(Mb, sb, s)
@@ -45,7 +46,7 @@ def kloss_motor() -> Steps:
     yield "slip at ω", drive.motor_slip(ws * (1 - s), ws) - s
 
 
-def two_inertias() -> Steps:
+def two_inertias():
     """Newton's laws of two inertias: one speed, or two."""
     stuck = solved((M - T) / J1 - (T - L) / J2, T)
     yield "T of two inertias that turn as one", drive.sticking_torque(M, J1, L, J2) - stuck
@@ -58,7 +59,7 @@ def two_inertias() -> Steps:
     yield "linear in e", sp.diff(drive.stribeck_ratio(rs, decay), decay) - (rs - 1)
 
 
-def run_down() -> Steps:
+def run_down():
     """Slip at a constant torque (V1, V5): time and heat by integration."""
     v0 = positive("v_0")
     reduced = J1 * J2 / (J1 + J2)
@@ -73,10 +74,10 @@ def run_down() -> Steps:
     yield "V1: heat", heat.run_down_energy(J1, v0, T, M) - sp.integrate(T * blocked, (time, 0, end))
 
 
-def lag_between_expected_and_potential() -> Steps:
+def lag_between_expected_and_potential():
     """The lag's two ends: τ → 0 the law itself, τ → ∞ the potential torque of S22."""
 
-    def loaded(ball_torque: sp.Expr) -> sp.Expr:
+    def loaded(ball_torque):
         """F11 (3), (6), (7) with the torque that the load gives the balls."""
         return F - C * ball_torque / R
 
@@ -94,7 +95,7 @@ def lag_between_expected_and_potential() -> Steps:
     yield "under its own torque it slips there", direct.group_torque(under, R, 1, pairs) - own
 
 
-def judder() -> Steps:
+def judder():
     """Growth with friction is a derivative; slip at rest on a falling characteristic (V6)."""
     growth = drive.torque_growth(F, R, z1, z2, C, f1, f2)
     share = positive("g")
@@ -110,7 +111,8 @@ def judder() -> Steps:
     yield "V6: against an ordinary clutch of equal T_н", against - (1 + z * C * fmin) / (1 + z * C * f) ** 2
 
 
-def swing_of_the_control_unit() -> Steps:
+@pytest.mark.slow
+def swing_of_the_control_unit():
     """The control unit as a torsion spring with friction: stiffness, loop, the sleeve's mass (V7)."""
     net, back = indirect.net_gain(C, R, fk, d), indirect.net_gain_returning(C, R, fk, d)
     moment = sleeve.spring_moment(R, F1, F2, c1, c2, x)
@@ -149,7 +151,7 @@ def swing_of_the_control_unit() -> Steps:
     yield "straight, without friction it is m (R/C)²", ideal
 
 
-def balls_off_their_stop() -> Steps:
+def balls_off_their_stop():
     """Torque through the balls while the sleeve moves: Newton before and behind them."""
     S, kappa, mu = positive("S kappa mu")
     turn = drive.slip_acceleration(M, J1, T, L, J2)
@@ -158,7 +160,7 @@ def balls_off_their_stop() -> Steps:
     yield "without mass S/κ", sleeve.ball_torque_moving(S, kappa, 0, M, J1, L, J2) - S / kappa
 
 
-def pack_at_the_stop() -> Steps:
+def pack_at_the_stop():
     """The seated sleeve: N of the balls' torque, the slipping pack with it."""
     kappa, Tb = positive("kappa T_b")
     pressed = sleeve.normal_force_at_stop(F2, kappa, Tb, R)
@@ -177,14 +179,14 @@ def pack_at_the_stop() -> Steps:
     yield "with the hub's inertia", seated - slipping
 
 
-def power_from_the_plate() -> Steps:
+def power_from_the_plate():
     """What the gear leaves of the motor's power turns the clutch, T_дв ω = η P_н."""
     power, speed, ratio, efficiency = sp.symbols("P omega i eta", positive=True)
     torque = machine.torque_at_clutch(machine.rated_torque(power, speed), ratio, efficiency)
     yield "T_дв ω_н/i = η P_н", torque * speed / ratio - efficiency * power
 
 
-def shaft_in_torsion() -> Steps:
+def shaft_in_torsion():
     """W_p by its integral, and the yield strength in shear by the distortion energy."""
     d, s, x = sp.symbols("d sigma x", positive=True)
     inertia = sp.integrate(2 * sp.pi * x**3, (x, 0, d / 2))
@@ -194,7 +196,7 @@ def shaft_in_torsion() -> Steps:
     yield "σ_1 = τ, σ_3 = −τ", (first**2 + third**2 + (third - first) ** 2) / 2 - s**2
 
 
-def inertia_of_a_ring() -> Steps:
+def inertia_of_a_ring():
     """J = ∫ r² dm over the ring."""
     m, a, b, x = sp.symbols("m a b x", positive=True)
     by_radius = sp.integrate(2 * m * x**3 / (a**2 - b**2), (x, b, a))

@@ -1,10 +1,10 @@
 """Heat and wear of a trip, and what the torque law neglects (handbook, chapters 9, 10, 13)."""
 
+import pytest
 import sympy as sp
+from proofs.symbols import *
 
-from ..equations import direct, effects, heat
-from . import Steps
-from .symbols import *
+from afmcalc.equations import direct, effects, heat
 
 J, M, w0, tau = positive("J_1 M_1 omega_0 tau")
 b, k, rho, c, m, A = positive("b k rho c m A")
@@ -12,7 +12,7 @@ mu, fn, rs = positive("mu f_next r_s")
 SPEED = sp.Function("omega")
 
 
-def slip_until_the_motor_stands() -> Steps:
+def slip_until_the_motor_stands():
     """V1, from the balance of the motor side J_1 dω/dt = M_1 − T and the power T ω turned into heat."""
     speed = heat.speed_after(w0, J, T_n, M, t)
     yield "J_1 dω/dt = M_1 − T", J * sp.diff(speed, t) - (M - T_n)
@@ -28,7 +28,7 @@ def slip_until_the_motor_stands() -> Steps:
     yield "at an even speed", heat.slip_energy(T_n, w0, w0, t) - T_n * w0 * t
 
 
-def temperature_of_the_discs() -> Steps:
+def temperature_of_the_discs():
     """Heat, area, rise: what comes in stays in the discs; in the mean of many trips it goes to the air."""
     inner, width, radius = positive("r_i w rho_r")
     face = heat.friction_area(inner, inner + width, sp.pi)
@@ -55,7 +55,8 @@ def temperature_of_the_discs() -> Steps:
     yield "Fo = a t/l²", heat.fourier_number(k, rho, c, t, depth) - diffusivity * t / depth**2
 
 
-def rise_of_a_heated_face() -> Steps:
+@pytest.mark.slow
+def rise_of_a_heated_face():
     """A layer heated on its face, under the Laplace transform: the equation of heat, nothing through its far side."""
     depth, place = positive("l x")
     root, moment, far = positive("q t s")
@@ -75,7 +76,7 @@ def rise_of_a_heated_face() -> Steps:
     yield "Carslaw & Jaeger 2.9 (7)", rise - 1 / (far * heat.face_admittance(b, sp.sqrt(far), sp.Integer(1)))
 
 
-def wear_of_a_lining() -> Steps:
+def wear_of_a_lining():
     """Volume worn and thickness lost; the spring follows the pack."""
     depth, worn, energy = positive("s_w w_v Q")
     trips = heat.trips_to_wear_out(z, A, depth, worn, energy)
@@ -85,7 +86,7 @@ def wear_of_a_lining() -> Steps:
     yield "ΔF/(F δ)", heat.setting_loss_per_wear(k, z, F) * F * depth - lost
 
 
-def discs_in_their_splines() -> Steps:
+def discs_in_their_splines():
     """A disc between two pairs: what both turn it with presses it on its spline, whose friction holds it."""
     near = effects.spline_share(mu, f, R, rs)
     far = effects.spline_share(mu, fn, R, rs)
@@ -97,7 +98,8 @@ def discs_in_their_splines() -> Steps:
         yield "without friction nothing is held", law(N, 0 * near, 0 * far) - N
 
 
-def cams_that_slide() -> Steps:
+@pytest.mark.slow
+def cams_that_slide():
     """The reaction of a wall with friction leans by ρ = arctan μ from its normal."""
     angle = positive("alpha")
     for sign, law in ((1, effects.tan_wall_angle_loading), (-1, effects.tan_wall_angle_unloading)):
@@ -108,7 +110,7 @@ def cams_that_slide() -> Steps:
         yield "μ = 0: the law's own", law(sp.tan(angle), 0 * mu) - sp.tan(angle)
 
 
-def weight_with_a_vertical_axis() -> Steps:
+def weight_with_a_vertical_axis():
     """Each pair bears the discs between it and the spring: a spring heavier by their mean gives the same pack."""
     number, disc, loaded = positive("k m_d N_1")
     pressed = sp.summation(loaded + (number - 1) * disc * q, (number, 1, z))
@@ -119,7 +121,7 @@ def weight_with_a_vertical_axis() -> Steps:
     yield "z − 1 discs between z pairs", torque.subs(loaded, first) - direct.torque(F + added, R, 0, z, C, f, f)
 
 
-def centrifugal_force_of_the_balls() -> Steps:
+def centrifugal_force_of_the_balls():
     """A ball thrown outward leans on both cones alike; each gives back the axial part of its normal force."""
     angle, ball = positive("alpha r_b")
     mass = effects.ball_mass(rho, ball, sp.pi)

@@ -1,10 +1,9 @@
 """Pockets whose wall steepens along the travel (handbook, chapter 12), from the balance of the thrust sleeve."""
 
 import sympy as sp
+from proofs.symbols import *
 
-from ..equations import direct, indirect, pocket
-from . import Refutation, Steps
-from .symbols import *
+from afmcalc.equations import direct, indirect, pocket
 
 X = positive("x")
 KAPPA, SLOPE = positive("kappa C_1")
@@ -14,7 +13,7 @@ W = pocket.slope_feedback(z, f, SLOPE)
 D = indirect.sleeve_stiffness(c1, c2, z, f, KAPPA)
 
 
-def _balance(travel: sp.Expr) -> sp.Expr:
+def _balance(travel):
     """Force on the sleeve off its stop, N + T κ(x)/R − F_п2 − c_2 x, with N = F_п1 − c_1 x and T = z R f N."""
     pressed = F - c1 * travel
     torque = direct.group_torque(pressed, R, z, f)
@@ -24,12 +23,12 @@ def _balance(travel: sp.Expr) -> sp.Expr:
 K_SQUARED = pocket.tangent_stiffness_squared(F, c1, F2, c2, D, W)
 
 
-def _at_root(expression: sp.Expr, k: sp.Symbol) -> sp.Expr:
+def _at_root(expression, k):
     """Numerator of an expression in k_t where k_t² is what it is."""
     return sp.rem(sp.numer(sp.together(expression)), k**2 - K_SQUARED, k)
 
 
-def curved_pocket_balance() -> Steps:
+def curved_pocket_balance():
     """The travel is the larger root of a quadratic; N by way of a stiffness in the place of D(f)."""
     key = indirect.gain_threshold(R, fk, d)
     net = indirect.net_gain(pocket.gain_at(C, SLOPE, X), R, fk, d)
@@ -53,7 +52,7 @@ def curved_pocket_balance() -> Steps:
     yield "and its k_t is D", pocket.tangent_stiffness_squared(F, c1, F2, c2, D, 0) - D**2
 
 
-def curved_pocket_holds_the_torque() -> Steps:
+def curved_pocket_holds_the_torque():
     """C_1* = (c_1 + c_2)/(z f_L F_п1): T = T_н for every f above f_L; x = (F_п1/c_1)(1 − f_L/f) whatever the gain."""
     yield "f_L is f_set where (14) sets the control spring", pocket.leaving_friction(F, CONTROL, z, KAPPA) - fset
     leaving = pocket.leaving_friction(F, F2, z, KAPPA)
@@ -73,7 +72,7 @@ def curved_pocket_holds_the_torque() -> Steps:
     yield Refutation("another slope does not hold it", turned.subs(SLOPE, 2 * HOLDING))
 
 
-def curved_pocket_jumps() -> Steps:
+def curved_pocket_jumps():
     """Where b is 0 at the stop: beyond that slope the smallest travel is unstable."""
     at_leaving = indirect.sleeve_stiffness(c1, c2, z, fset, KAPPA)
     jumping = pocket.jumping_slope(at_leaving, z, fset, F)
@@ -86,12 +85,12 @@ def curved_pocket_jumps() -> Steps:
     yield "holding at T_н it is neutral at C_1*", pushed.subs(SLOPE, HOLDING)
 
 
-def curved_pocket_elasticities() -> Steps:
+def curved_pocket_elasticities():
     """The elasticities of N are its logarithmic derivatives along the balance."""
     pressed = F - c1 * X
     tangent = -sp.diff(_balance(X), X)
 
-    def total(symbol: sp.Symbol) -> sp.Expr:
+    def total(symbol):
         moved = sp.diff(_balance(X), symbol) / tangent
         return symbol * (sp.diff(pressed, symbol) - c1 * moved) / pressed
 

@@ -1,10 +1,9 @@
 """Overload with a torque margin (S22; handbook, chapter 6)."""
 
 import sympy as sp
+from proofs.symbols import *
 
-from ..equations import direct, overload
-from . import Refutation, Steps
-from .symbols import *
+from afmcalc.equations import direct, overload
 
 U = overload.loop_gain(z - z1, C, fmin)
 V = overload.loop_gain(z - z1, C, f)
@@ -18,18 +17,18 @@ EQUILIBRIUM = overload.actuation_torque_equilibrium(MACHINE, RISE)
 FACTOR = overload.actuation_factor(V, U, f, fmin, beta)
 
 
-def _all(expression: sp.Expr) -> sp.Expr:
+def _all(expression):
     """The all-driving case: z_1 = 0."""
     return expression.subs(z1, 0)
 
 
-def _capacity(load: sp.Expr, friction: sp.Expr) -> sp.Expr:
+def _capacity(load, friction):
     """Torque the pack can carry while it carries ``load``, shared z_1 : z_2: z f R (F_п − load (z − z_1)/z tan α/r)."""
     release = load * (z - z1) / z * (C * r / R) / r
     return z * friction * R * (F - release)
 
 
-def nominal_torques() -> Steps:
+def nominal_torques():
     """S22 (1)–(4): the clutch's and the machine's nominal torque; (16)."""
     release = positive("T")
     balance = release - z * R * fmin * (F - release * t / r)
@@ -39,7 +38,7 @@ def nominal_torques() -> Steps:
     yield "v = (z − z_1) C f", V - (z - z1) * C * f
 
 
-def potential_torque_from_the_shares() -> Steps:
+def potential_torque_from_the_shares():
     """S22 (5), (8), (22) from the release force at T_н.маш; (6), (9) for a risen load."""
     yield "(22)", POTENTIAL - _capacity(MACHINE, f)
     printed = z * F * R * f * (beta + (beta - 1) * z * C * fmin) / (beta * (1 + z * C * fmin))
@@ -48,14 +47,14 @@ def potential_torque_from_the_shares() -> Steps:
     yield "(6), (9): it falls by (z − z_1) C f ΔT", risen - overload.potential_torque_risen(POTENTIAL, V, q)
 
 
-def potential_torque_without_margin() -> Steps:
+def potential_torque_without_margin():
     """S22 (20) mended (M16): 1 + zC f_min in the denominator."""
     bare = _all(POTENTIAL).subs(beta, 1)
     yield "(20) mended", bare - z * F * R * f / (1 + z * C * fmin)
     yield Refutation("M16: as extracted", bare - z * F * R * f / (1 + z * C * f))
 
 
-def slip_at_the_clutch_torque() -> Steps:
+def slip_at_the_clutch_torque():
     """S22 (7), (12), (13), and the paper's own check (M17)."""
     own = solved(MACHINE + q - (POTENTIAL - (z - z1) * C * f * q), q)
     yield "(13) solves (12)", RISE - own
@@ -66,7 +65,7 @@ def slip_at_the_clutch_torque() -> Steps:
     yield "slip at T_max for f_max (M17)", _capacity(EXPECTED, f) - EXPECTED
 
 
-def equilibrium_torque() -> Steps:
+def equilibrium_torque():
     """Handbook, chapter 6: T_н.маш + ΔT' = T_муф(f) for every β_н; T_п − ΔT' is not (M12)."""
     yield "M12: equilibrium is T_муф", EQUILIBRIUM - EXPECTED
     yield "independent of β_н", sp.diff(EQUILIBRIUM, beta)
@@ -75,7 +74,7 @@ def equilibrium_torque() -> Steps:
     yield "swapped: (T_п + v T_н.маш)/(1 + v)", EQUILIBRIUM - (POTENTIAL + V * MACHINE) / (1 + V)
 
 
-def actuation_as_published() -> Steps:
+def actuation_as_published():
     """S22 (14), (15) mended (M11), (21), (23)."""
     printed_14 = z * F * R * fmin * (1 + z * C * fmin * (beta - 1)) / (beta * (1 + z * C * fmin))
     yield "(14)", _all(PUBLISHED.subs(f, fmin)) - printed_14
@@ -94,7 +93,7 @@ def actuation_as_published() -> Steps:
     yield "M36: A − 1 = (v − 1)(f − f_min)/[f (1 + u)]", bare - 1 - (v - 1) * (f - fmin) / (f * (1 + u))
 
 
-def actuation_interval() -> Steps:
+def actuation_interval():
     """S22 (17): its discriminant is a perfect square, its ends in closed form."""
     u = z * C * fmin
     printed = (beta * (1 + u)) ** 2 - 4 * z * C * (beta * (1 + u) - u) * fmin
@@ -109,7 +108,7 @@ def actuation_interval() -> Steps:
     yield "at the lower end T_п = T_н.маш", (POTENTIAL - MACHINE).subs(f, overload.interval_low(fmin, beta, U))
 
 
-def actuation_optimum() -> Steps:
+def actuation_optimum():
     """S22, the optimum (M13): A = 1 at (z − z_1) C = 1/f_max, where K_т = (f_max + f_min)/(2 f_min)."""
     at_max = _all(FACTOR.subs(f, fmax))
     optimum = overload.optimal_reduced_gain(fmax)
@@ -129,14 +128,14 @@ def actuation_optimum() -> Steps:
     yield Refutation("M13: not at zC = 1.6", (at_max - 1).subs(C, sp.Rational(8, 5) / z).subs(values))
 
 
-def difference_of_potential_torques() -> Steps:
+def difference_of_potential_torques():
     """S22 (22) less (8) (M15, M18)."""
     own = overload.potential_torque_gain_of_differentiated(z, z1, F, R, f, fmin, C, beta)
     yield "M15", own - (POTENTIAL - _all(POTENTIAL))
     yield Refutation("M18: z_1 C f_max is no torque", own - z1 * C * f)
 
 
-def lost_formulas_of_figure_1() -> Steps:
+def lost_formulas_of_figure_1():
     """S22 (10), (11) as their symbols allow: Δ = 1 + z(z − 1)(β_н − 1)(1 − C f); fig. 1 follows."""
     delta = 1 + z * (z - 1) * (beta - 1) * (1 - C * f)
     bound = overload.friction_bound(z, beta, 5)
@@ -151,7 +150,7 @@ def lost_formulas_of_figure_1() -> Steps:
     yield Refutation("M15: as a torque difference it is wrong", own - delta)
 
 
-def margin_effect_changes_sign() -> Steps:
+def margin_effect_changes_sign():
     """S22, text (M31): ∂A/∂β_н has the sign of (v − 1)(v + 1): a smaller margin raises T_ср for f < 1/(zC)."""
     slope = sp.diff(FACTOR, beta)
     yield "M31", slope - fmin * (V - 1) * (V + 1) / (beta**2 * f * (1 + U))

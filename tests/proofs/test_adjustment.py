@@ -1,22 +1,21 @@
 """Adjustment and life (S19; handbook, chapter 4)."""
 
 import sympy as sp
+from proofs.symbols import *
 
-from ..equations import accuracy, adjustment, direct, life
-from . import Refutation, Steps
-from .symbols import *
+from afmcalc.equations import accuracy, adjustment, direct, life
 
 
-def _torque(force: sp.Expr, friction: sp.Expr, bypass: sp.Expr = z1) -> sp.Expr:
+def _torque(force, friction, bypass=z1):
     return direct.torque(force, R, bypass, z - bypass, C, friction, friction)
 
 
-def _arm(friction: sp.Expr) -> sp.Expr:
+def _arm(friction):
     """R g(f)."""
     return _torque(sp.Integer(1), friction)
 
 
-def spring_forces_of_both_methods() -> Steps:
+def spring_forces_of_both_methods():
     """S19 (5)–(8): the springs for one nominal torque; (6) must be read with T_н2 = β_н T_н (M32)."""
     first = adjustment.closing_force(T_n, 1, _arm(fmin))
     second = adjustment.closing_force(T_n, beta, _arm(fcp))
@@ -35,7 +34,7 @@ def spring_forces_of_both_methods() -> Steps:
     yield "(9): T_max1 through F_п2", (_torque(ratio * F2, fmax) - printed_9).subs(z1, 1)
 
 
-def _bands() -> tuple[sp.Expr, sp.Expr]:
+def _bands():
     """ΔT_1 and ΔT_2 from the torques, for the forces of both methods."""
     ratio = adjustment.force_ratio(_arm(fcp), _arm(fmin))
     return (
@@ -44,7 +43,7 @@ def _bands() -> tuple[sp.Expr, sp.Expr]:
     )
 
 
-def bands_of_both_methods() -> Steps:
+def bands_of_both_methods():
     """S19 (10), (11) mended (M6), and their ratio."""
     first, second = _bands()
     own = adjustment.scatter(F, R, z, z - z1, C, fmin, fmax)
@@ -64,7 +63,7 @@ def bands_of_both_methods() -> Steps:
     yield "ΔT_2/ΔT_1 = T_min2/T_н", second / first - _torque(beta * F2, fmin) / nominal
 
 
-def pairs_threshold_from_the_bands() -> Steps:
+def pairs_threshold_from_the_bands():
     """S19 (12), (13): where the bands are equal; with printed (11) there is no such z."""
     first, second = _bands()
     threshold = solved(sp.numer(sp.together(sp.factor(second / first - 1))), z)
@@ -75,14 +74,14 @@ def pairs_threshold_from_the_bands() -> Steps:
     yield Refutation("M6: printed (11) gives equal bands for no z", unmended.subs(z, threshold))
 
 
-def threshold_is_not_inverse_to_the_gain() -> Steps:
+def threshold_is_not_inverse_to_the_gain():
     """S19 after (12): z − z_1, not z, is inversely proportional to C (M33)."""
     threshold = adjustment.pairs_threshold(z1, C, fmin, fcp, beta)
     yield "(z − z_1) C is constant", sp.diff((threshold - z1) * C, C)
     yield Refutation("M33: z C is not", sp.diff(threshold * C, C))
 
 
-def cycles_from_the_line() -> Steps:
+def cycles_from_the_line():
     """S19 (14)–(20): (18)–(20) from (14)–(17)."""
     limit, stress, exponent, base, modulus, low, band = positive("tau_limb tau m_tau N_0 W_p T_min dT")
     cycles = life.cycles(limit, stress, exponent, base)
@@ -107,7 +106,7 @@ def cycles_from_the_line() -> Steps:
     )
 
 
-def equivalent_stresses() -> Steps:
+def equivalent_stresses():
     """Amplitude-based rules from their definitions."""
     amplitude, mean, psi, ultimate = positive("tau_a tau_m psi tau_u")
     low, high = mean - amplitude, mean + amplitude

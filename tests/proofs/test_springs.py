@@ -1,10 +1,10 @@
 """Disc springs as cones that turn about a circle, stacks, coil springs as wires in torsion (handbook, chapter 11)."""
 
+import pytest
 import sympy as sp
+from proofs.symbols import Refutation, exact, positive
 
-from ..equations import springs
-from . import Refutation, Steps
-from .symbols import exact, positive
+from afmcalc.equations import springs
 
 E, nu, a, b, t, h, s, k4 = positive("E nu a b t h s K_4")
 x, y, w, n, i, F, G, d, D, rho, force = positive("x y w n i F G d D rho F_1")
@@ -12,20 +12,21 @@ RATIO, LOG = a / b, positive("Lambda")
 """δ, and ln δ, which nothing but the integrals knows to be that."""
 
 
-def _cross_section() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def _cross_section():
     """Radius of the circle that keeps its length, turn and cone angle (small)."""
     return (a - b) / LOG, s / (a - b), h / (a - b)
 
 
-def _k1() -> sp.Expr:
+def _k1():
     return springs.disc_factor_load(RATIO, LOG, sp.pi)
 
 
-def _force(square: sp.Expr | int = 1) -> sp.Expr:
+def _force(square=1):
     return springs.disc_force(E, nu, _k1(), sp.sqrt(square), 2 * a, t, h, s)
 
 
-def cone_that_turns() -> Steps:
+@pytest.mark.slow
+def cone_that_turns():
     """Almen & László: hoop strains of a section that turns by φ about c; their moment holds the load at the edges."""
     centre, turn, cone = _cross_section()
     lever = 2 * sp.pi * E / ((1 - nu**2) * (a - b))
@@ -44,7 +45,7 @@ def cone_that_turns() -> Steps:
     yield "k = dF/ds", stiffness - sp.diff(_force(k4**2), s)
 
 
-def disc_with_flats() -> Steps:
+def disc_with_flats():
     """K_4 is what keeps the force at ¾ of the cone height of the disc without flats."""
     thinner, height = positive("t_r l_0")
     first = exact(springs.disc_flats_first(t, thinner, height))
@@ -57,7 +58,7 @@ def disc_with_flats() -> Steps:
     bending = 4 * E * thinner**3 * deflection / ((1 - nu**2) * (2 * a) ** 2)
     turning = own - bending
 
-    def made(of: sp.Expr) -> sp.Expr:
+    def made(of):
         return of * (of * turning + bending)
 
     # K_4² = √D − h in (K_4²)² turning + K_4² bending = plain: what stands with the root, and what without
@@ -69,7 +70,7 @@ def disc_with_flats() -> Steps:
     yield "no flats", square.subs({thinner: t, height: sp.Rational(7, 5) * t}) - 1
 
 
-def stresses_at_the_edges() -> Steps:
+def stresses_at_the_edges():
     """The hoop stress of the turned section at its four corners, up to the factor K_1 the standard took anew."""
     centre, turn, cone = _cross_section()
     old = 6 * ((RATIO - 1) / RATIO) ** 2 / (sp.pi * LOG)
@@ -92,7 +93,7 @@ def stresses_at_the_edges() -> Steps:
     yield "∝ 1/K_1", new * 2 - springs.disc_stress(E, nu, old, k4, 2 * a, t, h, s, 0, 1)
 
 
-def stacks_of_discs() -> Steps:
+def stacks_of_discs():
     """Lengths, friction and mass of a stack."""
     length = springs.stack_length(n, i, h + t, t)
     yield "a pack: one free height and n − 1 thicknesses more", length / i - (h + n * t)
@@ -104,7 +105,7 @@ def stacks_of_discs() -> Steps:
     yield "volume of a ring", mass - rho * t * sp.integrate(2 * sp.pi * x, (x, b, a))
 
 
-def wire_in_torsion() -> Steps:
+def wire_in_torsion():
     """A coil's wire is twisted by F D/2 over its length π D n."""
     polar = sp.pi * d**4 / 32
     twist = (F * D / 2) * sp.pi * D * n / (G * polar)
@@ -123,7 +124,7 @@ def wire_in_torsion() -> Steps:
     yield "mass of the wire", springs.coil_mass(rho, d, D, n, sp.pi) - rho * volume
 
 
-def wire_that_lasts() -> Steps:
+def wire_that_lasts():
     """Goodman's line τ_a/S_se + τ_m/S_su = 1 through a point known."""
     amplitude, mean, ultimate, lower, endurance = positive("S_sa S_sm S_su tau_U S_se")
     yield "the point", amplitude / springs.coil_endurance(amplitude, mean, ultimate) + mean / ultimate - 1
@@ -132,7 +133,8 @@ def wire_that_lasts() -> Steps:
     yield "the line", line - 1
 
 
-def coil_that_buckles() -> Steps:
+@pytest.mark.slow
+def coil_that_buckles():
     """Haringx: P (1 + P/γ) = π² β/(ν L)², bending and shear stiffness of the coil falling as its length L."""
     length, q, seating, share = positive("L_0 q nu_K u")
     # wire of the coil in torsion, bent, and its turns sheared

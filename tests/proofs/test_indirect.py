@@ -1,36 +1,36 @@
 """Indirect regulation (S21; handbook, chapter 5), from the balance of the thrust sleeve."""
 
+import pytest
 import sympy as sp
+from proofs.symbols import *
 
-from ..equations import accuracy, direct, indirect, sleeve, synthesis
-from . import Refutation, Steps
-from .symbols import *
+from afmcalc.equations import accuracy, direct, indirect, sleeve, synthesis
 
 KAPPA = indirect.net_gain(C, R, fk, d)
 CONTROL = indirect.control_force(F, z, KAPPA, fset)
 """F_п2 that S21 (14) sets."""
 
 
-def _stiffness(friction: sp.Expr, kappa: sp.Expr = KAPPA) -> sp.Expr:
+def _stiffness(friction, kappa=KAPPA):
     return indirect.sleeve_stiffness(c1, c2, z, friction, kappa)
 
 
-def _torque(travel: sp.Expr, friction: sp.Expr) -> sp.Expr:
+def _torque(travel, friction):
     """(9)."""
     return indirect.torque(F - c1 * travel, R, z, friction)
 
 
-def _balance(control: sp.Expr, friction: sp.Expr, key_sign: int) -> sp.Expr:
+def _balance(control, friction, key_sign):
     """(6)–(8): F_п1 − c_1 x + T tan α/r ∓ 2 T f_1/d − F_п2 − c_2 x with tan α = C r/R."""
     torque = _torque(x, friction)
     return F - c1 * x + torque * (C * r / R) / r + key_sign * 2 * torque * fk / d - control - c2 * x
 
 
-def _travel(control: sp.Expr, key_sign: int = -1) -> sp.Expr:
+def _travel(control, key_sign=-1):
     return solved(_balance(control, f, key_sign), x)
 
 
-def setting_of_the_control_spring() -> Steps:
+def setting_of_the_control_spring():
     """S21 (14) from (1)–(4), (13); C from it is (5)."""
     nominal = direct.group_torque(F, R, z, fset)
     yield "(1): the sleeve just rests at T_н", F + nominal * C / R - CONTROL - 2 * nominal * fk / d
@@ -48,7 +48,7 @@ def setting_of_the_control_spring() -> Steps:
     yield "F_p = T tan α/r", indirect.release_force(nominal, R * q / r, R) - nominal * q / r
 
 
-def travel_and_torque_from_the_balance() -> Steps:
+def travel_and_torque_from_the_balance():
     """S21 (10), (11), (16) from (6)–(9), (14)."""
     moved = _travel(F2)
     printed_d = (1 + z * C * f) * c1 + c2 - 2 * z * R * c1 * f * fk / d
@@ -67,7 +67,7 @@ def travel_and_torque_from_the_balance() -> Steps:
     yield "(12): no dip, x(f_set) = 0", set_travel.subs(f, fset)
 
 
-def sleeve_at_its_stop() -> Steps:
+def sleeve_at_its_stop():
     """S21, text of fig. 1: the stop belongs to the pressure disc, so below the setting both springs press."""
     reaction, pressed = sp.symbols("S N", real=True)
     torque = direct.group_torque(pressed, R, z, f)
@@ -93,10 +93,10 @@ def sleeve_at_its_stop() -> Steps:
         yield f"elasticity in {symbol}", indirect.seated_elasticity_in_feedback(z, f, part, KAPPA) - slope
 
 
-def accuracy_of_the_indirect_clutch() -> Steps:
+def accuracy_of_the_indirect_clutch():
     """S21 (15) mended (M9), with f_set = f_min and above it."""
 
-    def torque(friction: sp.Expr) -> sp.Expr:
+    def torque(friction):
         return _torque(_travel(CONTROL), f).subs(f, friction)
 
     own = indirect.accuracy_factor(fmin, fset, fmax, c1, c2, z, KAPPA)
@@ -110,7 +110,7 @@ def accuracy_of_the_indirect_clutch() -> Steps:
     yield Refutation("M9: printed (15) without d", own.subs(printed_set) - fmax * d_min / (fmin * d_max))
 
 
-def friction_at_the_key() -> Steps:
+def friction_at_the_key():
     """The threshold 2 R f_1/d, κ and κ₊."""
     threshold = indirect.gain_threshold(R, fk, d)
     yield "κ = 0 at the threshold", KAPPA.subs(C, threshold)
@@ -121,7 +121,8 @@ def friction_at_the_key() -> Steps:
     yield "κ₊/κ", indirect.hysteresis_ratio(q, C) - C / q
 
 
-def sleeve_returning() -> Steps:
+@pytest.mark.slow
+def sleeve_returning():
     """Chapter 5: with the key's friction reversed κ₊ replaces κ; the sleeve is locked until f fell κ₊/κ times."""
     kappa_back = indirect.net_gain_returning(C, R, fk, d)
     back = _torque(_travel(CONTROL, key_sign=+1), f)
@@ -137,7 +138,7 @@ def sleeve_returning() -> Steps:
     yield "it starts where f has fallen by κ₊/κ", _travel(CONTROL, key_sign=+1).subs(f, start) - _travel(CONTROL)
 
 
-def equivalent_to_all_driving() -> Steps:
+def equivalent_to_all_driving():
     """The indirect clutch has the torque curve of an all-driving one with C_eff = κ c_1/(c_1 + c_2)."""
     equivalent = indirect.equivalent_gain(KAPPA, c1, c2)
     raised = F * (1 + z * equivalent * fset)
@@ -146,7 +147,7 @@ def equivalent_to_all_driving() -> Steps:
     yield "K_т", own - accuracy.accuracy_factor(0, z, equivalent, fmin, fmin, fmax, fmax)
 
 
-def signs_of_the_derivatives() -> Steps:
+def signs_of_the_derivatives():
     """S21: ∂K_т/∂c_1 < 0 (0 if c_2 = 0), ∂K_т/∂C < 0, ∂K_т/∂c_2 > 0, for κ > 0 (K_т falls with C_eff)."""
     factor = accuracy.accuracy_factor(0, z, q, fmin, fmin, fmax, fmax)
     in_gain = -z * fmax * (fmax - fmin) / (fmin * (1 + z * q * fmax) ** 2)
@@ -157,7 +158,7 @@ def signs_of_the_derivatives() -> Steps:
     yield "∂C_eff/∂κ > 0", sp.diff(equivalent, q) - c1 / (c1 + c2)
 
 
-def load_capacity_against_the_base_clutch() -> Steps:
+def load_capacity_against_the_base_clutch():
     """S21: K_п = 1 + z C f_min against the base clutch with all pairs controlled; with one bypass pair not (M38)."""
     own = direct.group_torque(F, R, z, fset)
     ratio, base = indirect.nominal_torque_ratio(z, C, fset), direct.torque(F, R, 0, z, C, fset, fset)
@@ -169,7 +170,7 @@ def load_capacity_against_the_base_clutch() -> Steps:
     yield "M38: against it K_п is 1 + (z − 1) C f_min", first_generation - (1 + (z - 1) * C * fset)
 
 
-def base_clutch_is_more_accurate() -> Steps:
+def base_clutch_is_more_accurate():
     """S21 conclusion 1 (M26): K_ind − K_base = z f_max (f_max − f_min)(C c_2 + 2 c_1 R f_1/d)/[…] > 0."""
     own = indirect.accuracy_factor(fmin, fmin, fmax, c1, c2, z, KAPPA)
     base = accuracy.accuracy_factor(0, z, C, fmin, fmin, fmax, fmax)
@@ -178,14 +179,14 @@ def base_clutch_is_more_accurate() -> Steps:
     yield "M26", own - base - difference
 
 
-def spring_mass_argument() -> Steps:
+def spring_mass_argument():
     """S21 (M27): both springs together are F_п1 (1 + K_п − 2 z R f_min f_1/d)."""
     both = F + indirect.control_force(F, z, KAPPA, fmin)
     ratio = indirect.nominal_torque_ratio(z, C, fmin)
     yield "M27", both - F * (1 + ratio - 2 * z * R * fmin * fk / d)
 
 
-def travel_stays_within_the_spring() -> Steps:
+def travel_stays_within_the_spring():
     """x < F_п1/c_1: what is left of the spring force, F_п1 − c_1 x, is positive for κ ≥ 0."""
     moved = indirect.travel(z, F, f, fset, q, _stiffness(f, q))
     left = F * (c1 + c2 + z * c1 * fset * q) / _stiffness(f, q)

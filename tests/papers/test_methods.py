@@ -1,0 +1,234 @@
+"""Setting and life (S19), overload (S22): against springs set by each method, slips one by one, loads that rise."""
+
+import math
+
+import numpy as np
+import pytest
+from conftest import CONFIGS
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from strategies import direct_specs, indirect_specs
+
+from afmcalc.analysis.adjust import adjust
+from afmcalc.analysis.life import life
+from afmcalc.analysis.overload import overload
+from afmcalc.engines import build
+from afmcalc.spec import make_spec, read_spec, resolved
+
+DIRECT = direct_specs(("differentiated", "all-driving"))
+
+
+def changed(spec, **blocks):
+    return build(make_spec({**resolved(spec), **blocks}))
+
+
+@given(DIRECT, st.floats(1.0, 2.5))
+def test_bands_by_formula_and_by_direct_comparison(spec, margin):
+    """(7), (10), (11) and (12) against torques calculated from springs set by each method."""
+    own = spec.friction.range
+    assume(own.max > own.min * 1.001)
+    clutch = changed(spec, adjustment={"margin": margin})
+    result, _ = adjust(clutch)
+    forces = [setting.closing_force for setting in (result.min_friction, result.mean_friction)]
+    at_min, at_mean = (changed(clutch.spec, closing_spring={"force": force}) for force in forces)
+    assert at_min.torque(own.min) == pytest.approx(result.nominal_torque, rel=1e-12)
+    assert at_mean.torque(own.mean) == pytest.approx(margin * result.nominal_torque, rel=1e-12)
+    bands = [each.torque(own.max) - each.torque(own.min) for each in (at_min, at_mean)]
+    assert [result.min_friction.scatter, result.mean_friction.scatter] == pytest.approx(bands, rel=1e-9)
+    assert result.scatter_ratio == pytest.approx(bands[1] / bands[0], rel=1e-9)
+    assert result.scatter_ratio == pytest.approx(at_mean.torque(own.min) / result.nominal_torque, rel=1e-9)
+    assert result.force_ratio == pytest.approx(forces[0] / forces[1] * margin)
+    assert result.min_friction.accuracy_factor == result.mean_friction.accuracy_factor == clutch.accuracy_factor
+    if margin > 1 and clutch.gain > 1e-6 and abs(result.scatter_ratio - 1) > 1e-9:
+        # no threshold where the method is narrower whatever the number of pairs
+        assert (result.pairs_threshold is None) == (margin * own.min >= own.mean)
+        threshold = -math.inf if result.pairs_threshold is None else result.pairs_threshold
+        assert (result.narrower == "min-friction") == (spec.friction_group.pairs > threshold)
+    if margin == 1:
+        assert result.pairs_threshold is None
+        assert result.narrower in ("mean-friction", "equal")
+
+
+@given(indirect_specs())
+def test_methods_differ_on_indirect_clutches(spec):
+    result, _ = adjust(build(spec))
+    own = spec.friction.range
+    for method in ("min-friction", "mean-friction"):
+        kept, data = getattr(result, method.replace("-", "_")), resolved(spec)
+        data["closing_spring"]["force"], data["adjustment"]["method"] = kept.closing_force, method
+        clutch = build(make_spec(data))
+        assert kept.accuracy_factor == pytest.approx(clutch.accuracy_factor)
+        assert kept.scatter == pytest.approx(clutch.torque(own.max) - clutch.torque(own.min), rel=1e-9, abs=1e-9)
+    assert (result.pairs_threshold, result.force_ratio) == (None, None)
+
+
+@pytest.mark.parametrize(("margin", "held"), [(1.25, False), (2.5, True)])
+def test_the_narrower_band_is_not_advised_without_what_it_costs(answered, margin, held):
+    """ΔT_2/ΔT_1 is T_min2/T_н: T(f_min) = β_н T_н g(0.1)/g(0.3), 75 N·m, is below T_н = 118.5 and the machine's 94.8."""
+    told = answered("adjust", "--set", f"adjustment.margin={margin}", "--json").json
+    result, lowest = told["result"], margin * 118.519 * (0.1 / 1.35) / (0.3 / 2.05)
+    assert result["nominal_torque"] == pytest.approx(118.519, rel=1e-4)
+    assert result["machine_torque"] == pytest.approx(118.519 / margin, rel=1e-4)
+    assert (result["narrower"] == "mean-friction") == (margin == 1.25)
+    assert result["mean_friction"]["torque"]["min"] == pytest.approx(lowest, rel=1e-4)
+    for method, holds in (("min_friction", True), ("mean_friction", held)):
+        assert (result[method]["holds_nominal"], result[method]["holds_machine"]) == (holds, holds)
+    found = [each for each in told["findings"] if each["code"] == "narrower-below-nominal"]
+    assert [(each["level"], round(each["value"], 1)) for each in found] == ([] if held else [("info", 75.0)])
+
+
+def test_no_band_and_a_threshold_below_any_clutch(afmcalc):
+    result, _ = adjust(build(read_spec(CONFIGS / "default.toml", ["friction.min=0.3", "friction.max=0.3", "beta=1"])))
+    assert (result.scatter_ratio, result.narrower) == (None, "equal")
+    result = afmcalc("adjust", "--set", "adjustment.margin=5", "--json").json["result"]
+    assert (result["pairs_threshold"], result["pairs_threshold_at_gain_limit"]) == (None, None)
+    assert result["narrower"] == "min-friction"
+
+
+RULES = {
+    "mean-stress": ("exponent", 6, lambda a, m: m),
+    "amplitude": ("mean_stress_sensitivity", 0.1, lambda a, m: a + 0.1 * m),
+    "goodman": ("ultimate_strength", 400e6, lambda a, m: a / (1 - m / 400e6)),
+}
+"""Key of [fatigue], its value, and the damaging stress of amplitude and mean."""
+FATIGUE = {"polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
+
+
+@pytest.mark.parametrize("model", ["amplitude", "goodman"])
+@pytest.mark.parametrize(("endurance", "low"), [(1e6, 40.0), (6e6, 0.0), (6e6, 40.0)])
+@pytest.mark.parametrize("source", ["default", "indirect", "unlike-materials"])
+def test_a_slip_at_a_time(model, endurance, low, source):
+    """Each slip does its damage by its own swing, those below the endurance limit none."""
+    key, value, equivalent = RULES[model]
+    spec = read_spec(f"example:{source}", ["adjustment.method=mean-friction"])
+    clutch = changed(spec, fatigue={**FATIGUE, key: value, "endurance_limit": endurance, "load_low": low})
+    result, _ = life(clutch, model)
+    share = (np.arange(4_000) + 0.5) / 4_000
+    high = clutch.torque(*(r.min + share * (r.max - r.min) for r in clutch.friction)) / 15e-6
+    for side, factor in (("protected", 1.0), ("unprotected", clutch.spec.drive.dynamic_factor)):
+        ends = np.sort([0 * high + factor * low / 15e-6, factor * high], axis=0)
+        stress = equivalent((ends[1] - ends[0]) / 2, (ends[1] + ends[0]) / 2)
+        damage = np.where(stress > endurance, (stress / endurance) ** 6 / 1e7, 0).mean()
+        found = getattr(result, side).mean_friction
+        assert found is None if damage == 0 else found == pytest.approx(1 / damage, rel=1e-3)
+
+
+def test_the_papers_rule_takes_the_band_as_one_cycle():
+    clutch = changed(read_spec(), fatigue={**FATIGUE, "endurance_limit": 1e6})
+    result, settings = life(clutch, "mean-stress")[0], adjust(clutch)[0]
+    for side, factor in (("protected", 1.0), ("unprotected", 1.4)):
+        for method in ("min_friction", "mean_friction"):
+            torque = getattr(settings, method).torque
+            mean = factor * (torque.min + torque.max) / 2 / 15e-6
+            assert getattr(getattr(result, side), method) == pytest.approx(1e7 * (1e6 / mean) ** 6, rel=1e-9)
+
+
+def test_life_over_the_band_and_over_the_gain(afmcalc):
+    """``life --sweep dT``: T_min = 200 N·m, ΔT 500…1100; curve 1 of fig. 2 falls 21.43 times."""
+    spec = ["--set", "closing_spring.force=", "--set", "T_n=200"]
+    sweep = afmcalc("life", *spec, "--sweep", "dT=500:1100:7", "--json").json["result"]["sweep"][0]
+    assert sweep["protected"][0] / sweep["protected"][-1] == pytest.approx((1500 / 900) ** 6)
+    assert sweep["protected"][0] == pytest.approx(1e7 * (2 * 400e6 * 15e-6 / 900) ** 6)
+    assert sweep["unprotected"] == pytest.approx([n / 1.4**6 for n in sweep["protected"]])
+    sweep = afmcalc("life", "--sweep", "C=0.2:1:3", "--json").json["result"]["sweep"][0]
+    for gain, cycles in zip(sweep["values"], sweep["protected"], strict=True):
+        single = afmcalc("life", "--set", f"C={gain!r}", "--json").json["result"]
+        assert single["protected"]["min_friction"] == pytest.approx(cycles, rel=1e-12)
+
+
+def test_life_without_limit_and_without_any(afmcalc):
+    run = afmcalc("life", "--model", "amplitude", "--set", "fatigue.mean_stress_sensitivity=0.1", "--json").json
+    both = ["as-set", "min-friction", "mean-friction"]
+    lives = dict.fromkeys(("as_set", "min_friction", "mean_friction"))
+    assert run["result"]["protected"] == {**lives, "unlimited": both}
+    assert "life-not-limited" in [finding["code"] for finding in run["findings"]]
+    weak = ["--set", "fatigue.ultimate_strength=15 MPa", "--set", "fatigue.endurance_limit=1 MPa"]
+    broken = afmcalc("life", "--model", "goodman", *weak, "--json").json
+    assert broken["result"]["unprotected"] == {**dict.fromkeys(lives, 0), "unlimited": []}
+    assert "static-strength-exceeded" in [finding["code"] for finding in broken["findings"]]
+    assert afmcalc("check", *weak).code == 1
+
+
+@pytest.mark.parametrize(
+    ("given", "path"),
+    [
+        (["--set", "fatigue="], "fatigue: required"),
+        (["--model", "amplitude"], "fatigue.mean_stress_sensitivity: required"),
+        (["--model", "goodman"], "fatigue.ultimate_strength: required"),
+        (["--sweep", "dT=-5,3"], "dT"),
+        (["--sweep", "dT", "--sweep", "C"], "dT"),
+    ],
+)
+def test_life_asks_for_what_it_needs(afmcalc, given, path):
+    run = afmcalc("life", *given)
+    assert (run.code, path in run.err) == (2, True), run.err
+
+
+@given(DIRECT, st.floats(1, 3), st.floats(0, 1))
+def test_equilibrium_is_the_expected_torque_for_every_margin(spec, margin, share):
+    """M12, M17: load until the pack slips: the release force follows the load, and the capacity falls linearly with it."""
+    clutch = changed(spec, adjustment={"margin": margin})
+    own, z, radius = spec.friction.range, spec.friction_group.pairs, clutch.mean_radius
+    f, share_of_balls = own.min + share * (own.max - own.min), (z - clutch.bypass_pairs) / z
+
+    def capacity(load, f):
+        """What the pack can carry while it carries ``load``, shared z_1 : z_2."""
+        return z * f * radius * (clutch.closing_force - load * share_of_balls * clutch.gain / radius)
+
+    slope = capacity(0.0, f) - capacity(1.0, f)
+    assert capacity(0.0, f) / (1 + slope) == pytest.approx(clutch.torque(f), rel=1e-9)
+    result, _ = overload(clutch)
+    for at in ("min", "mean", "max"):
+        end = getattr(own, at)
+        assert getattr(result.actuation_torque_equilibrium, at) == pytest.approx(clutch.torque(end), rel=1e-9)
+        potential = capacity(clutch.torque(own.min) / margin, end)
+        assert getattr(result.potential_torque, at) == pytest.approx(potential, rel=1e-9)
+        published = getattr(result.expected_torque, at) * getattr(result.actuation_factor, at)
+        assert getattr(result.actuation_torque_published, at) == pytest.approx(published, rel=1e-9, abs=1e-9)
+
+
+@given(DIRECT, st.floats(1, 3))
+def test_17_is_where_published_is_below_expected(spec, margin):
+    own = spec.friction.range
+    clutch = changed(spec, adjustment={"margin": margin})
+    assume(clutch.gain > 1e-3)
+    assume(own.max > own.min * 1.01)
+    f = np.linspace(own.min, own.max, 401)
+    # A of S22 (15) mended: T_ср/T_муф with u = (z − z_1) C f_min, v = (z − z_1) C f
+    u, v = (clutch.controlled_pairs * clutch.gain * friction for friction in (own.min, f))
+    factor = (margin * v * (1 + u) + (1 - v * v) * own.min / f) / (margin * (1 + u))
+    low, high = overload(clutch)[0].friction_interval or (np.inf, -np.inf)
+    edge = np.isclose(f, low, rtol=1e-3) | np.isclose(f, high, rtol=1e-3)
+    assert not np.any(((factor < 1 - 1e-9) != ((f > low) & (f < high))) & ~edge)
+
+
+def test_overload_of_what_s22_treats(afmcalc):
+    """The smallest actual K_т lies at zC = 1.25, (f_max + f_min)/(2 f_min); at equilibrium it falls with C for ever."""
+    spec = CONFIGS / "all-driving.toml"
+    sweep = afmcalc("overload", spec, "--sweep", "zC=0.5:6:441", "--json").json["result"]["sweep"][0]
+    best = int(np.argmin(sweep["accuracy_factor_actual"]))
+    assert (sweep["values"][best], sweep["accuracy_factor_actual"][best]) == pytest.approx((1.25, 4.5))
+    told = [afmcalc("overload", spec, "--set", f"C={gain}", "--json").json["result"] for gain in (0.5, 1.25, 2.5)]
+    falling = [each["accuracy_factor_equilibrium"] for each in told]
+    assert falling == sorted(falling, reverse=True)
+    assert afmcalc("overload", spec, "--json").json["result"]["friction_interval"] == [0.1, pytest.approx(0.2)]
+    assert [
+        afmcalc("overload", f"example:{name}").code for name in ("conventional", "unlike-materials", "indirect")
+    ] == [2] * 3
+    (swept,) = afmcalc("overload", "--sweep", "z1", "--json").json["result"]["sweep"]
+    assert swept["values"] == [1, 2, 3, 4, 5, 6, 7]
+    remarks = afmcalc("overload", "--set", "adjustment.method=mean-friction", "--json").json["findings"]
+    assert "margin-role" in [finding["code"] for finding in remarks]
+
+
+def test_potential_torque_above_that_of_the_all_driving_clutch(afmcalc):
+    """(22) less (8) as printed, z 8, z_1 1, C 0.5, β_н 1.25, F_п R = 200 N·m, f_min 0.1."""
+
+    def potential(f, controlled):
+        u = controlled * 0.5 * 0.1
+        return 8 * 200 * f * (1.25 + 0.25 * u) / (1.25 * (1 + u))
+
+    gain = afmcalc("overload", "--json").json["result"]["potential_torque_gain"]
+    wanted = {end: potential(f, 7) - potential(f, 8) for end, f in (("min", 0.1), ("mean", 0.3), ("max", 0.8))}
+    assert gain == pytest.approx(wanted)
+    assert afmcalc("overload", "example:all-driving", "--json").json["result"]["potential_torque_gain"] is None
