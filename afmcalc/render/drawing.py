@@ -7,10 +7,10 @@ import math
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from html import escape
 from importlib import import_module
 from itertools import chain, product
 from typing import Any, NamedTuple, TypeAlias
-from xml.sax.saxutils import escape
 
 from ..messages import printable
 from .plot.paint import COLOURS, INK, PAPER, SHADE, WIDTH, WRONG
@@ -178,7 +178,7 @@ class Drawing:
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{_n(25.4 * WIDTH)}mm" height="{_n(25.4 * self.height)}mm" '
             f'viewBox="{_path([(left, top)])} {_n(right - left)} {_n(top - bottom)}" '
             f'font-family="DejaVu Sans, sans-serif" font-size="{_n(TEXT * self.point)}">',
-            f"<title>{escape(printable(title))}</title>" if title else "",
+            f"<title>{escape(printable(title), quote=False)}</title>" if title else "",
             *(_pattern(angle, self.point) for angle in sorted(hatches)),
         ]
         for name, shapes in self.by_layer():
@@ -191,7 +191,7 @@ class Drawing:
             )
             for shape in shapes:
                 simple = "\n".join(_svg(part) for part in exploded(shape, self.point))
-                about = f"<title>{escape(shape.about)}</title>" if isinstance(shape, DimensionLine) else ""
+                about = f"<title>{escape(shape.about, quote=False)}</title>" if isinstance(shape, DimensionLine) else ""
                 parts.append(
                     f'<g data-key="{shape.key}">{about}{simple}</g>' if isinstance(shape, DimensionLine) else simple
                 )
@@ -292,7 +292,7 @@ def spans(text: str, ours: bool = True) -> str:
     for piece, low in split(shown) if ours else [(shown, False)]:
         drop = "" if low == lowered else ' dy=".18em"' if low else ' dy="-.126em"'
         size, lowered = ' font-size="70%"' if low else "", low
-        pieces += f"<tspan{drop}{size}>{escape(piece)}</tspan>"
+        pieces += f"<tspan{drop}{size}>{escape(piece, quote=False)}</tspan>"
     return pieces
 
 

@@ -3,7 +3,7 @@
 import csv
 import io
 import math
-from xml.sax.saxutils import escape
+from html import escape
 
 from ..analysis.shop import CutterPoint, ShopDrawing
 from ..messages import named, told
@@ -86,7 +86,7 @@ def svg(drawing: ShopDrawing) -> bytes:
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_coordinate(wide)}mm" height="{_coordinate(high)}mm" '
         f'viewBox="{" ".join(map(_coordinate, (left, top, wide, high)))}">',
-        f"<title>{escape(named(drawing.name))}</title>",
+        f"<title>{escape(named(drawing.name), quote=False)}</title>",
         f"<desc>{CREATOR}</desc>",
         '<g fill="none" stroke-width="0.18" stroke-linejoin="round">',
         *paths,
@@ -97,7 +97,7 @@ def svg(drawing: ShopDrawing) -> bytes:
     ]
     for row, note in enumerate(told_below, 1):
         y = _coordinate(side + _MARGIN + _LINE * row)
-        lines.append(f'<text x="{_coordinate(-back)}" y="{y}">{escape(note)}</text>')
+        lines.append(f'<text x="{_coordinate(-back)}" y="{y}">{escape(note, quote=False)}</text>')
     return "\n".join([*lines, "</g>", "</svg>", ""]).encode("utf-8")
 
 

@@ -1,12 +1,10 @@
 """Drawings for the shop: the DXF read back, its contours held against the wall by distance; SVG and CSV alike."""
 
 import csv
+import functools
 import io
 import math
-import os
 import re
-import subprocess
-import sys
 import xml.etree.ElementTree as ElementTree
 
 import ezdxf
@@ -32,18 +30,23 @@ CLUTCHES = {
 }
 
 
-@pytest.fixture(scope="module", params=CLUTCHES)
-def drawn(request):
-    name, overrides = CLUTCHES[request.param]
+@functools.cache
+def made(kind):
+    """Clutch, its control unit as synthesized, the drawing of its pocket, and that drawing as read from DXF."""
+    name, overrides = CLUTCHES[kind]
     clutch = build(read_spec(CONFIGS / f"{name}.toml", overrides))
     found, _ = synthesize(clutch)
-    return clutch, found, shop_drawing(clutch, found, cutter=0.6 * found.ball_diameter)
-
-
-def read(drawing):
+    drawing = shop_drawing(clutch, found, cutter=0.6 * found.ball_diameter)
     document = ezdxf.read(io.StringIO(dxf(drawing).decode("utf-8")))
     assert not document.audit().has_issues
-    return document
+    return clutch, found, drawing, document
+
+
+@pytest.fixture(
+    params=["one", "straight", *(pytest.param(name, marks=pytest.mark.slow) for name in ("both", "direct"))]
+)
+def drawn(request):
+    return made(request.param)
 
 
 def distances(points, wall, start, stop):
@@ -61,8 +64,7 @@ def distances(points, wall, start, stop):
 
 
 def test_the_contours_are_the_wall(drawn):
-    clutch, found, drawing = drawn
-    document = read(drawing)
+    clutch, found, drawing, document = drawn
     assert document.header["$INSUNITS"] == 4
     space = document.modelspace()
     assert {layer.dxf.name for layer in document.layers} >= set(LAYERS)
@@ -93,8 +95,8 @@ def whole(contour):
 
 
 def test_contours_are_closed_and_no_place_is_there_twice(drawn):
-    _, _, drawing = drawn
-    space = read(drawing).modelspace()
+    _, _, drawing, document = drawn
+    space = document.modelspace()
     closed = {line.dxf.layer for line in space.query("LWPOLYLINE") if line.closed}
     assert closed == {"SLEEVE_1", "SLEEVE_2", "POCKET_1", "POCKET_2", "FRAME", "TITLE"}
     assert all(len(whole(line)) > 1 for line in space.query("LWPOLYLINE"))
@@ -103,10 +105,10 @@ def test_contours_are_closed_and_no_place_is_there_twice(drawn):
 
 @pytest.mark.parametrize("name", ["POCKET_1", "POCKET_2"])
 def test_the_ball_touches_the_walls_and_not_the_floor(drawn, name):
-    _, found, drawing = drawn
-    (contour,) = read(drawing).modelspace().query(f'LWPOLYLINE[layer=="{name}"]')
+    _, found, drawing, document = drawn
+    (contour,) = document.modelspace().query(f'LWPOLYLINE[layer=="{name}"]')
     points, radius = whole(contour), found.ball_diameter * 500
-    dense = np.concatenate([np.linspace(a, b, 4001) for a, b in zip(points[:-1], points[1:], strict=True)])
+    dense = np.concatenate([np.linspace(a, b, 1001) for a, b in zip(points[:-1], points[1:], strict=True)])
     deep = np.abs(dense[:, 0]) > found.face_gap * 500 + 1e-9
     off = np.hypot(*dense[deep].T) - radius
     assert off.min() == pytest.approx(0, abs=2e-3), "a chord, and samples"
@@ -122,7 +124,7 @@ def test_the_ball_touches_the_walls_and_not_the_floor(drawn, name):
 
 def test_dimensions_are_those_of_the_spec(drawn):
     """Of the geometry, and as they are written: the end view is drawn at a scale of its own."""
-    clutch, found, drawing = drawn
+    clutch, found, drawing, document = drawn
     unit, alpha, radius = clutch.spec.control_unit, found.wall_angle, found.ball_diameter / 2
     relief = math.ceil(round(found.ball_diameter * 1e4 * 0.05, 6)) / 1e4
     cut, groove = radius - found.face_gap / 2, 2 * radius * (1 - math.sin(alpha)) / math.cos(alpha)
@@ -132,7 +134,7 @@ def test_dimensions_are_those_of_the_spec(drawn):
     lengths += [straight] if found.profiled == "one" else []
     lengths += [2 * circle, rim, unit.hub_diameter or drawing.sleeve.bore, 2 * radius + relief]
     wanted = sorted([1e3 * length for length in lengths] + [math.degrees(2 * alpha), 360 / unit.balls])
-    space = read(drawing).modelspace()
+    space = document.modelspace()
     measured, written = [], []
     for line in space.query("DIMENSION"):
         value = line.get_measurement()
@@ -145,9 +147,9 @@ def test_dimensions_are_those_of_the_spec(drawn):
 
 
 def test_every_ball_has_its_pocket_in_the_end_view(drawn):
-    clutch, found, drawing = drawn
+    clutch, found, drawing, document = drawn
     unit = clutch.spec.control_unit
-    space = read(drawing).modelspace()
+    space = document.modelspace()
     pitch = next(circle for circle in space.query('CIRCLE[layer=="CENTRE"]'))
     scale = pitch.dxf.radius / (unit.ball_circle_radius * 1e3)
     balls = [ball for ball in space.query('CIRCLE[layer=="BALL"]') if ball.dxf.center.magnitude > 1e-9]
@@ -171,7 +173,7 @@ def test_every_ball_has_its_pocket_in_the_end_view(drawn):
 SHOP = {"tolerance": "±0.02 mm", "roughness": "Ra 0.8", "hardness": "58…62 HRC", "material": "16MnCr5"}
 
 
-@pytest.mark.parametrize("what", ["pocket", "section"])
+@pytest.mark.parametrize("what", ["pocket", pytest.param("section", marks=pytest.mark.slow)])
 def test_what_the_shop_needs_is_on_the_sheet(what, afmcalc, tmp_path):
     given = [part for name, text in SHOP.items() for part in ("--set", f"drawing.{name}={text}")]
     given += ["--set", "report.drawing=AFM 01.02", "--set", "report.author=A. Turner"]
@@ -197,24 +199,7 @@ def test_what_the_shop_needs_is_on_the_sheet(what, afmcalc, tmp_path):
     assert [document.styles.get(font).dxf.font for font in fonts] == ["arial.ttf"]
 
 
-@pytest.mark.parametrize("what", ["pocket", "section"])
-def test_the_same_bytes_every_time(what, tmp_path):
-    for seed in "12":
-        command = [
-            sys.executable,
-            "-m",
-            "afmcalc",
-            "plot",
-            what,
-            CONFIGS / "indirect.toml",
-            "-o",
-            tmp_path / f"{seed}.dxf",
-        ]
-        subprocess.run(command, env=os.environ | {"PYTHONHASHSEED": seed}, check=True)
-    assert (tmp_path / "1.dxf").read_bytes() == (tmp_path / "2.dxf").read_bytes()
-
-
-@pytest.mark.parametrize("name", ["default", "indirect", "envelope", "conventional", "unlike-materials"])
+@pytest.mark.parametrize("name", ["default", "envelope"])
 def test_section_in_true_millimetres(name, afmcalc, tmp_path):
     path = tmp_path / "s.dxf"
     assert afmcalc("plot", "section", CONFIGS / f"{name}.toml", "-o", path).code == 0
@@ -224,17 +209,15 @@ def test_section_in_true_millimetres(name, afmcalc, tmp_path):
     wanted = section(Answers(build(read_spec(CONFIGS / f"{name}.toml")))).measures.values()
     measured = sorted(line.get_measurement() for line in space.query("DIMENSION"))
     assert measured == pytest.approx(sorted((each.high - each.low) * 1e3 for each in wanted))
-    for line in space.query("DIMENSION"):
-        shown = float(re.search(r"([\d.]+) ?\*?$", line.dxf.text)[1])
-        assert shown == pytest.approx(line.get_measurement(), rel=1e-4)
-    for line in space.query("LWPOLYLINE"):
-        assert len(whole(line)) > 1
+    shown = [float(re.search(r"([\d.]+) ?\*?$", line.dxf.text)[1]) for line in space.query("DIMENSION")]
+    assert sorted(shown) == pytest.approx(measured, rel=1e-4)
+    assert all(len(whole(line)) > 1 for line in space.query("LWPOLYLINE"))
     assert all(line.closed for line in space.query('LWPOLYLINE[layer=="OUTLINE"]'))
 
 
 def test_the_cutter_touches_and_does_not_cut_in(drawn):
     """Its centre is its radius off the wall it cuts, no nearer to the other, and its edge not below the floor."""
-    clutch, found, drawing = drawn
+    clutch, found, drawing, document = drawn
     radius = drawing.cutter_radius * 1e3
     rows = list(csv.DictReader(io.StringIO(profile(drawing))))
     cutter = np.array([[float(row["cutter_axial [mm]"]), float(row["cutter_around [mm]"])] for row in rows])
@@ -251,7 +234,7 @@ def test_the_cutter_touches_and_does_not_cut_in(drawn):
 
 
 def test_svg_is_in_millimetres(drawn):
-    _, found, drawing = drawn
+    _, found, drawing, document = drawn
     root = ElementTree.fromstring(svg(drawing))
     name = "{http://www.w3.org/2000/svg}"
     wide, high = (float(root.get(key).removesuffix("mm")) for key in ("width", "height"))
@@ -268,45 +251,37 @@ def test_svg_is_in_millimetres(drawn):
         assert inside.all()
 
 
-def test_a_finer_chord(drawn):
-    clutch, found, drawing = drawn
-    finer = shop_drawing(clutch, found, chord=1e-8)
-    if found.profiled is None:
-        assert len(finer.profile) == 3
-    else:
-        assert len(finer.profile) > 5 * len(drawing.profile)
-        assert 10 < len(drawing.profile) < 30, "theory, section 12: 19 chords hold 1 µm over 2.5 mm"
+def test_a_finer_chord_has_more_points():
+    clutch, found, drawing, _ = made("one")
+    assert len(shop_drawing(clutch, found, chord=1e-8).profile) > 5 * len(drawing.profile)
+    assert 10 < len(drawing.profile) < 30, "theory, section 12: 19 chords hold 1 µm over 2.5 mm"
+    clutch, found, *_ = made("straight")
+    assert len(shop_drawing(clutch, found, chord=1e-8).profile) == 3
 
 
 def test_from_the_command_line(afmcalc, tmp_path):
-    spec = CONFIGS / "constant-torque.toml"
-    run = afmcalc("plot", "pocket", spec, "-o", tmp_path / "p.dxf", "--profile", tmp_path / "w.csv", "--cutter", "10mm")
-    assert (run.code, run.out) == (0, "")
-    assert "wrote" in run.err
+    plot, table = ("plot", "pocket", CONFIGS / "constant-torque.toml"), tmp_path / "w.csv"
+    assert afmcalc(*plot, "-o", tmp_path / "p.dxf", "--profile", table, "--cutter", "10mm").code == 0
     assert not ezdxf.readfile(tmp_path / "p.dxf").audit().has_issues
-    assert (tmp_path / "w.csv").read_text().startswith("travel [mm],wall_angle [deg],path_axial [mm]")
-    assert afmcalc("plot", "pocket", spec, "-o", tmp_path / "p.svg").code == 0
-    assert afmcalc("plot", "pocket", spec, "--profile", "-").out.count("\n") > 10
+    assert table.read_text("utf-8").startswith("travel [mm],wall_angle [deg],path_axial [mm]")
+    assert afmcalc(*plot, "-o", tmp_path / "p.svg").code == 0
+    assert afmcalc(*plot, "--profile", "-").out.count("\n") > 10
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (("pocket", "-o", "x.dxf", "--cutter", "30mm"), "takes one of up to 16 mm"),
-        (("pocket", "-o", "x.dxf", "--cutter", "10 kg"), "not a length"),
-        (("pocket", "-o", "x.dxf", "--chord", "0 mm"), "must be greater than 0"),
-        (("pocket", "-o", "x.png", "--profile", "w.csv"), "--profile goes with"),
-        (("torque", "-o", "x.dxf"), "only plot pocket and plot section"),
-        (("pocket", "-o", "x.dxf", "--set", "sleeve_depth=7.5mm"), "goes through a sleeve of 7.5 mm"),
-        (("pocket", "-o", "x.dxf", "--set", "balls=16"), "the pockets cut into each other"),
-        (("torque", "--profile", "w.csv"), "no use for --profile"),
-        (("pocket", "-o", "x.dxf", "--set", "C=1"), "undercuts its curved wall"),
-    ],
-)
-def test_what_is_refused(afmcalc, arguments, message, tmp_path, monkeypatch):
+REFUSED = [
+    (("pocket", "-o", "x.dxf", "--cutter", "30mm"), "16 mm"), (("pocket", "-o", "x.dxf", "--cutter", "10 kg"), "--cutter"),
+    (("pocket", "-o", "x.dxf", "--chord", "0 mm"), "--chord"), (("torque", "-o", "x.dxf"), "plot pocket"),
+    (("pocket", "-o", "x.png", "--profile", "w.csv"), "--profile"), (("torque", "--profile", "w.csv"), "--profile"),
+    (("pocket", "-o", "x.dxf", "--set", "sleeve_depth=7.5mm"), "7.5 mm"),
+    (("pocket", "-o", "x.dxf", "--set", "balls=16"), "pockets"), (("pocket", "-o", "x.dxf", "--set", "C=1"), "undercut"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("arguments", "said"), REFUSED)
+def test_what_is_refused(afmcalc, arguments, said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     what, *options = arguments
     run = afmcalc("plot", what, CONFIGS / "constant-torque.toml", *options)
     assert run.code == 2
-    assert message in run.err
+    assert said in run.err
     assert not list(tmp_path.iterdir())

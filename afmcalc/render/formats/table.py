@@ -46,9 +46,7 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
 
     ``curve`` draws under a sweep, by default a small curve of characters.
     """
-    from ..plot.text import small_curve
-
-    curve = curve or small_curve
+    curve = curve or _small_curve
     laid_out = document(output.result)
     tables, steps = blocks(laid_out), step_lines(laid_out)
     if not is_unicode(sys.stdout):
@@ -58,6 +56,15 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
     else:
         text = _plain(output, tables, steps, curve)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+
+
+def _small_curve(block: TextTable, unicode: bool, width: int | None) -> list[str]:
+    """Draw a sweep along one axis in few rows, from three points on; only then is the module of plots imported."""
+    if block.source is None or block.source.axes != 1 or len(block.rows) < 3:
+        return []
+    from ..plot.text import small_curve
+
+    return small_curve(block, unicode, width)
 
 
 def _spelled(block: TextTable) -> TextTable:

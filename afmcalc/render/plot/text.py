@@ -115,9 +115,8 @@ def swept_lines(block: TextTable, unicode: bool, width: int | None = None, high:
 
 
 def small_curve(block: TextTable, unicode: bool, width: int | None) -> list[str]:
-    """Draw a sweep along one axis in few rows; nothing of fewer points than three."""
-    one = block.source is not None and block.source.axes == 1 and len(block.rows) > 2
-    return swept_lines(block, unicode, width, _SMALL) if one else []
+    """Draw a sweep in the few rows that stand under every table of one."""
+    return swept_lines(block, unicode, width, _SMALL)
 
 
 def _within(width: int | None) -> int:

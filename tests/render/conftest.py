@@ -1,12 +1,13 @@
-"""Reports, each page made once; drawn only where a drawing is looked at."""
+"""Pages made once for the run, on one day; drawn only where a drawing is looked at."""
 
 import functools
-from collections.abc import Callable
-from typing import Any
+from importlib import import_module
 
 import html5lib
 import pytest
 from conftest import CONFIGS, FRAME
+
+from afmcalc.messages import ENGLISH, language, speaking
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -17,12 +18,11 @@ def _a_day():
 
 
 @pytest.fixture(scope="session")
-def drawn(afmcalc, _a_day) -> Callable[..., str]:
+def drawn(answered):
     """The page of a shipped spec, with its drawings."""
 
-    @functools.cache
-    def page(name: str, *options: str) -> str:
-        run = afmcalc("report", CONFIGS / f"{name}.toml", *options)
+    def page(name, *options):
+        run = answered("report", CONFIGS / f"{name}.toml", *options)
         assert (run.code, run.err) == (0, "")
         return run.out
 
@@ -30,11 +30,12 @@ def drawn(afmcalc, _a_day) -> Callable[..., str]:
 
 
 @pytest.fixture(scope="session")
-def framed(afmcalc, _a_day) -> Callable[..., str]:
+def framed(afmcalc):
     """The page of any arguments, with frames in place of its drawings."""
+    import_module("afmcalc.render.report")  # which takes longer than a page
 
     @functools.cache
-    def page(*arguments: object, stdin: str = "") -> str:
+    def page(*arguments, stdin=""):
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr("afmcalc.render.report.page.inline_svg", lambda sheet: FRAME)
             run = afmcalc("report", *arguments, stdin=stdin)
@@ -45,12 +46,33 @@ def framed(afmcalc, _a_day) -> Callable[..., str]:
 
 
 @pytest.fixture(scope="session")
-def report(framed) -> Callable[..., str]:
+def report(framed):
     """The page of a shipped spec, with frames in place of its drawings."""
-    return lambda name="default": framed(CONFIGS / f"{name}.toml")
+    return lambda name="default", *options: framed(CONFIGS / f"{name}.toml", *options)
 
 
 @pytest.fixture(scope="session")
-def parsed() -> Callable[[str], Any]:
+def parsed():
     """The tree of a page, which is read once; a page that is not valid HTML is refused."""
     return functools.cache(html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse)
+
+
+@pytest.fixture(scope="session")
+def book():
+    """What the handbook shows, in a language."""
+    from afmcalc.analysis.handbook import handbook
+
+    return functools.cache(handbook)
+
+
+@pytest.fixture(scope="session")
+def handbook_page(book):
+    """The page of the handbook in a language."""
+    from afmcalc.render.handbook import render
+
+    @functools.cache
+    def page(spoken):
+        with speaking(ENGLISH if spoken == "en" else language(spoken)):
+            return render(book(spoken))
+
+    return page
