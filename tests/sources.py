@@ -1,6 +1,7 @@
 """The package as its source has it, parsed once."""
 
 import ast
+import tomllib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -44,3 +45,7 @@ def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
         for node in _all_calls(module):
             if called(node) in names:
                 yield module, node
+
+
+REFUSED = tomllib.loads((Path(__file__).parent / "data" / "refused.toml").read_text(encoding="utf-8"))
+"""What is refused, and how it is said; the tests of spec/ ask it."""

@@ -4,17 +4,23 @@ import ast
 import string
 from functools import cache
 
+import pytest
 from sources import FILES, calls, nodes
 
-from afmcalc.errors import Problem, SpecError
 from afmcalc.findings import FINDINGS
-from afmcalc.messages import say
 from afmcalc.units import per_si
 
 ALWAYS = {"value", "limit", "path", None}
 """What a finding carries whether or not its sentence shows it; None: a dictionary of further values."""
 
 ERRORS = ("AfmcalcError", "FileError", "CalculationError")
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _parsed():
+    """Every module is parsed before the time of a test runs."""
+    for module in FILES:
+        nodes(module)
 
 
 @cache
@@ -93,21 +99,3 @@ def test_an_error_is_said_in_a_template():
             assert not any(isinstance(each, plain) for each in call.args), f"{where}:{call.lineno}: {ast.unparse(call)}"
     for where, call in calls("Problem"):
         assert not isinstance(call.args[2], plain), f"{where}:{call.lineno}: {ast.unparse(call)}"
-
-
-def test_numbers_of_a_template_are_set_by_their_unit():
-    assert say("{force:.3g kN} at {angle:.0f deg}", force=1234.0, angle=0.5235987755982988) == "1.23 kN at 30 deg"
-    assert say("{{{name!r}}} {share:.1%}", name="{x}", share=0.123) == "{'{x}'} 12.3%"
-
-
-def test_a_problem_is_one_line_of_path_value_and_message():
-    problems = [
-        Problem("friction.min", "0", "too small"),
-        Problem("friction.max", None, "required"),
-        Problem("", None, "?"),
-    ]
-    assert str(SpecError("a.toml", problems)).splitlines() == [
-        "a.toml: friction.min = 0: too small",
-        "a.toml: friction.max: required",
-        "a.toml: ?",
-    ]

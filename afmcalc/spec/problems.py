@@ -3,13 +3,15 @@
 import json
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from typing import Literal, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from ..errors import Problem
 from ..messages import did_you_mean, say
+from ..variants import VARIANTS
 from .fields import block_at, keys_below, names_in
 from .keys import elsewhere
 from .rules import Table
@@ -45,13 +47,21 @@ def given_at(path: str, data: object) -> str | None:
     return next((given_at(below, data[block]) for block, below in splits if block in data), None)
 
 
+def _choices(table: type[BaseModel], name: str) -> Iterable[str]:
+    """Return the words that a key may be; none where it is not one of a few words."""
+    annotation = table.model_fields[name].annotation
+    if name == "variant":
+        return VARIANTS
+    return get_args(annotation) if get_origin(annotation) is Literal else ()
+
+
 def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None, root: type[BaseModel]) -> str:
     context = detail.get("ctx", {})
     match detail["type"]:
         case "missing":
             table = block_at(location[:-1], root)
-            choices = table.model_json_schema()["properties"][location[-1]].get("enum") if table else None
-            return say("required: one of {choices}", choices=", ".join(choices)) if choices else say("required")
+            choices = ", ".join(_choices(table, location[-1])) if table else ""
+            return say("required: one of {choices}", choices=choices) if choices else say("required")
         case "extra_forbidden":
             *block, name = location
             names = names_in(block, root)

@@ -6,14 +6,18 @@ import signal
 import time
 from contextlib import contextmanager
 
-from conftest import Run, several
-from hostile import CASES
+import pytest
+from conftest import Run
+from hostile import ASKED, LONG, calculations, command_lines
 from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import strategies as st
 
 SECONDS = 2.0
-LASTING = 60
+LASTING = {"handbook": 60, **dict.fromkeys(LONG, 60)}
+"""Command → how many times as long it may take: an event with few steps is a second of two processors."""
 MEBIBYTES = 500
 CONTROL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+PURE = ("torque", "accuracy", "adjust", "overload", "synthesize", "life", "check", "tolerance")
 
 
 class Stuck(BaseException):
@@ -52,55 +56,67 @@ def judge(run: Run, case, afmcalc) -> None:
 def accepted_back(run: Run, case, afmcalc) -> None:
     """JSON is strict, and the spec in it gives the same result again."""
     printed = run.json
-    if case.arguments[0] not in (
-        "torque",
-        "accuracy",
-        "adjust",
-        "overload",
-        "synthesize",
-        "life",
-        "check",
-        "tolerance",
-    ):
-        return
-    arguments = [each for each in case.arguments if not each.startswith("--set")]
-    again = afmcalc(*arguments, stdin=run.out)
-    assert again.code == run.code, again.err
-    assert again.json["spec"] == printed["spec"]
-    assert again.json["result"] == printed["result"]
+    if case.arguments[0] in PURE:
+        again = afmcalc(*(each for each in case.arguments if not each.startswith("--set")), stdin=run.out)
+        assert again.code == run.code, again.err
+        assert (again.json["spec"], again.json["result"]) == (printed["spec"], printed["result"])
 
 
-def test_nothing_breaks_it(afmcalc, request, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "80")
-    asked = request.config.getoption("--fuzz")
-    if not asked:
-        monkeypatch.setattr("afmcalc.drive.trip.MOST_STEPS", 2000)  # the same refusal, sooner
-    for lasting in ("simulate", "handbook"):  # what they import and draw first is no part of the time of a case
-        afmcalc(lasting)
+def nothing_breaks_it(afmcalc, cases, many: int) -> None:
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
     @settings(
-        max_examples=asked or several(50, 2000),
-        derandomize=not asked,
+        max_examples=many,
         suppress_health_check=list(HealthCheck),
         database=None,
         print_blob=False,
         phases=set(Phase) - {Phase.explain},  # it traces, and what is traced is slow
     )
-    @given(CASES)
+    @given(cases)
     def whatever_is_given(case):
-        began = time.process_time()
-        # an event is a second of two processors, and more with its refusals as they are; the handbook is all there is
-        events, whole = case.arguments[:1] in (["simulate"], ["heat"]), case.arguments[:1] == ["handbook"]
-        slow = LASTING if whole or (asked and events) else 5 if events else 1
+        began, slow = time.process_time(), LASTING.get(next(iter(case.arguments), ""), 1)
         try:
-            with at_most(10 * slow):
+            with at_most(60 * slow):
                 run = afmcalc(*case.arguments, stdin=case.stdin)
         except Stuck:
             raise AssertionError("does not end") from None
         assert time.process_time() - began < SECONDS * slow
-        grown = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
-        assert grown < MEBIBYTES
+        assert (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024 < MEBIBYTES
         judge(run, case, afmcalc)
 
     whatever_is_given()
+
+
+@pytest.fixture(autouse=True)
+def _fewer_steps(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.setattr("afmcalc.drive.trip.MOST_STEPS", 2000)  # the same refusal, sooner
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _libraries(afmcalc):
+    """What is imported first is no part of the time of a case."""
+    for line in ("tolerance example:tolerance", "plot torque", "explain torque", "check", "springs --top x"):
+        afmcalc(*line.split())
+
+
+@pytest.mark.parametrize("command", ASKED)
+def test_a_command_about_any_spec(command, afmcalc):
+    nothing_breaks_it(afmcalc, calculations(command), 8)
+
+
+def test_any_command_line(afmcalc):
+    nothing_breaks_it(afmcalc, command_lines(), 12)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("command", LONG)
+def test_a_command_that_takes_its_time(command, afmcalc):
+    nothing_breaks_it(afmcalc, calculations(command), 5)
+
+
+@pytest.mark.slow
+def test_many_of_each(afmcalc, request):
+    """``--fuzz N`` asks for N."""
+    every = st.sampled_from(ASKED).flatmap(calculations)
+    nothing_breaks_it(afmcalc, every | every | every | command_lines(), request.config.getoption("--fuzz") or 250)
