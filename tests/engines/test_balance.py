@@ -28,6 +28,7 @@ SIZES = {size.name: size for size in discs()}
 SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
 PATIENT = settings(suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
 SOFT = "{outer_diameter=0.1, inner_diameter=0.05, thickness=2e-3, free_height=4.8e-3, series=10}"
+STEEP = "control_unit.gain_slope=30", "control_unit.key_friction=0.05", "adjustment.method=mean-friction"
 OFF, BACK = -1, 1
 """Which way the key's friction acts on a sleeve that slides off its stop, or back to it."""
 
@@ -102,6 +103,7 @@ class March:
         else:
             self.pushed = lambda x: self.control + second.stiffness * x
         self.grid = np.linspace(0, self.reach * (1 - 1e-9), 2_001)
+        self.needed = {way: self.friction(self.grid, way) for way in (OFF, BACK)}
 
     def net(self, x, way):
         return self.gain + way * self.key + self.slope * x
@@ -111,24 +113,25 @@ class March:
         return (self.pushed(x) / self.pressed(x) - 1) / (self.z * self.net(x, way))
 
     def rising(self, f):
-        """Friction of every place before it is less."""
-        needed = self.friction(self.grid, OFF)
-        assume(
-            np.abs(needed[1:-1][(np.diff(needed)[:-1] > 0) & (np.diff(needed)[1:] < 0)] / f - 1).min(initial=1) > 1e-4
-        )
-        assume(abs(needed[0] / f - 1) > 1e-6)
+        """Friction of every place before it is less; None where rounding decides."""
+        needed = self.needed[OFF]
+        if self._is_close(needed, f):
+            return None
         return self._between(f, OFF, np.flatnonzero(needed >= f), after=True)
 
     def returning(self, f, start, top):
         """From ``start``, where friction ``top`` put it and the key holds it while it bears what pushes it back."""
         if f * self.net(start.travel, BACK) >= top * self.net(start.travel, OFF):
             return start
-        needed = self.friction(self.grid, BACK)
-        assume(
-            np.abs(needed[1:-1][(np.diff(needed)[:-1] < 0) & (np.diff(needed)[1:] > 0)] / f - 1).min(initial=1) > 1e-4
-        )
-        assume(abs(needed[0] / f - 1) > 1e-6)
+        needed = self.needed[BACK]
+        if self._is_close(-needed, -f):
+            return None
         return self._between(f, BACK, np.flatnonzero((needed <= f) & (self.grid < start.travel))[::-1], after=False)
+
+    def _is_close(self, needed, f):
+        """Whether the sleeve is about to leave its stop, or to jump."""
+        tops = needed[1:-1][(np.diff(needed)[:-1] > 0) & (np.diff(needed)[1:] < 0)]
+        return np.abs(np.append(tops, needed[0]) / f - 1).min() < 1e-4
 
     def _between(self, f, way, places, *, after):
         """The first of the places, to rounding; else the stop."""
@@ -141,26 +144,29 @@ class March:
 
 @PATIENT
 @given(sleeves())
-@example(p5("control_unit.gain_slope=30", "control_unit.key_friction=0.01"))  # jumps off its stop, and back to it
-@example(p5("control_unit.gain_slope=30", "control_unit.key_friction=0.01", f"closing_spring.disc={SOFT}"))
+@example(p5(*STEEP))  # jumps off its stop, and back to it
+@example(p5(*STEEP, f"closing_spring.disc={SOFT}"))
+@example(p5(f"closing_spring.disc={SOFT}", "adjustment.method=mean-friction"))
 def test_the_first_place_that_holds_the_sleeve(spec):
     clutch = build(spec)
     march, own = March(spec, clutch.gain_slope), clutch.friction[0]
     assert clutch.control_force == pytest.approx(march.control)
     assert clutch.pack_force_at_rest == pytest.approx(march.control), "the balls bear nothing"
-    for f in np.linspace(own.min, own.max, 5):
-        at = march.rising(f)
+    for f in own.min + (own.max - own.min) * np.linspace(0.01, 1, 4):
+        if (at := march.rising(f)) is None:
+            continue
         torque = march.z * march.radius * f * at.pressed
         assert clutch.travel(f) == pytest.approx(at.travel, rel=1e-6, abs=1e-7 * march.reach)
-        assert clutch.normal_force(f) == pytest.approx(at.pressed, rel=1e-6)
         assert clutch.torque(f) == pytest.approx(torque, rel=1e-6)
         assert clutch.release_force(f) == pytest.approx(torque * (march.gain + march.slope * at.travel) / march.radius)
-        stop = march.pushed(at.travel) - at.pressed - torque * march.net(at.travel, OFF) / march.radius
         borne = at.pressed - march.pressed(at.travel)
         assert clutch.stop_reaction(f) == pytest.approx(borne, abs=1e-6 * march.control)
-        assert abs(stop) <= 1e-6 * march.control
-    for f in np.linspace(own.max, own.min, 7)[1:]:
-        back = march.returning(f, at, own.max)
+        left = march.pushed(at.travel) - at.pressed - torque * march.net(at.travel, OFF) / march.radius
+        assert left == pytest.approx(0, abs=1e-6 * march.control)
+    assume(at is not None)
+    for f in np.geomspace(0.97 * own.max, 0.97 * own.min, 8):
+        if (back := march.returning(f, at, own.max)) is None:
+            continue
         assert clutch.torque_returning(f) == pytest.approx(march.z * march.radius * f * back.pressed, rel=1e-6)
         if clutch.curved:
             assert clutch.travel_returning(f) == pytest.approx(back.travel, rel=1e-6, abs=1e-7 * march.reach)

@@ -196,6 +196,25 @@ def inverses_of_the_torque():
     yield "T(R) = T", direct.torque(F, radius, z1, z2, C, f1, f2) - T
 
 
+def inverses_of_indirect_accuracy_in_numbers():
+    """The same in fractions, for springs and settings of some clutches: the very gain and pairs that gave K_т."""
+    tenth = sp.Rational(1, 10)
+    for ends, springs, pairs, net in (
+        ((1, 1, 8), (20, 10), 8, 4), ((1, 3, 8), (20, 10), 8, 4), ((2, 5, 7), (3, 11), 5, 13), ((1, 2, 9), (7, 1), 3, 2)
+    ):  # fmt: skip
+        low, at_set, high = (tenth * end for end in ends)
+        factor = indirect.accuracy_factor(low, at_set, high, *springs, pairs, tenth * net)
+        linear = synthesis.net_loop_gain_linear(low, at_set, high, *springs, factor)
+        constant = synthesis.net_loop_gain_constant(low, high, *springs, factor)
+        loop = exact(
+            synthesis.net_loop_gain_for_accuracy_factor(low, at_set, high, springs[0], factor, linear, constant)
+        )
+        yield "κ", synthesis.net_gain_for_accuracy_factor(loop, pairs) - tenth * net
+        yield "z", synthesis.pairs_for_accuracy_factor_indirect(loop, tenth * net) - pairs
+        ratio = synthesis.stiffness_ratio_for_accuracy_factor(low, at_set, high, pairs, tenth * net, factor)
+        yield "c_2/c_1", ratio - sp.Rational(springs[1], springs[0])
+
+
 @pytest.mark.slow
 def inverses_of_indirect_accuracy():
     """Net gain, pairs and stiffness ratio for a wanted K_т put back into S21 (15) mended give it."""
