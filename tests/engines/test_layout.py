@@ -64,25 +64,6 @@ def test_what_overlaps_is_what_the_rectangles_do(kind):
     assert all(frozenset(pair) in seen for pair in named)
 
 
-@pytest.mark.parametrize("travels", [False, True])
-def test_arrays_as_numbers(travels):
-    rng = np.random.default_rng(7)
-    sizes = [drawn(rng, travels) for _ in range(40)]
-    columns = {}
-    for name in ("pairs", "inner_radius", "outer_radius", "ball", "circle", "travel"):
-        columns[name] = np.array([getattr(size, name) for size in sizes], float)
-    together = parts_of(sizes[0]._replace(**columns))
-    for place, size in enumerate(sizes):
-        alone = parts_of(sizes[0]._replace(**{name: getattr(size, name) for name in columns}))
-        assert np.broadcast_to(length_of(together), 40)[place] == pytest.approx(length_of(alone), rel=1e-14)
-        for (*pair, missing), (*same, other) in zip(overlaps(together), overlaps(alone), strict=True):
-            assert pair == same
-            assert np.broadcast_to(missing, 40)[place] == pytest.approx(other, rel=1e-12, abs=1e-15)
-        for half in ("driving", "hub", "driven"):
-            both = inertia_of(together, half), inertia_of(alone, half)
-            assert np.broadcast_to(both[0], 40)[place] == pytest.approx(both[1], rel=1e-12)
-
-
 def ring(outer, inner, length):
     """Mass and moment of inertia of a steel ring by the middles of thin ones, mm."""
     edges = np.linspace(inner, outer, 20001) / 1000
