@@ -52,10 +52,7 @@ def random_spec(rng: np.random.Generator, name: str) -> dict[str, Any]:
         "variant": "differentiated" if variant == "unlike" else variant,
         "friction": {"driving": friction(), "driven": friction()} if variant == "unlike" else friction(),
         "friction_group": {"pairs": pairs, "mean_radius": radius},
-        "adjustment": {
-            "method": str(rng.choice(["min-friction", "mean-friction"])),
-            "margin": rng.uniform(1, 2),
-        },
+        "adjustment": {"method": str(rng.choice(["min-friction", "mean-friction"])), "margin": rng.uniform(1, 2)},
     }
     if variant in ("differentiated", "unlike") and (name == "z1" or rng.random() < 0.5):
         data["friction_group"]["driving_pairs"] = int(rng.integers(1, pairs))

@@ -65,51 +65,6 @@ def test_what_is_not_possible_is_said(afmcalc):
     assert len(notes) == 3
 
 
-def test_bad_calls(afmcalc):
-    assert afmcalc("compare", CONFIGS / "default.toml", S21, "--variants").code == 2
-    assert afmcalc("compare", "none.toml").code == 3
-
-
-def test_findings_of_every_variant_compared_are_told(afmcalc):
-    run = afmcalc("compare", S21, "--variants", "--json").json
-    warned = {row["variant"] for row in run["result"]["clutches"] if row["warnings"]}
-    told = {f["message"].partition(":")[0] for f in run["findings"] if f["level"] == "warning"}
-    assert all(isinstance(row["errors"], int) for row in run["result"]["clutches"])
-    assert warned <= told
-
-
-def test_a_finding_of_several_clutches_is_printed_once(afmcalc):
-    """With the names and the values in one order; JSON has one of each clutch."""
-    clutches = [CONFIGS / f"{name}.toml" for name in ("envelope", "indirect")]
-    found = [each for each in afmcalc("compare", *clutches, "--json").json["findings"] if each["code"] == "hysteresis"]
-    assert [each["message"].partition(":")[0] for each in found] == ["Indirect clutch in its space", "Indirect clutch"]
-    for form in ("table", "markdown"):
-        (line,) = [
-            line for line in afmcalc("compare", *clutches, "--format", form).out.splitlines() if "hyster" in line
-        ]
-        assert "Indirect clutch in its space, Indirect clutch: the key's friction" in line
-        assert "by a factor of 1.069, 1.083," in line
-    lines = afmcalc("compare", CONFIGS / "indirect.toml", "--variants").out.splitlines()
-    (line,) = [line for line in lines if "contact-force-exceeded" in line]
-    assert line.startswith("error: differentiated, all-driving: the contact force 1.9605 kN, 2.1917 kN exceeds the")
-
-
-@pytest.mark.parametrize(
-    ("example", "change", "code", "values"),
-    [
-        # S21 (14): F_п1 (1 + z κ f_set), the nominal torque 248.87 N·m and 164.92 N·m kept
-        ("indirect", "control_spring.force=5500", "control-spring-re-set", "5.1789 kN and 5.6456 kN"),
-        # C_1* = (c_1 + c_2)/(z f_set F_п1); F_п1 = T_н/(z R f_set), 1.25 times as much at the mean friction
-        ("constant-torque", "name=x", "pockets-re-cut", "C_1 = 0.375 1/mm, at the mean friction 0.3 1/mm"),
-    ],
-)
-def test_adjust_says_what_it_sets_anew(example, change, code, values, afmcalc):
-    run = afmcalc("adjust", f"example:{example}", "--set", change, "--json").json
-    assert {each["code"]: each["message"] for each in run["findings"] if values in each["message"]}.keys() == {code}
-    plain = afmcalc("adjust", "example:indirect", "--json").json
-    assert not {"control-spring-re-set", "pockets-re-cut"} & {each["code"] for each in plain["findings"]}
-
-
 @pytest.mark.parametrize(
     ("example", "change"), [("indirect", "control_spring.force=5500"), ("constant-torque", "name=x")]
 )

@@ -1,10 +1,8 @@
 """Torques of the groups, forces on balls, key and stop, the load up to slip: balances and the papers' formulas."""
 
-import json
 import math
 
 import pytest
-from conftest import CONFIGS
 
 from afmcalc.analysis.adjust import adjust
 from afmcalc.analysis.overload import overload
@@ -55,14 +53,6 @@ def test_forces_on_the_sleeve_are_in_balance(friction):
     assert point.stop_reaction >= 0
     assert point.stop_reaction * point.travel == 0
     assert point.key_friction_force == pytest.approx(2 * point.torque * 0.01 / 0.05)
-
-
-def test_details_are_asked_for(afmcalc):
-    spec = str(CONFIGS / "default.toml")
-    assert "T_1(0)" not in afmcalc("torque", spec, "--friction", "0.3").out
-    assert afmcalc("torque", spec, "--friction", "0.3", "--details").out.count("T_1(0)") == 3  # meaning, table, points
-    assert "T_1(0)" not in afmcalc("torque", spec).out
-    assert json.loads(afmcalc("torque", spec, "--json").out)["result"]["onset_torque"]["min"] == pytest.approx(20)
 
 
 def test_the_load_rises_until_slip():

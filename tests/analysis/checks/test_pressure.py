@@ -4,26 +4,10 @@ import math
 
 import pytest
 
-RADII = [
-    "--set",
-    "friction_group.mean_radius=",
-    "--set",
-    "friction_group.inner_radius=80 mm",
-    "--set",
-    "friction_group.outer_radius=120 mm",
-]
-CORK = [
-    "--set",
-    "friction.min=",
-    "--set",
-    "friction.mean=",
-    "--set",
-    "friction.max=",
-    "--set",
-    "friction.material=cork-dry",
-]
-
-
+RING = ("friction_group.mean_radius=", "friction_group.inner_radius=80 mm", "friction_group.outer_radius=120 mm")
+RADII = [part for change in RING for part in ("--set", change)]
+CORKS = ("friction.min=", "friction.mean=", "friction.max=", "friction.material=cork-dry")
+CORK = [part for change in CORKS for part in ("--set", change)]
 LOWER = 55e3
 """Pa, what cork bears at least; 95 kPa at most."""
 

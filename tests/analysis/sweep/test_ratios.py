@@ -3,7 +3,6 @@
 import pytest
 
 from afmcalc.analysis.accuracy import accuracy
-from afmcalc.analysis.curves import accuracy_curve
 from afmcalc.analysis.solve.solve import NotAttainableError, solve
 from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.engines import build
@@ -53,26 +52,6 @@ def test_which_friction_moves(clutch):
     assert m.torque_max == pytest.approx([torque(0.3, 0.3), torque(0.6, 0.6)])
 
 
-def test_a_grid_of_ratios(clutch):
-    series = swept(clutch, "n=0.8,1.5", "p=1,1.4", "m=4,6")
-    points = zip(*(one.values for one in series), strict=True)
-    assert series[0].accuracy_factor == pytest.approx([factor(*point) for point in points], rel=1e-12)
-
-
-def test_a_range_of_ones_own_stays_within_the_ranges_of_friction(clutch):
-    wide = build(respecified(clutch.spec, {"friction.driven.min": 0.4, "friction.driven.mean": 0.5}))
-    for name, low, high in (("n", 5 / 6, 2), ("p", 2, 5), ("m", 5, 12)):
-        values = parse_axis(name, wide.spec).values
-        assert (values[0], values[-1]) == pytest.approx((low, high))
-        swept(wide, name)
-
-
-def test_a_range_of_ones_own_goes_around_the_ratio_as_it_is_meant(clutch):
-    """0.6/0.1 is 5.999999999999999 in floats; the sweep goes from 3 to 12."""
-    (series,) = swept(clutch, "m")
-    assert (series.values[0], series.values[-1]) == (3.0, 12.0)
-
-
 def test_materials_of_the_catalogue_give_way(clutch):
     gone = {"friction.driven.min": None, "friction.driven.max": None, "friction.driven.material": "moulded-dry"}
     of_catalogue = build(respecified(clutch.spec, gone))
@@ -102,13 +81,6 @@ def test_the_ends_of_a_ratio(clutch):
     assert solve(clutch, "m", "accuracy_factor", 1.9, beyond_limit=True)[0].value > 8
 
 
-def test_a_curve_over_a_ratio(clutch):
-    curve = accuracy_curve(clutch, "m")
-    assert curve.own == pytest.approx(M)
-    assert curve.series.accuracy_factor == pytest.approx([factor(m=m) for m in curve.series.values])
-    assert len(curve.series.values) == 201
-
-
 def test_slopes(clutch):
     """F11 (18), (22) as mended, at z_2 C f_1max = 4.5, and by differences of (17)."""
     result, _ = accuracy(clutch)
@@ -119,15 +91,6 @@ def test_slopes(clutch):
     assert result.slope_in_ratio_min == pytest.approx(
         (factor(p=1.2 + step) - factor(p=1.2 - step)) / (2 * step), rel=1e-6
     )
-
-
-def test_no_slopes_where_the_largest_torque_is_not_at_the_largest_friction(clutch):
-    """C 3, f_1 0.5…0.6, f_2 0.1…0.6: (14) gives 0.906, K_т is 1.104."""
-    falling = {"control_unit.gain": 3.0, "friction.driving.min": 0.5, "friction.driven.min": 0.1}
-    result, _ = accuracy(build(respecified(clutch.spec, falling)))
-    assert result.accuracy_factor == pytest.approx(1.104, abs=5e-4)
-    assert result.slope_in_ratio_max is None
-    assert result.slope_in_ratio_min is None
 
 
 @pytest.mark.parametrize("name", ["n", "p", "m"])
@@ -146,11 +109,3 @@ def test_only_unlike_materials_have_ratios(name):
 def test_a_ratio_beside_a_coefficient_is_refused(clutch, other):
     with pytest.raises(AfmcalcError, match="cannot be swept together"):
         swept(clutch, "m=4,5", f"{other}=0.11,0.3")
-
-
-def test_names_in_what_is_printed(afmcalc):
-    run = afmcalc("accuracy", UNLIKE, "--sweep", "n=0.5,1", "--format", "csv")
-    assert run.out.startswith("friction.driven.max/friction.driving.max [1],")
-    series = afmcalc("accuracy", UNLIKE, "--sweep", "n=0.5,1", "--json").json["result"]["sweep"][0]
-    assert series["parameter"] == "n"
-    assert "m           ratio f_1max/f_1min" in afmcalc("solve", "--help").out

@@ -1,14 +1,13 @@
 """Distributions of what scatters: against their own moments and quantiles."""
 
 import math
-from statistics import NormalDist
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.tolerance.model import Input, inputs_of, normal_probability, normal_score
+from afmcalc.analysis.tolerance.model import inputs_of
 from afmcalc.spec import make_spec
 
 BASE = {
@@ -35,21 +34,6 @@ def test_quantiles_undo_the_distribution(kind, spread, p):
     assert x >= 0
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("spread", [0.05, 0.8])
-def test_drawn_and_mapped_samples_agree(kind, spread):
-    """Quantiles of a drawn sample against the quantile function, truncation (at 80 %) included."""
-    each = only(distribution=kind, spread=f"{100 * spread:g} %")
-    sample = each.draw(np.random.default_rng(5), 200_000)
-    u = np.array([0.01, 0.25, 0.5, 0.75, 0.99])
-    expected = each.quantiles(u)
-    # standard error of a quantile by the slope of the quantile function
-    slope = (each.quantiles(u + 1e-4) - each.quantiles(u - 1e-4)) / 2e-4
-    error = slope * np.sqrt(u * (1 - u) / sample.size)
-    assert np.all(np.abs(np.quantile(sample, u) - expected) < 4.5 * error)
-    assert sample.min() >= 0
-
-
 @pytest.mark.parametrize(
     ("given", "mean", "sigma"),
     [
@@ -71,16 +55,3 @@ def test_textbook_moments(given, mean, sigma):
 def test_friction_takes_the_range_of_the_spec():
     each = only("friction", distribution="triangular")
     assert (each.ends, each.center) == ((0.1, 0.4), 0.2)
-
-
-def test_scores_are_those_of_the_standard_library():
-    u = np.array([1e-9, 0.025, 0.5, 0.999])
-    scores = [NormalDist().inv_cdf(p) for p in u]
-    assert normal_score(u) == pytest.approx(scores, rel=1e-12)
-    assert normal_probability(np.array(scores)) == pytest.approx(u, rel=1e-12)
-
-
-def test_cdf_outside_the_support():
-    each = Input("x", "1", "triangular", 2.0, 1.0, (1.0, 3.0), (0.0, math.inf))
-    assert [each.cdf(x) for x in (0.5, 1.5, 2.0, 2.5, 9)] == [0, 0.125, 0.5, 0.875, 1]
-    assert only(distribution="lognormal", spread=1).cdf(-1.0) == 0
