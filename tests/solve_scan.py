@@ -1,6 +1,6 @@
 """Random solves against a dense scan that knows nothing of how solve searches.
 
-``python tests/solve_scan.py 1000`` tries 1,000 of every parameter; the suite tries 30, or 100.
+``python tests/solve_scan.py 1000`` tries 1,000 of every parameter; the suite tries 4, or 20.
 """
 
 import math

@@ -4,7 +4,7 @@ import math
 
 import pytest
 from conftest import CONFIGS
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
@@ -111,26 +111,6 @@ def test_splines_against_a_solution_of_the_pack_disc_by_disc(spec, mu, ratio):
         rest = float(clutch.pack_force_at_rest)
         both = sorted(pressed(clutch, chain(mu, radius, rest, back=back), *frictions, radii) for back in (False, True))
         assert (getattr(held.torque_low, end), getattr(held.torque_high, end)) == pytest.approx(both, rel=1e-9)
-
-
-@settings(max_examples=4)
-@given(st.one_of(direct_specs(("differentiated", "unlike", "all-driving")), indirect_specs()))
-def test_without_friction_nothing_is_left_of_an_effect(spec):
-    unit = spec.control_unit.model_copy(update={"wall_friction": 0.0, "ball_circle_radius": 0.05, "ball_diameter": 1e-6,
-                                                "balls": 6})  # fmt: skip
-    drive = spec.drive.model_copy(update={"speed": 1e-3})
-    clutch = build(with_splines(spec, spline_friction=0.0).model_copy(update={"control_unit": unit, "drive": drive}))
-    assume(clutch.gain * 0.05 < 100)
-    result, found = effects(clutch)
-    assert len(result.effects) == 3
-    for effect in result.effects:
-        for end in ("min", "mean", "max"):
-            law = getattr(result.torque, end)
-            assert getattr(effect.torque_low, end) == pytest.approx(law, rel=1e-9)
-            assert getattr(effect.torque_high, end) == pytest.approx(law, rel=1e-9)
-        # the accuracy of the law is that along its path, where unlike materials may have their extremes inside
-        assert effect.accuracy_factor_low == pytest.approx(effect.accuracy_factor_high, rel=1e-9)
-    assert not {each.code for each in found} & {"effect-on-accuracy", "effect-on-torque"}
 
 
 def test_what_locks_and_what_is_used_up():

@@ -14,7 +14,6 @@ from afmcalc.analysis.requirements import requirement_rows
 from afmcalc.analysis.simulate import history
 from afmcalc.drive.heat import Body, course_of, largest_rise, most_in_disc
 from afmcalc.engines import build
-from afmcalc.equations import heat as law
 from afmcalc.spec import make_spec
 
 AREA = math.pi * (0.12**2 - 0.08**2)
@@ -214,15 +213,6 @@ def test_a_material_is_held_against_the_faces():
         rows, _ = requirement_rows(Answers(build(hot_faces(face_temperature=f"{most} degC"))))
         assert [(each.requirement, each.passed) for each in rows][1] == ("face_temperature", passed)
         assert rows[1].utilisation == pytest.approx((told.value - 293.15) / (most - 20))
-
-
-def test_a_share_of_a_temperature_is_one_of_the_rise():
-    """24.37 °C of 204 °C from 20 °C is 0.024, not 0.62 (a ratio of kelvins)."""
-    assert law.share_of_rise(24.37 + 273.15, 293.15, 477.15) == pytest.approx(0.024, abs=5e-4)
-    discs = {"disc_mass": 6.0, "specific_heat": 480, "ambient": "20 degC"}
-    energy = 337 * 50 * math.pi * 0.5
-    rows, _ = requirement_rows(Answers(clutch(discs=discs, requirements={"temperature": "204 degC"})))
-    assert rows[0].utilisation == pytest.approx(energy / (6 * 480) / 184)
 
 
 @pytest.mark.parametrize("mass", [0.5, 2.0, 50.0])

@@ -1,4 +1,4 @@
-"""The command: what it tells of a spec, its findings and refusals, sweeps, tolerances, history, the spec it writes."""
+"""The command: findings, sweeps, tolerances, history, the spec it writes."""
 
 import csv
 import io
@@ -16,7 +16,6 @@ from afmcalc.analysis.tolerance.study import DRIVES, tolerance
 from afmcalc.drive.cases import case_of, outcome_of
 from afmcalc.engines import build
 from afmcalc.equations import drive as law
-from afmcalc.spec import make_spec, read_spec, resolved
 
 FATIGUE = {"endurance_limit": 4e8, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
 INDIRECT = {
@@ -189,35 +188,3 @@ def test_a_sudden_stop_loads_the_shaft_by_the_speed_of_all_behind_the_discs():
     found, held = outcome_of(direct, 0.1), outcome_of(sleeved, 0.1)
     assert found.trip.peak - found.case.plant.sliding == pytest.approx(bound, rel=1e-3)
     assert bound / math.sqrt(2) < held.trip.peak - held.case.plant.sliding < bound
-
-
-KEYED = {
-    "drive": {
-        "speed": 30, "motor_inertia": 1.5, "driven_inertia": 0.01, "hub_inertia": 0.004, "shaft_stiffness": 4000,
-        "damping_ratio": 0.03, "event": {"kind": "stop", "stop_time": 0.01},
-    }
-}  # fmt: skip
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("cut_off", [None, 0.5])
-def test_the_motor_is_compared_with_the_torque_that_the_clutch_slips_with(cut_off):
-    """The key holds the sleeve back: the pack slips with less than the table's T, and both numbers are told as such."""
-    data = resolved(read_spec(CONFIGS / "indirect.toml", ["control_unit.key_friction=0.1"]))
-    data |= merged({}, KEYED)
-    if cut_off:
-        data["drive"] |= {"cut_off": cut_off}
-    own = build(make_spec(data))
-    result, findings = simulate(own)
-    told = {each.code: each for each in findings}
-    said = told["motor-stops-at-cut-off" if cut_off else "motor-never-stops"]
-    # seated, f_min: T falls from z R f F_п2/(1 + zκf) towards z R f F_п2/(1 + zκ₊f), which is F_п2 = F_п1 (1 + zκf_cp)
-    kappa, returning, force = 0.6, 1.4, 2000 * (1 + 8 * 0.6 * 0.3)
-    high, low = (8 * 0.1 * 0.1 * force / (1 + 8 * gain * 0.1) for gain in (kappa, returning))
-    assert result.sliding_torque.min == pytest.approx(high)
-    assert low <= said.value < high
-    assert said.limit == pytest.approx(480 / 1.75)
-    assert f"{high:.5g} N·m only as friction rises" in said.message
-    carried = told["ordinary-slips-before-event"]
-    assert (carried.value, carried.limit) == (pytest.approx(480 / 3), pytest.approx(480 / 1.75))
-    assert told["ordinary-carries-hub"].value == pytest.approx(0.014)

@@ -175,15 +175,6 @@ def test_a_picked_spring_is_in_the_spec(afmcalc, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_spring_has_its_length_as_set_and_at_full_travel(afmcalc):
-    """Six discs B 40 of 2.65 mm: 15.9 mm less what 2 kN presses them; the sleeve's travel lets them go by 2.51 mm."""
-    told = afmcalc("springs", INDIRECT, "--kind", "disc", "--json").json["result"]["closing"][0]
-    assert (told["length_set"], told["length"]) == pytest.approx((12.341e-3, 14.853e-3), abs=5e-7)
-    size = next(each for each in discs() if told["part"].endswith(f" {each.name}"))
-    assert force_and_slope(size, size.free_height - told["length_set"] / 6)[0] == pytest.approx(2000, rel=1e-9)
-
-
-@pytest.mark.slow
 def test_what_rests_on_a_slack_spring_is_not_told():
     """Six discs B 40 pressed by 3.56 mm by 2 kN; eight pairs wear by 4 mm: slack, no 1.5 million trips, no force < 0."""
     stack = {"outer_diameter": 0.04, "inner_diameter": 0.0204, "thickness": 1.5e-3, "free_height": 2.65e-3, "series": 6}

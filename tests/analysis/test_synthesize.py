@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import indirect_specs
@@ -16,11 +15,6 @@ from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.lists import diameters
 from afmcalc.spec.models import HARDENED_STEEL, Required
-
-CONTACT = {
-    "ball_modulus": "210 GPa", "ball_poisson": 0.3, "wall_modulus": "206 GPa", "wall_poisson": 0.28,
-    "allowable_pressure": "2500 MPa",
-}  # fmt: skip
 
 
 def codes(findings):
@@ -67,20 +61,6 @@ def test_gain_of_least_contact_force_is_stationary(spec):
 
     assume(least * (1 - 1e-3) > clutch.gain_threshold)
     assert force(least) <= min(force(least * 0.999), force(least * 1.001)) * (1 + 1e-9)
-
-
-def test_hertz_in_place_of_a_given_force():
-    """At the allowable force the textbook's contact radius and pressure give the allowable pressure."""
-    overrides = ["control_unit.allowable_contact_force="]
-    overrides += [f"control_unit.contact.{key}={value}" for key, value in CONTACT.items()]
-    result, _ = synthesize(build(read_spec(CONFIGS / "default.toml", overrides)))
-    assert result.contact_basis == "hertz-ball-on-flat"
-    modulus = 1 / ((1 - 0.3**2) / 210e9 + (1 - 0.28**2) / 206e9)
-    radius = result.ball_diameter_standard / 2
-    contact_radius = (3 * result.contact_force_allowable * radius / (4 * modulus)) ** (1 / 3)
-    pressure = 3 * result.contact_force_allowable / (2 * math.pi * contact_radius**2)
-    assert pressure == pytest.approx(2.5e9, rel=1e-9)
-    assert result.contact_utilisation == pytest.approx(result.contact_force / result.contact_force_allowable)
 
 
 def small_balls(*overrides):

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from drives import VARIANTS, begun, clutch, light, merged, plant, run
+from drives import TRAIN, VARIANTS, begun, clutch, light, merged, plant, run
 from scipy.integrate import trapezoid
 
 from afmcalc.drive.cases import outcome_of, peak_time
@@ -32,6 +32,11 @@ def test_v2_sudden_lock_of_an_endless_motor():
     found = run(plant(300.0, motor_inertia=1e12, time=0.0, load=300.0, engine=Engine(300.0, None, 0.0)), 0.5)
     assert found.peak == pytest.approx(300 + 15 * math.sqrt(8000 * 0.05), rel=TIGHT)
     assert not found.ended
+
+
+def test_the_hub_of_an_indirect_clutch_is_stopped_with_the_driven_half():
+    """ω_0 √(k (J_2 + J_h))."""
+    assert replace(TRAIN, hub_inertia=0.05).inertia_torque == pytest.approx(15 * math.sqrt(8000 * 0.1))
 
 
 def test_v3_sudden_lock():

@@ -5,7 +5,7 @@ import pytest
 from drives import begun, indirect, run
 
 from afmcalc.drive.lanes import march
-from afmcalc.drive.plant import SIZE, TURN
+from afmcalc.drive.plant import TURN
 from afmcalc.drive.train import Engine
 from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.equations import sleeve as law
@@ -55,35 +55,6 @@ def test_quasi_static_loading_trips_at_the_torque_of_the_law():
     F1, F2, c1, c2, zf, R, kappa = 2500.0, 3300.0, 2e4, 1e4, 8 * 0.1, 0.1, 0.4
     expected = zf * R * (F1 * c2 + F2 * c1) / (c1 + c2 + zf * c1 * kappa)
     assert (drive.sliding, run(drive, 600.0).trip_torque) == pytest.approx((expected, expected), rel=1e-6)
-
-
-def returning(friction: float, far: float) -> float:
-    """Torque when friction falls under a load that lasts: held by the key at ``far``, moving along κ₊, seated."""
-    zf, R, F1, F2, c1, c2, back = 8 * friction, 0.1, 2500.0, 3300.0, 2e4, 1e4, 1.6
-    seated = zf * R * F2 / (1 + back * zf)
-    if seated <= R * (F2 - F1) / back:
-        return seated
-    moving = zf * R * (F1 * c2 + F2 * c1) / (c1 + c2 + c1 * zf * back)
-    return max(zf * R * (F1 - c1 * far), moving)
-
-
-def test_friction_that_falls_under_a_lasting_load_returns_along_kappa_plus():
-    """First the key holds the sleeve, then it returns, then it seats; a step of friction overshoots by less than two."""
-    step = 0.02
-    drive = indirect(0.8, **LASTING)
-    far = (drive.sliding * 0.4 / 0.1 - 800) / 3e4
-    state = [5.0, 0.0, drive.sliding / 8000, 0.0, 0.0, far / 0.1, 2500.0]
-    frictions = [0.8, 0.5, 0.3, 0.21, *[0.2 - step * number for number in range(1, int(0.19 / step))], 0.02, 0.01]
-    for friction in frictions[1:]:
-        drive = indirect(friction, **LASTING)
-        found = run(begun(drive, *state), 0.2)
-        state = found.state[:SIZE]
-        expected, above = returning(friction, far), returning(friction + 2 * step, far)
-        if friction > 0.2 or friction < 0.025:
-            assert found.last == pytest.approx(expected, rel=1e-6), friction
-        else:
-            assert expected * (1 - 1e-9) <= found.last <= above * (1 + 1e-9), friction
-    assert state[TURN] == 0, "and is seated in the end"
 
 
 @pytest.mark.parametrize("slope", [0.0, 15.0])

@@ -3,18 +3,12 @@
 At the friction of the setting, 0.3, the sleeve of this drive hammers on its stop.
 """
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
-from drives import indirect, run
 from scipy.integrate import solve_ivp
 
 from afmcalc.analysis.simulate import simulate
 from afmcalc.drive.cases import bracket_of, case_of, outcome_of
-from afmcalc.drive.lanes import march
-from afmcalc.drive.peaks import step_of
-from afmcalc.drive.plant import TURN
 from afmcalc.drive.trip import trip
 from afmcalc.engines import build
 from afmcalc.spec.read import read_spec
@@ -81,29 +75,6 @@ def test_events_meet_the_referee(f):
     assert found.heat == pytest.approx(heat, rel=2e-3)
 
 
-def random_drive(rng):
-    """An indirect clutch at a friction about that of its setting, in a drive."""
-    u = rng.uniform
-    inertia, stiffness = 10 ** u(-2.2, -1.3), 10 ** u(3.3, 4.3)
-    train = {"hub_inertia": inertia * u(0.2, 0.8), "driven_inertia": inertia, "stiffness": stiffness}
-    train |= {"motor_inertia": 10 ** u(-0.3, 0.7), "speed": u(5, 30), "time": 10 ** u(-2.2, -1.7), "load": 140.0}
-    law = {"closing_stiffness": 10 ** u(4.5, 5.7), "control_stiffness": 10 ** u(4.5, 5.7), "friction_set": 0.3}
-    law |= {"gain": u(0.6, 1.5)}
-    law |= {"key_friction": law["gain"] * u(0.01, 0.06)}
-    own = indirect(0.3 * u(0.95, 1.04), law=law, damping=2 * 0.05 * (stiffness * inertia) ** 0.5)
-    return replace(own, train=replace(own.train, **train))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", [0, 2, 5])
-def test_random_drives_in_the_band(seed):
-    own = random_drive(np.random.default_rng([22, seed]))
-    found, step = run(own, 0.06), float(np.max(step_of(own.train, own.pack)))
-    stepped = march(own.train, own.pack, np.array([step]), int(0.06 / step))
-    assert stepped.peak[0] == pytest.approx(found.peak, rel=1e-3)
-    assert stepped.peak_clutch[0] == pytest.approx(found.peak_clutch, rel=5e-3)
-
-
 @pytest.mark.slow
 def test_the_bracket_at_the_stop():
     """V1 by hand: T = zf R F_п2/(1 + zf κ), run down against the load's torque; with κ₊ and the play too.
@@ -158,23 +129,3 @@ def test_slow_slip_is_as_long_as_it_is():
     assert found.slip_time == pytest.approx(1.87255, rel=1e-3)
     assert found.heat == pytest.approx(3356.19, rel=1e-4)
     assert found.residual < 1e-6
-
-
-def constant_torque(load: float):
-    """Under a load."""
-    law = {"friction_set": 0.1, "gain_slope": (2e4 + 1e4) / (8 * 0.1 * 2500.0), "key_friction": 0.02}
-    return indirect(0.3, law=law, load=load, kind="load", tool_inertia=0.1, overload=600.0, time=0.0, motor_inertia=0.5)
-
-
-@pytest.mark.slow
-def test_a_constant_torque_pocket_starts_under_its_nominal_torque():
-    """There the control unit has no stiffness, and nothing is lifted: the answer is that of a load a little below."""
-    full = constant_torque(200.0)
-    assert full.pack.lift == pytest.approx(200.0)
-    assert full.pack.torsional(0.0, full.pack.net_gain, full.pack.lift) == pytest.approx(0.0, abs=1e-6)
-    assert full.start()[TURN] == 0
-    found, near = (trip(own, 0.05, given=True) for own in (full, constant_torque(200.0 / 1.0001)))
-    for name in ("peak", "peak_clutch", "heat", "slip_time"):
-        assert getattr(found, name) == pytest.approx(getattr(near, name), rel=2e-3), name
-    step = np.array([0.05 / 1000])
-    assert march(full.train, full.pack, step, 1000).peak[0] == pytest.approx(found.peak, rel=1e-3)

@@ -138,7 +138,6 @@ def test_accuracy_under_a_load_that_lasts(afmcalc, tmp_path):
     assert not checked(f"{rising}=2")[1]
 
 
-
 def test_a_margin_in_the_spring_is_not_taken_off_again():
     """S19: set at the mean friction T_н is what is left of the spring's force less its margin."""
     for method, over in (("min-friction", 1.25), ("mean-friction", 1)):

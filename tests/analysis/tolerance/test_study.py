@@ -1,4 +1,4 @@
-"""The sampler against exact quantiles, error propagation and analytic Sobol indices; every error path."""
+"""The sampler against exact quantiles, error propagation and analytic Sobol indices."""
 
 import math
 
