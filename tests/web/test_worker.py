@@ -71,26 +71,24 @@ def run(scene, *arguments, **options):
     asyncio.run(asyncio.wait_for(played(), 20))
 
 
+async def asked(worker, job, gone=here):
+    return [each async for each in worker.ask(job, gone)]
+
+
 def test_a_job_is_told_of_and_answered(started):
-    async def scene(worker):
-        for number in range(2):
-            said = [{"progress": 0.5, "text": "on"}, {"progress": None, "text": ""}, {"html": number}]
-            for each in said:
-                started[0].answer(each)
-            assert [each async for each in worker.ask({"job": number}, here)] == said
-        assert started[0].asked == [{"job": 0}, {"job": 1}]
-        assert len(started) == 1
+    """One after the other; nothing is calculated for whom has gone."""
 
-    run(scene)
-
-
-def test_for_whom_has_gone_nothing_is_calculated(started):
     async def scene(worker):
         async def gone():
             return True
 
-        assert [each async for each in worker.ask({"job": 1}, gone)] == []
-        assert started[0].asked == []
+        for number in range(2):
+            said = [{"progress": 0.5, "text": "on"}, {"progress": None, "text": ""}, {"html": number}]
+            for each in said:
+                started[0].answer(each)
+            assert await asked(worker, {"job": number}) == said
+            assert await asked(worker, {"job": "none"}, gone) == []
+        assert [process.asked for process in started] == [[{"job": 0}, {"job": 1}]]
 
     run(scene)
 
@@ -110,53 +108,39 @@ def test_who_stops_listening_ends_the_process(started):
     run(scene)
 
 
-def test_what_takes_too_long_is_ended_and_said(started):
+@pytest.mark.parametrize(("limit", "said"), [(0, "longer than 0 s"), (1e9, "without an answer")])
+def test_what_takes_too_long_or_dies_is_said_and_replaced(started, limit, said):
     async def scene(worker):
-        (told,) = [each async for each in worker.ask({}, here)]
-        assert "longer than 0 s" in told["problems"][0]
-        assert started[0].returncode == -9
-
-    run(scene, limit=0)
-
-
-def test_a_process_that_ends_is_said_and_replaced(started):
-    async def scene(worker):
-        started[0].kill()
-        (told,) = [each async for each in worker.ask({}, here)]
-        assert "without an answer" in told["problems"][0]
+        if limit:
+            started[0].kill()
+        (told,) = await asked(worker, {})
+        assert said in told["problems"][0]
         await asyncio.sleep(0.001)
-        started[1].answer({"html": ""})
-        assert [each async for each in worker.ask({}, here)] == [{"html": ""}]
+        assert [process.returncode for process in started] == [-9, None]
 
-    run(scene)
+    run(scene, limit=limit)
 
 
 @pytest.mark.parametrize("newest", [True, False])
 def test_a_newer_job_takes_the_place_of_others(started, newest):
-    """Of the one that is calculated and of those that wait; or all are answered, one after the other."""
-
-    async def asked(worker, number):
-        return [each async for each in worker.ask({"job": number}, here)]
+    """Of the one that is calculated and of one that waits; or all are answered, one after the other."""
 
     async def scene(worker):
-        tasks = []
-        for number in range(3):
-            tasks.append(asyncio.create_task(asked(worker, number)))
+        tasks = [asyncio.create_task(asked(worker, 0))]
+        await asyncio.sleep(0.001)
+        tasks += [asyncio.create_task(asked(worker, number)) for number in (1, 2)]
+        while newest and not started[-1].asked[-1:] == [2]:
             await asyncio.sleep(0.001)
+        for number in [2] if newest else range(3):
+            started[-1].answer({"html": number})
+        *others, last = await asyncio.gather(*tasks)
+        assert last == [{"html": 2}]
+        assert [process.asked for process in started if process.asked] == ([[0], [2]] if newest else [[0, 1, 2]])
         if newest:
-            while not started[-1].asked:
-                await asyncio.sleep(0.001)
-            assert started[-1].asked == [{"job": 2}]
-            started[-1].answer({"html": 2})
-            *others, last = await asyncio.gather(*tasks)
-            assert last == [{"html": 2}]
             assert ["newer change" in told["problems"][0] for (told,) in others] == [True, True]
             assert [process.returncode for process in started] == [-9] * (len(started) - 1) + [None]
         else:
-            for number in range(3):
-                started[0].answer({"html": number})
-            assert await asyncio.gather(*tasks) == [[{"html": number}] for number in range(3)]
-            assert len(started) == 1
+            assert others == [[{"html": 0}], [{"html": 1}]]
 
     run(scene, newest=newest)
 
@@ -234,49 +218,16 @@ def test_whoever_goes_leaves_one_worker(served):
     assert "html" in served.tab("accuracy", {})
 
 
-GREEDY = {
-    "tolerance": ({"tolerance.samples": "100000000000"}, {}),
-    "drive": ({"drive.event.duration": "1e9 s"}, {}),
-    "accuracy": ({"control_unit.balls": "1000000000"}, {"sweep": "C=0:1:2000000000"}),
-    "design": ({}, {"requirements": "[wanted]\nnominal_torque='100 N*m'\n[search]\nx=" + "[" * 5000}),
-}
-
-
 @proc
 @pytest.mark.tool
-def test_what_asks_for_too_much_is_refused(served):
-    before = served.memory()
-    for name, (fields, options) in GREEDY.items():
-        told = served.tab(name, fields, **options)
-        assert told["errors"] or told["problems"], name
-    assert served.memory() - before < 1 << 28
-
-
-@proc
-@pytest.mark.tool
-@pytest.mark.parametrize(
-    ("doing", "number", "code"),
-    [
-        ("a search", "SIGINT", 130),
-        ("half a request", "SIGINT", 130),
-        ("nothing", "SIGTERM", None),
-        ("a search", "SIGKILL", -9),
-    ],
-)
-def test_no_process_is_left(serve, doing, number, code):
-    """Ctrl-C in a terminal is for all of its processes, a signal for one."""
+@pytest.mark.parametrize(("number", "codes"), [("SIGINT", [130]), ("SIGTERM", [143, -15]), ("SIGKILL", [-9])])
+def test_no_process_is_left(serve, number, codes):
+    """While a search runs and half a request has come; Ctrl-C in a terminal is for all of its processes."""
     served = serve()
-    number = getattr(signal, number)
-    if doing == "half a request":
-        with served.connected() as connection:
-            connection.sendall(f"POST {served.root}live HTTP/1.1\r\nHost: {served.host}\r\nContent-Le".encode())
-            os.killpg(served.process.pid, number)
-            ended = served.process.wait(10)
-    else:
-        with served.streaming("design" if doing == "a search" else "accuracy", requirements=LONG) as lines:
-            next(lines)
-            os.kill(served.process.pid, number)
-            ended = served.process.wait(10)
+    with served.connected() as connection, served.streaming("design", requirements=LONG) as lines:
+        connection.sendall(f"POST {served.root}live HTTP/1.1\r\nHost: {served.host}\r\nContent-Le".encode())
+        next(lines)
+        (os.killpg if number == "SIGINT" else os.kill)(served.process.pid, getattr(signal, number))
+        assert served.process.wait(10) in codes
     until(lambda: not served.family())
-    assert code in (ended, None)
     assert "Traceback" not in served.said
