@@ -134,6 +134,15 @@ def test_csv_has_full_precision_and_si_units(answered):
     assert header == [*names, "torque_max [N*m]"]
     assert [float(row[0]) for row in rows] == points["values"]
     assert [float(row[1]) for row in rows] == points["accuracy_factor"]
+    ends = dict(
+        zip(
+            *csv.reader(io.StringIO(answered("overload", CONFIGS / "all-driving.toml", "--format", "csv").out)),
+            strict=True,
+        )
+    )
+    lows = [name for name in ends if ".low" in name]
+    assert lows
+    assert all(float(ends[name]) < float(ends[name.replace(".low", ".high")]) for name in lows)
 
 
 def test_an_output_file_is_what_would_be_printed(answered, tmp_path):

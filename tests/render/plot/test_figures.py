@@ -20,7 +20,7 @@ from afmcalc.messages import ENGLISH, language, named, speaking
 from afmcalc.papers import FIGURES
 from afmcalc.render.plot import sheet_of
 from afmcalc.render.plot.chart import Chart, Sheet
-from afmcalc.render.plot.figure import _LOW, _figure, _settings, inline_svg, save
+from afmcalc.render.plot.figure import _figure, _settings, inline_svg, save
 from afmcalc.render.plot.inline import svg_of
 from afmcalc.render.plot.schemes import SCHEMES
 from afmcalc.render.symbols import mathtext
@@ -136,7 +136,6 @@ def test_every_text_is_inside_and_apart_and_every_value_is_shown(lang, kind, sub
             assert joined([own.title, "–", named(LONG)]) == joined([figure.texts[0].get_text()])
             if changes:
                 assert faults(_figure(titled), lambda figure: FigureCanvasAgg(figure).draw()) == ([], [])
-                assert faults(_figure(Sheet("", own.panels), _LOW)) == ([], [])
         if kind in ("torque", "effects"):
             svg = inline_svg(own)
             (width,) = re.findall(r'viewBox="\S+ \S+ (\S+) \S+"', svg)

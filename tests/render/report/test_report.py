@@ -90,6 +90,7 @@ def test_texts_of_the_user_stay_texts_and_stand_in_the_title_block(framed, tmp_p
         "Date": "2026-02-03",
         "Organisation": EVIL,
     }.items() <= entries.items()
+    assert "AFM-17" not in text_of(tree.find(".//section[@id='spec']")), "nor again among the initial data"
     assert entries["SHA-256 of the spec as given"] == hashlib.sha256(spec.read_bytes()).hexdigest()
     signed = [[text_of(cell) for cell in row[:2]] for row in tree.findall(".//table[@class='signatures']/tbody/tr")]
     assert signed == [["Calculated by", "Ф."], ["Checked by", ""], ["Approved by", ""]]
@@ -125,6 +126,11 @@ def test_checks_have_utilisation_and_verdict(framed, parsed):
     rows = [[text_of(cell) for cell in row] for row in tree.findall(".//section[@id='checks']//tr")[1:]]
     found = {row[1]: (row[0], float(row[6].rstrip("*"))) for row in rows}
     assert found["feedback gain"] == ("warning", 1.6)
+    shares = [
+        float(text_of(line).partition(": ")[2].partition("%")[0])
+        for line in tree.findall(".//ul[@class='next']/li")[:2]
+    ]
+    assert shares[0] > shares[1] > 100, "the gravest first"
     assert found["contact force on one ball"][0] == "fail"
     assert found["contact force on one ball"][1] > 1
     # what holds by choice is marked, and the mark explained: the verdict does not count it
@@ -268,6 +274,7 @@ def test_a_verdict_is_a_sentence_for_each_outcome():
         assert checked != "exceeded" or not {"pass", "passes"} & set(re.findall(r"\w+", found.sentence))
         said.add(found.sentence)
     assert len(said) == 16
+    assert "least torque in service" not in verdict(told.check, []).limit, "it holds by choice"
     strict = told.check.model_copy(update={"passed": False, "errors": 0})
     assert verdict(strict, [Finding("warning", "x", "")]).grade == "fail"
     missed = row.model_copy(update={"passed": False, "utilisation": 1.3})
