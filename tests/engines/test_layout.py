@@ -119,9 +119,10 @@ def test_an_indirect_clutch_by_hand():
     assert length_of(parts_of(sizes_of(clutch))) * 1e3 == pytest.approx(16 + 24 + 8 + closing + 8 + control + 8)
 
 
+@pytest.mark.slow
 def test_a_drive_takes_what_the_layout_tells(afmcalc):
     drive = ["drive.speed=20", "drive.motor_inertia=1", "drive.shaft_stiffness=6000", "drive.cut_off=0.2",
-             'drive.event={kind="stop", stop_time="10 ms", duration="20 ms"}']  # fmt: skip
+             'drive.event={kind="stop", stop_time="5 ms", duration="10 ms"}']  # fmt: skip
     told = afmcalc("layout", "example:envelope", "--json").json["result"]
     given = [f"drive.{name}={told[name]!r}" for name in ("driven_inertia", "hub_inertia")]
     sets = [part for each in drive for part in ("--set", each)]
