@@ -74,17 +74,9 @@ def test_uses_are_those_of_the_program():
             patch.setattr(cell, "cell_contents", watched(name, inner))
         for example, commands, *changes in RUNS:
             user = ""
-<<<<<<< ours
             clutch = build(respecified(read_spec(f"example:{example}"), dict(changes)))
             for user in ("torque", *commands.split()):
                 ANALYSES[user].function(clutch)
-=======
-            clutch = build(spec)
-            for user in COMMANDS:
-                cases.run_of.cache_clear()
-                if ANALYSES[user].applies(clutch):
-                    ANALYSES[user].function(clutch)
->>>>>>> theirs
             user = "solve"
             for name, target in product(PARAMETERS, TARGETS):
                 with suppress(AfmcalcError), np.errstate(all="ignore"):

@@ -58,10 +58,6 @@ class Opened:
     def field(self, key: str) -> Any:
         return self.page.locator(f'[name="{key}"]')
 
-    def slider(self, key: str) -> Any:
-        """The slider beside a field."""
-        return self.page.locator(f'[name="{key}"] ~ input[type=range]')
-
     def unfold(self) -> None:
         self.page.evaluate("document.querySelectorAll('#form details, form details').forEach(one => one.open = true)")
 
@@ -91,12 +87,6 @@ class Opened:
         collect = "cells => Object.fromEntries(cells.map(one => [one.dataset.path, one.dataset.value]))"
         found: dict[str, str] = self.page.locator("#numbers [data-path]").evaluate_all(collect)
         return found
-
-    def copied(self) -> str:
-        """What the copy button puts into the clipboard."""
-        self.page.click("#copy")
-        self.page.wait_for_function("async () => (await navigator.clipboard.readText()).startsWith('afmcalc')")
-        return str(self.page.evaluate("navigator.clipboard.readText()"))
 
     def open(self, name: str) -> None:
         """Open a tab and wait until it answers."""

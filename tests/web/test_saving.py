@@ -108,7 +108,7 @@ def test_killed_while_saving_the_file_is_whole(serve, tmp_path):
     """Ended by SIGKILL at any moment, the file is the old one or one of those saved."""
     states = [{"name": letter * 900, "control_unit.gain": f"0.{number}"} for number, letter in enumerate("abc", 4)]
     draw, whole = random.Random(7), {(CONFIGS / "default.toml").read_bytes()}
-    for number in range(4):
+    for number in range(3):
         served = serve("default", "--force")
         if not number:
             for fields in states:

@@ -139,13 +139,10 @@ def test_checks_have_utilisation_and_verdict(framed, parsed):
 
 
 @pytest.mark.slow
-def test_friction_is_listed_by_group_and_material(report, parsed):
-    """Each group of unlike materials has its own; 0.25…0.45 of moulded-dry, the mean between them."""
+def test_friction_of_unlike_materials_is_listed_by_group(report, parsed):
     rows = table_rows(parsed(report("unlike-materials")), "spec")
     symbols = [row[0] for row in rows if len(row) > 1 and row[1].endswith("coefficient of friction")]
     assert symbols == ["f1min", "f1mean", "f1max", "f2min", "f2mean", "f2max"]
-    rows = table_rows(parsed(report("wood-chipper-clutch")), "spec")
-    assert [row[2] for row in rows if row[0] in ("fmin", "fmean", "fmax")] == ["0.25", "0.35", "0.45"]
 
 
 def table_rows(tree, section):
