@@ -42,7 +42,10 @@ def test_a_stored_table(name, answered):
     assert text == path.read_text(encoding="utf-8"), f"{name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=pytest.mark.slow if name in ("explain", "accuracy-sweep") else ()) for name in COMMANDS],
+)
 def test_the_formats_of_an_answer_agree(name, answered):
     """JSON is as its schema; Markdown has the cells of the table, CSV the numbers of the JSON, Excel's those of CSV."""
     runs = [answered(*COMMANDS[name], "--format", form) for form in ("table", "json", "csv", "markdown")]

@@ -34,12 +34,12 @@ PRINTED, SMALLEST = 210 - 20 - 14, 9.0
 """Millimetres that a figure of a report is wide on A4, and points of its smallest text but for subscripts."""
 KINDS = "torque accuracy overload life pocket section springs"
 FEW = [("ru", kind, "default") for kind in KINDS.split()]
-FEW += [("en", kind, "indirect") for kind in ["torque", "life", "pocket", "springs"]]
+FEW += [("en", kind, "indirect") for kind in ["torque", "pocket"]]
 MANY = [
     ("torque", "default", "F=1e-18"), ("torque", "default", "f_min=0.79999", "friction.mean="),
     ("overload", "default", "F=1e15"), ("pocket", "default", 'control_unit.ball_circle_radius="923.456789 mm"'),
     ("tolerance", "tolerance", "F=1e12"), ("simulate", "drive"), ("effects", "drive"), ("pareto", "requirements"),
-    ("section", "envelope"), ("section", "indirect"), ("accuracy", "indirect"), ("pocket", "constant-torque"), ("torque", "unlike-materials"),
+    ("section", "envelope"), ("life", "indirect"), ("springs", "indirect"), ("section", "indirect"), ("accuracy", "indirect"), ("pocket", "constant-torque"), ("torque", "unlike-materials"),
     *(("paper", name) for name in (*FIGURES, *SCHEMES)),
 ]  # fmt: skip
 

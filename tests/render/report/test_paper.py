@@ -105,7 +105,7 @@ def test_what_is_refused_before_anything_is_calculated(afmcalc, monkeypatch, tmp
     assert (run.code, "SOURCE_DATE_EPOCH" in run.err) == (2, True)
 
 
-@pytest.mark.parametrize(("version", "noted"), [(130, True), (131, False)])
+@pytest.mark.parametrize(("version", "noted"), [(130, True), pytest.param(131, False, marks=pytest.mark.slow)])
 def test_a_browser_that_prints_no_margins_is_named(version, noted, afmcalc, monkeypatch, tmp_path, undrawn):
     pdf = f"%PDF-1.4 /Producer (Skia/PDF m{version}) %%EOF".encode()
     monkeypatch.setattr("afmcalc.render.report.sheets.printed", lambda *given: pdf)
