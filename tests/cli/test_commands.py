@@ -210,6 +210,10 @@ def test_ascii_streams_do_not_fail(afmcalc):
     run = afmcalc("accuracy", SPEC, "--sweep", "C", encoding="ascii")
     assert run.code == 0
     assert run.out.isascii()
+    asked = ["torque", SPEC, "--set", "name=Муфта – 5 °", "--json"]
+    told = afmcalc(*asked, encoding="ascii")
+    assert told.out.isascii()
+    assert told.json == afmcalc(*asked).json
 
 
 @pytest.mark.parametrize("lang", ["en", "ru"])

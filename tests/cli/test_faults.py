@@ -150,7 +150,6 @@ def test_a_fault_of_our_own_is_said_and_never_a_failed_check(afmcalc, monkeypatc
 WRITE = {
     "x.json": ["torque", SPEC, "--force", "-o"],
     "x.toml": ["init", "--force", "-o"],
-    "y.toml": ["synthesize", SPEC, "--force", "-o"],
 }
 FAULTS = {"full": 3, "no memory": 2, "Ctrl-C": 130}
 
