@@ -59,9 +59,10 @@ def test_each_variant_is_counted_as_if_it_were_alone(example):
         assert each.on_front == sum(row.variant == each.variant for row in example.front)
 
 
-def test_the_knee_is_farthest_from_the_line_between_the_ends():
+@pytest.mark.parametrize("pairs", [6, 8, 16])
+def test_the_knee_is_farthest_from_the_line_between_the_ends(pairs):
     """Das, 1999: of two objectives, each over its range, by the distance of points from a line."""
-    data = BASE | {"objectives": ["closing_force", "accuracy_factor"], "search": BASE["search"] | {"pairs": 8}}
+    data = BASE | {"objectives": ["closing_force", "accuracy_factor"], "search": BASE["search"] | {"pairs": pairs}}
     result = api.design(data)
     at = np.array([[row.closing_force, row.accuracy_factor] for row in result.front])
     at = (at - at.min(axis=0)) / np.ptp(at, axis=0)

@@ -156,3 +156,35 @@ def test_pockets_that_meet_between_balls_that_do_not(steering):
         )  # fmt: skip
         result, _ = design(need)
         assert (result.feasible, result.excluded.get("standard_ball", 0)) == (feasible, 1 - feasible)
+
+
+SLEEVE = {"pairs": 8, "mean_radius": 0.12, "gain": 1.0, "ball_circle_radius": 0.05, "closing_stiffness": 4e5}
+
+
+@pytest.mark.parametrize("variant", ["all-driving", "indirect"])
+def test_a_ball_has_room_beside_the_hub(variant):
+    """Of 30 mm on a circle of 100 mm: 70 mm."""
+    space = {"disc_thickness": 0.003, "plate_thickness": 0.008, "housing_wall": 0.006, "bore": 0.03}
+    for hub, feasible in ((0.0699, 1), (0.0701, 0)):
+        own = (
+            {"fixed": {"hub_diameter": hub, "key_friction": 0.01}}
+            if variant == "indirect"
+            else {"envelope": {**space, "hub_diameter": hub}}
+        )
+        need = need_of(
+            variants=[variant], wanted={"accuracy_factor": None, "torque_max": None}, limits={"surface_pressure": None, "gain_limit": False},
+            search={**SLEEVE, "control_stiffness": 2e5, "ball_diameters": [0.03], "closing_force": {"min": 1, "max": 1e6}}, **own,
+        )  # fmt: skip
+        assert design(need)[0].feasible == feasible
+
+
+def test_a_constant_force_has_no_deflection_that_could_be_small():
+    """It is best in K_т: both stay on the front."""
+    need = need_of(
+        variants=["indirect"], objectives=["control_deflection", "accuracy_factor"], wanted={"accuracy_factor": None, "torque_max": None},
+        search={**SLEEVE, "control_stiffness": [0, 2e5], "closing_force": {"min": 1, "max": 1e6}}, limits={"surface_pressure": None},
+        fixed={"hub_diameter": 0.05, "key_friction": 0.01},
+    )  # fmt: skip
+    stiff, constant = design(need)[0].front
+    assert (stiff.control_stiffness, stiff.control_deflection) == (2e5, pytest.approx(stiff.control_force / 2e5))
+    assert (constant.control_stiffness, constant.control_deflection) == (0, None)
