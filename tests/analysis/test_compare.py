@@ -17,19 +17,26 @@ def test_specs_side_by_side(afmcalc):
             assert row[key] == torque[key]
 
 
-def test_what_check_finds_is_counted_but_for_what_is_simulated(afmcalc):
-    """A pressure above the allowable, a ball that does not fit, a requirement missed; heat of an event is not asked."""
-    weak = ["friction.material=moulded-dry", "friction.min=", "friction.mean=", "friction.max=", "closing_spring.force=60 kN",
-            "requirements.accuracy_factor=1.1", "drive.event=", "requirements.temperature="]  # fmt: skip
+def test_what_check_finds_is_counted(afmcalc):
+    """A pressure above the allowable, a ball that does not fit, a requirement missed."""
+    weak = ["friction_group.mean_radius=", "friction_group.inner_radius=80 mm", "friction_group.outer_radius=120 mm",
+            "friction.material=moulded-dry", "friction.min=", "friction.mean=", "friction.max=",
+            "closing_spring.force=60 kN", "requirements.accuracy_factor=1.1"]  # fmt: skip
     sets = [part for each in weak for part in ("--set", each)]
-    result = afmcalc("check", CONFIGS / "drive.toml", *sets, "--json").json["result"]
+    result = afmcalc("check", *sets, "--json").json["result"]
     assert result["errors"] >= 3
-    run = afmcalc("compare", CONFIGS / "drive.toml", *sets, "--json").json
+    run = afmcalc("compare", CONFIGS / "default.toml", *sets, "--json").json
     (row,) = run["result"]["clutches"]
     assert (row["errors"], row["warnings"]) == (result["errors"], result["warnings"])
     assert {"peak-pressure-exceeded", "requirement-missed"} <= {each["code"] for each in run["findings"]}
-    simulated = afmcalc("compare", CONFIGS / "drive.toml", "--set", "requirements.temperature=22 degC", "--json").json
-    assert simulated["result"]["clutches"][0]["errors"] == 0
+
+
+@pytest.mark.slow
+def test_what_is_simulated_is_not_counted(afmcalc):
+    """Heat of an event is not asked: the requirement that it misses is no error here."""
+    missed = "requirements.temperature=20.5 degC"
+    run = afmcalc("compare", CONFIGS / "drive.toml", "--set", missed, "--json").json
+    assert run["result"]["clutches"][0]["errors"] == 0
 
 
 def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):

@@ -4,7 +4,7 @@ import math
 
 import pytest
 from conftest import CONFIGS
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
@@ -98,8 +98,7 @@ def test_figures_of_the_theory():
     assert found["effect-on-torque"].value == pytest.approx(-0.12, abs=0.005)
 
 
-@settings(max_examples=4)
-@given(st.one_of(direct_specs(), indirect_specs()), st.floats(0, 0.1), st.floats(0.5, 2))
+@given(st.one_of(direct_specs(("unlike",)), indirect_specs()), st.floats(0, 0.1), st.floats(0.5, 2))
 def test_splines_against_a_solution_of_the_pack_disc_by_disc(spec, mu, ratio):
     radius = build(spec).mean_radius
     radii = (radius, radius * ratio)

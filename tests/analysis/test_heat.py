@@ -243,6 +243,12 @@ def test_the_material_bears_a_temperature(mass, code, level):
         heat(clutch(friction={"material": "moulded-dry"}, discs=discs))
 
 
+def test_the_discs_are_not_limited_by_what_is_required_of_the_faces():
+    discs = {"disc_mass": 2, "specific_heat": 480, "ambient": "20 degC", "cooling": 1}
+    own = clutch(discs=discs, friction={"material": "moulded-dry"}, requirements={"face_temperature": "300 degC"})
+    assert heat(own)[0].temperature_limit == pytest.approx(204 + 273.15)
+
+
 def test_wear_of_the_lining_and_of_the_setting():
     """0.1 mm on 8 pairs: 0.8 % of 2 kN at 20 N/mm, 40 % at 1 kN/mm (theory); trips till the volume is gone."""
     for stiffness, loss in ((20e3, 0.008), (1e6, 0.4)):

@@ -71,6 +71,13 @@ def test_springs_set_by_a_method_last_as_it_says(example, method):
         assert side.as_set == getattr(side, method.replace("-", "_"))
 
 
+def test_a_forecast_loads_from_the_mean_friction():
+    """S19: N_0 (2 τ_limb W/(T_cp + T_max))^m of T = 1600 f/(1 + 3.5 f)."""
+    found, _ = life(build(read_spec(None, ["fatigue.endurance_limit=12e6"])))
+    mean, high = (1600 * f / (1 + 3.5 * f) for f in (0.3, 0.8))
+    assert found.protected_forecast.as_set == pytest.approx(1e7 * (2 * 12e6 * 15e-6 / (mean + high)) ** 6, rel=1e-9)
+
+
 def event_factor(clutch):
     return max(vars(simulate(clutch)[0].dynamic_factor).values())
 

@@ -226,6 +226,8 @@ def test_coils_are_of_sizes_that_a_works_makes():
     assert _coils(wish.room, 1, 4.5e-3) == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
     # on a circle of 55 mm in the gap of 15 mm: index 4 to 20, within 15 − d
     assert _coils(wish.room, 3, 2e-3) == pytest.approx([each * 1e-3 for each in range(8, 14)], rel=1e-12)
+    # sixteen on that circle: two neighbours are 55 sin(π/16) = 10.7 mm apart
+    assert _coils(wish.room, 16, 2e-3) == pytest.approx([8e-3], rel=1e-12)
     # 33 + 4 and 44 − 4 are 37.00000000000001 and 39.99999999999999 in floats
     tight = wish._replace(room=Room(inner_diameter=0.033, outer_diameter=0.044))
     assert _coils(tight.room, 1, 4e-3) == pytest.approx([each * 1e-3 for each in range(37, 41)], rel=1e-12)

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from conftest import S21
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import indirect_specs
@@ -155,3 +156,13 @@ def test_the_pocket_is_as_it_was_laid_out(spec, gap, clearance):
     if found.ball_diameter_standard is not None:
         # the contact stays y below the face when the sleeve has gone all its way
         assert touching[0] - (gap + found.travel_max) / 2 == pytest.approx(found.edge_clearance_standard, abs=1e-9)
+
+
+def test_the_completed_spec_is_the_same_clutch(afmcalc, tmp_path):
+    target, own = tmp_path / "completed.toml", tmp_path / "balls.toml"
+    assert afmcalc("synthesize", S21, "--output", target).code == 0
+    assert read_spec(target).control_unit.gain is None
+    before, after = (afmcalc("torque", path, "--json").json["result"]["torque"] for path in (S21, target))
+    assert after == pytest.approx(before)
+    own.write_text('diameters = [30, "60 mm", 200]')
+    assert afmcalc("synthesize", "--balls", own, "--json").json["result"]["ball_diameter_standard"] == 0.03

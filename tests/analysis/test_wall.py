@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from conftest import CONFIGS
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from scipy.special import ellipe, ellipk
 
@@ -60,6 +60,7 @@ def test_the_wall_is_a_ball_s_radius_from_the_path(wall):
             assert abs(along[0] * off[1] - along[1] * off[0]) <= CHORD * (1 + 1e-3)
 
 
+@example(Wall(0.3, 60.0, 1, 1e-3, 0.01), 10.0, 3e-3, 1e-3)
 @given(walls(), st.floats(0, 20), st.floats(0, 5e-3), st.floats(0, 5e-3))
 def test_the_smallest_ball_touches_below_the_face_all_along(wall, steeper, travel, clearance):
     """r_ш sin α ≥ ξ + s/2 + y at every place, with equality at one, also where such a ball undercuts the wall."""

@@ -110,6 +110,7 @@ def test_a_stalled_motor_slips_again_until_its_cut_off():
     assert simulate(build(never))[0].slip_time.max is None
 
 
+@pytest.mark.slow
 def test_the_comparison_covers_the_same_time():
     """An ordinary clutch in the place of one that trips at once is simulated until it trips."""
     own = merged(HEAVY, {"variant": "differentiated", "control_unit": {"gain": 1.0}, "closing_spring": None})

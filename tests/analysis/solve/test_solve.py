@@ -92,6 +92,12 @@ def test_the_best_of_what_cannot_be_had(name, target, wanted, spec, overrides, b
     assert (refused.value.at is None) if at is None else (refused.value.at == pytest.approx(at, rel=1e-6))
 
 
+def test_a_gain_that_is_given_does_not_bound_the_radius():
+    """T = F R z f/(1 + z_2 C f), z_2 C = 3.5, whatever R."""
+    result, _, _ = solve(build(read_spec()), "R", "torque_max", 1000.0)
+    assert result.value == pytest.approx(1000 * (1 + 3.5 * 0.8) / (2000 * 8 * 0.8))
+
+
 @pytest.mark.parametrize("wanted", [1.0, 9.0])
 def test_the_best_at_a_kink_between_two_samples(wanted):
     """(z_1 f_max + z_2 f_min)/(z f_min) at C = 1.25; 8 at 0."""
