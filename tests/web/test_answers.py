@@ -174,7 +174,11 @@ def test_a_form_has_every_key_that_names_no_file(sites):
             assert low < high
             for end in (low, high):
                 size = round(end) if "data-whole" in slider else end
-                keys()[key].about.read(f"{size} {unit}" if unit else size)
+                about = keys()[key].about
+                value = about.read(f"{size} {unit}" if unit else size)
+                assert about.gt is None or value > about.gt
+                assert about.lt is None or value < about.lt
+                assert about.limits[0] <= value <= about.limits[1]
 
 
 def test_empty_is_absent(sites, afmcalc):
