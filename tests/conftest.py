@@ -10,6 +10,7 @@ import os
 import sys
 import time
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -17,10 +18,10 @@ import pytest
 from hypothesis import settings
 
 gc.disable()  # nothing imported is ever garbage
-os.environ["AFMCALC_LANG"] = "en"  # whoever runs the tests
+os.environ["AFMCALC_LANG"] = "en"
 sys.dont_write_bytecode = False  # else every worker, and every start of the program, compiles all of it anew
-os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
-os.environ.pop("COLUMNS", None)  # tables are as wide as they need to be, whoever runs the tests
+for variable in ("PYTHONDONTWRITEBYTECODE", "COLUMNS"):  # tables are as wide as they need to be
+    os.environ.pop(variable, None)
 
 ROOT = Path(__file__).parents[1]
 CONFIGS = ROOT / "configs"
@@ -42,7 +43,7 @@ class Run:
 
     @property
     def json(self) -> Any:
-        return json.loads(self.out, parse_constant=_refuse)
+        return json.loads(self.out, parse_constant=pytest.fail)  # NaN and Infinity are no JSON
 
 
 def _decoded(written: bytes, encoding: str) -> str:
@@ -51,10 +52,6 @@ def _decoded(written: bytes, encoding: str) -> str:
         return written.decode()
     except UnicodeDecodeError:
         return written.decode(encoding)
-
-
-def _refuse(constant: str) -> None:
-    raise AssertionError(f"{constant} in JSON")
 
 
 @pytest.fixture(scope="session")
@@ -129,11 +126,9 @@ def pytest_runtest_call(item):
     begun = time.process_time()
     result = yield
     taken = time.process_time() - begun
-    if (
-        taken > LONGEST * settings.default.max_examples / 8  # more of them where slow tests run
-        and not any(map(item.get_closest_marker, ("slow", "tool")))
-        and taken > LONGEST * max(1.0, _loop() / LOOP)
-    ):
+    limit = LONGEST * settings.default.max_examples / 8  # more of them where slow tests run
+    own = any(map(item.get_closest_marker, ("slow", "tool")))
+    if not own and taken > limit and taken > LONGEST * max(1.0, _loop() / LOOP):
         pytest.fail(f"took {taken:.1f} s of process time: make it faster, or mark it slow or tool", pytrace=False)
     return result
 
@@ -152,15 +147,12 @@ def pytest_runtest_makereport(item):
 def pytest_collection_finish(session):
     """Import what many tests need, so that none of them is charged with it."""
     if len(session.items) > 300:
-        import matplotlib.figure  # noqa: F401
-        import scipy.integrate  # noqa: F401
-        import sympy  # noqa: F401
+        for name in ("matplotlib.figure", "scipy.integrate", "sympy"):
+            import_module(name)
     gc.freeze()  # what is imported by now stays
     gc.set_threshold(100_000)
     gc.enable()
 
 
 def pytest_addoption(parser):
-    parser.addoption(
-        "--fuzz", type=int, metavar="N", help="try N new hostile specs and command lines, not the usual ones"
-    )
+    parser.addoption("--fuzz", type=int, metavar="N", help="try N hostile specs and command lines, not the usual ones")

@@ -47,5 +47,6 @@ def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
                 yield module, node
 
 
-REFUSED = tomllib.loads((Path(__file__).parent / "data" / "refused.toml").read_text(encoding="utf-8"))
-"""What is refused, and how it is said; the tests of spec/ ask it."""
+DATA = Path(__file__).parent / "data"
+REFUSED, READ = (tomllib.loads((DATA / f"{name}.toml").read_text(encoding="utf-8")) for name in ("refused", "read"))
+"""What is refused, and how it is said; what is read."""

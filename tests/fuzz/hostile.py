@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from conftest import CONFIGS, PICKED, WANTED
 from hypothesis import assume
 from hypothesis import strategies as st
+from sources import DATA
 from strategies import CHARACTERS
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
@@ -32,17 +33,6 @@ _SMALL = {"samples": 1000, "sobol_base": 64}
 """Of a study: one that is large takes its time, which is not what is looked for."""
 
 
-DRIVE = {
-    "speed": "1430 rpm", "motor_inertia": "8 kg*m^2", "driven_inertia": "0.05 kg*m^2", "shaft_stiffness": "8 kN*m/rad",
-    "damping_ratio": 0.03, "load_torque": "50 N*m", "motor_torque": "50 N*m", "cut_off": "0.1 s",
-    "event": {"kind": "stop", "stop_time": "10 ms", "duration": "0.2 s"},
-}  # fmt: skip
-HEAT = {
-    "disc_mass": "3.5 kg", "specific_heat": "480 J/kg/K", "ambient": "20 degC", "cooling": "2.5 W/K",
-    "wear": "2e-5 mm^3/J", "lining": "0.5 mm",
-}  # fmt: skip
-
-
 def _load(name: str) -> dict[str, Any]:
     data = tomllib.loads((CONFIGS / f"{name}.toml").read_text(encoding="utf-8"))
     data.get("tolerance", {}).update(_SMALL)
@@ -54,13 +44,9 @@ def _load(name: str) -> dict[str, Any]:
 
 
 BASES = {name: _load(name) for name in (*SPECS, "requirements")}
-BASES["drive"] = BASES["default"] | {
-    "drive": {**DRIVE, "dynamic_factor": 1.4},
-    "heat": HEAT,
-    "requirements": {"peak_torque": "900 N*m", "temperature": "250 degC", "work": "1 J/mm^2", "cycles": 1e4},
-    "friction_group": BASES["default"]["friction_group"]
-    | {"spline_friction": 0.1, "inner_spline_radius": "75 mm", "outer_spline_radius": "125 mm"},
-}
+BASES["drive"] = BASES["default"] | tomllib.loads((DATA / "hostile.toml").read_text(encoding="utf-8"))
+_SPLINES = {"spline_friction": 0.1, "inner_spline_radius": "75 mm", "outer_spline_radius": "125 mm"}
+BASES["drive"]["friction_group"] = BASES["default"]["friction_group"] | _SPLINES
 
 RESOLVED = {name: resolved(make_spec(BASES[name])) for name in (*SPECS, "drive")}
 
@@ -81,14 +67,9 @@ TEXTS = st.one_of(
     st.sampled_from(["5,5 mm", "5 N*m^2", "100 %", "1e300 %", "5 kH", "moulded-dry", "min-friction", "indirect", "x" * 300, "1/0", "{", "[1"]),
     st.lists(st.one_of(st.sampled_from(SIGNS), CHARACTERS), max_size=5).map("".join),
 )  # fmt: skip
-VALUES = st.one_of(
-    NUMBERS,
-    NUMBERS,
-    NUMBERS,
-    TEXTS,
-    st.lists(NUMBERS, max_size=3),
-    st.dictionaries(st.one_of(st.sampled_from(["min", "max", "mean", "distribution", "spread"]), TEXTS), NUMBERS, max_size=3),
-)  # fmt: skip
+INNER = st.one_of(st.sampled_from(["min", "max", "mean", "distribution", "spread"]), TEXTS)
+MANY = (st.lists(NUMBERS, max_size=3), st.dictionaries(INNER, NUMBERS, max_size=3))
+VALUES = st.one_of(NUMBERS, NUMBERS, NUMBERS, TEXTS, *MANY)
 
 
 def paths(data: dict[str, Any], above: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:
@@ -99,13 +80,8 @@ def paths(data: dict[str, Any], above: tuple[str, ...] = ()) -> Iterator[tuple[s
             yield from paths(value, (*above, name))
 
 
-_KNOWN = {
-    name: list(dict.fromkeys(path for base in bases for path in paths(BASES[base])))
-    for name, bases in {
-        **dict.fromkeys((*SPECS, "drive"), (*SPECS, "drive")),
-        "requirements": ("requirements",),
-    }.items()
-}
+_KNOWN = dict.fromkeys(RESOLVED, list(dict.fromkeys(path for base in RESOLVED for path in paths(BASES[base]))))
+_KNOWN["requirements"] = [*paths(BASES["requirements"])]
 
 
 @st.composite
@@ -120,8 +96,7 @@ def outsized(draw: st.DrawFn, name: str) -> dict[str, Any]:
         for each in frictions if path in frictions else [path]:
             _at(data, each[:-1])[each[-1]] *= size
     if draw(st.booleans()):
-        pairs = draw(st.sampled_from([1, 2, 3, 8, 100, 10**6, 10**15]))
-        data["friction_group"]["pairs"] = pairs
+        data["friction_group"]["pairs"] = draw(st.sampled_from([1, 2, 3, 8, 100, 10**6, 10**15]))
     return data
 
 
@@ -143,13 +118,11 @@ def tables(draw: st.DrawFn, name: str) -> dict[str, Any]:
             if not isinstance(block, dict):
                 break
         else:
-            match draw(st.integers(0, 9)):
-                case 0:
-                    block.pop(last, None)
-                case 1:
-                    block[draw(TEXTS)] = draw(VALUES)
-                case _:
-                    block[last] = draw(VALUES)
+            kind = draw(st.integers(0, 9))
+            if kind:
+                block[last if kind > 1 else draw(TEXTS)] = draw(VALUES)
+            else:
+                block.pop(last, None)
     return data
 
 
@@ -161,19 +134,12 @@ RANGES = st.one_of(
     TEXTS.map("={}".format),
 )
 _SYMBOLS = st.sampled_from([*ALIASES, "zC", "dT", "control_unit.gain", "friction_group.pairs", "adjustment.margin"])
-SWEEPS = st.one_of(
-    st.builds("--sweep={}{}".format, NAMES, RANGES),
-    st.builds("--sweep={}".format, _SYMBOLS),
-    st.builds("--sweep={}".format, _SYMBOLS),
-    st.builds("--sweep={}={}:{}:{}".format, _SYMBOLS, _SIZES, _SIZES, st.integers(2, 60)),
-)
+_SWEPT = st.builds("--sweep={}".format, _SYMBOLS)
+_GIVEN = st.builds("--sweep={}={}:{}:{}".format, _SYMBOLS, _SIZES, _SIZES, st.integers(2, 60))
+SWEEPS = st.one_of(st.builds("--sweep={}{}".format, NAMES, RANGES), _SWEPT, _SWEPT, _GIVEN)
 SETS = st.builds("--set={}={}".format, NAMES, st.one_of(NUMBERS.map(str), TEXTS))
-TARGETS = st.builds(
-    "{}={}".format,
-    st.one_of(st.sampled_from(["accuracy_factor", "nominal_torque", "torque_max", "scatter", "travel_max"]), TEXTS),
-    st.one_of(NUMBERS, TEXTS),
-)
-TARGETS |= st.builds("{}={}".format, st.sampled_from(["accuracy_factor", "nominal_torque", "torque_max"]), _SIZES)
+_AIMS = st.sampled_from(["accuracy_factor", "nominal_torque", "torque_max", "scatter", "travel_max"])
+TARGETS = st.builds("{}={}".format, _AIMS | TEXTS, NUMBERS | TEXTS) | st.builds("{}={}".format, _AIMS, _SIZES)
 _FORMATS = [["--json"], ["--json"], ["--json"], [], ["--format=csv"], ["--format=markdown"]]
 OWN: dict[str, Any] = {
     "torque": st.lists(st.one_of(NUMBERS, TEXTS).map("--friction={}".format), max_size=2),

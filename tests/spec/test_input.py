@@ -1,28 +1,26 @@
-"""What is wrong with an input is said with the place, the line, what, and the fix: each message by its exact text."""
+"""What is wrong with an input is said with the place, the line, what, and the fix."""
 
-import datetime
 import json
 import re
 import tomllib
-from copy import deepcopy
 
 import pytest
+import tomli_w
 from conftest import CONFIGS
 from hypothesis import given
 from hypothesis import strategies as st
 from jsonschema import validate
-from sources import REFUSED
+from sources import READ, REFUSED
 
 from afmcalc.analysis.solve.solve import parse_target
-from afmcalc.errors import FileError, SpecError
+from afmcalc.errors import SpecError
 from afmcalc.messages import did_you_mean
-from afmcalc.spec import Spec, make_spec, read_spec
-from afmcalc.spec.edit import put, replaced, respecified
-from afmcalc.spec.fields import keys_below
+from afmcalc.spec import read_spec
+from afmcalc.spec.edit import replaced, respecified
 from afmcalc.spec.models import Ratio
 from afmcalc.spec.read import spec_of
-from afmcalc.spec.requirements import Requirements, Searched, make_requirements
-from afmcalc.spec.source import Source
+from afmcalc.spec.requirements import Searched
+from afmcalc.spec.source import Source, place_at, spans
 
 BASE = """\
 variant = "differentiated"
@@ -59,16 +57,7 @@ def test_message_with_place_line_and_caret(old, new, column, width, says, afmcal
     )
 
 
-@pytest.mark.parametrize(
-    ("given", "says"),
-    [
-        ('"gain": 0,5', "4:11: is not valid JSON: a decimal comma is not read: write 0.5"),
-        ('"gain": 5 mm', '4:11: is not valid JSON: a number with a unit stands in quotes: "5 mm"'),
-        ('"gain": "x"', '4:11: control_unit.gain = "x": cannot be read as a number with a unit; '
-         "give a plain number such as 0.3"),
-        ('"gian": 0.5', "4:3: control_unit.gian = 0.5: unknown key; did you mean 'gain'?"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("given", "says"), REFUSED["json"])
 def test_places_in_json_also_inside_the_output_of_a_command(given, says, afmcalc):
     spec = afmcalc("torque", "-", "--json", stdin=BASE).json["spec"]
     del spec["control_unit"]
@@ -85,9 +74,9 @@ def test_all_problems_at_once_each_with_its_line(afmcalc):
     err = afmcalc("torque", "-", stdin=text).err
     assert afmcalc("torque", "-", stdin=text.replace("\n", "\r\n")).err == err
     places = re.findall(r"^error: standard input:(\d+):(\d+): ([\w.]+)", err, re.M)
-    assert [":".join(place) for place in places] == [
-        *("4:7:friction.max", "6:9:friction_group.pairs", "12:1:control_unit.gian", "11:1:control_unit.gain")
-    ]
+    found = [":".join(place) for place in places]
+    assert found[:2] == ["4:7:friction.max", "6:9:friction_group.pairs"]
+    assert found[2:] == ["12:1:control_unit.gian", "11:1:control_unit.gain"]
 
 
 def test_an_override_has_no_line_and_a_calculation_names_one(afmcalc):
@@ -95,15 +84,6 @@ def test_an_override_has_no_line_and_a_calculation_names_one(afmcalc):
     assert err == 'error: standard input: control_unit.gain = "0,5": a decimal comma is not read: write 0.5\n'
     err = afmcalc("synthesize", "-", stdin=BASE.replace('ball_circle_radius = "50 mm"\n', "")).err
     assert err.startswith("error: standard input:11:1: control_unit.ball_circle_radius: required by synthesize\n")
-
-
-@pytest.mark.parametrize(
-    ("line", "says"), [("torque requirements", "no clutch"), ("design default", "no requirements")]
-)
-def test_the_wrong_kind_of_file_is_one_sentence(line, says, afmcalc):
-    command, name = line.split()
-    run = afmcalc(command, CONFIGS / f"{name}.toml")
-    assert (run.code, run.err.count("\n"), says in run.err) == (2, 1, True)
 
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-8-sig"])
@@ -116,10 +96,10 @@ def test_text_of_windows_is_read(encoding, afmcalc, tmp_path):
     assert afmcalc("synthesize", "-", "--balls", tmp_path / "balls.csv", "--json", stdin=BASE).code == 0
 
 
-@pytest.mark.parametrize(
-    ("name", "encoding"),
-    [("Муфта «А» № 2", "cp1251"), ("муфта", "koi8-r"), ("муфта", "cp866"), ("für groß", "latin-1")],
-)
+OTHER = [("Муфта «А» № 2", "cp1251"), ("муфта", "koi8-r"), ("муфта", "cp866"), ("für groß", "latin-1")]
+
+
+@pytest.mark.parametrize(("name", "encoding"), OTHER)
 def test_other_bytes_say_where_and_how_to_put_it_right(name, encoding, afmcalc, tmp_path):
     """The encoding of Russian Windows is named, with what is read in it; other bytes are not guessed at."""
     raw = BASE.encode() + f"name = '{name}'".encode(encoding)
@@ -131,29 +111,15 @@ def test_other_bytes_say_where_and_how_to_put_it_right(name, encoding, afmcalc, 
     assert (guessed if encoding == "cp1251" else f"is not UTF-8 text (line {line}, byte {byte})") in run.err
 
 
-def test_own_lists_and_requirements_of_russian_windows_are_named_too(afmcalc, tmp_path):
-    own = tmp_path / "own.csv"
-    own.write_bytes("# из каталога завода\ndiameter_mm\n25\n".encode("cp1251"))
-    for line in ("springs --materials", "springs --discs", "springs --balls", "design"):
-        assert "own.csv: is not UTF-8 text but seems to be Windows-1251" in afmcalc(*line.split(), own).err
-
-
-@pytest.mark.parametrize("target", ["accuracy_factor", "К_т", "K_t"])
-def test_solve_takes_both_orders_names_symbols_and_paths(target, answered):
-    for name, *words in (
-        *((name, f"{target}=2", "example:default") for name in ("C", "gain", "С")),
-        *((name, "example:default", f"{target}=2") for name in ("C", "control_unit.gain")),
-    ):
-        result = answered("solve", *words, "--for", name, "--json").json["result"]
-        assert (result["path"], result["target"]) == ("control_unit.gain", "accuracy_factor")
-        assert result["reached"] == pytest.approx(2, rel=1e-9)
-
-
-@pytest.mark.parametrize("name", ["C", "gain", "control_unit.gain", "С"])
-def test_sweep_and_set_take_names_symbols_and_paths(name, afmcalc):
-    (swept,) = afmcalc("accuracy", "--sweep", f"{name}=0.25,0.5", "--json").json["result"]["sweep"]
-    assert (swept["path"], swept["values"]) == ("control_unit.gain", [0.25, 0.5])
-    assert afmcalc("torque", "--set", f"{name}=0.25", "--json").json["result"]["gain"] == 0.25
+def test_a_key_is_named_by_name_symbol_or_path_and_solve_takes_both_orders(answered):
+    for name, target in (("C", "accuracy_factor"), ("gain", "К_т"), ("control_unit.gain", "K_t"), ("С", "K_т")):
+        for words in ((f"{target}=2", "example:default"), ("example:default", f"{target}=2")):
+            result = answered("solve", *words, "--for", name, "--json").json["result"]
+            assert (result["path"], result["target"]) == ("control_unit.gain", "accuracy_factor")
+            assert result["reached"] == pytest.approx(2, rel=1e-9)
+        (swept,) = answered("accuracy", "--sweep", f"{name}=0.25,0.5", "--json").json["result"]["sweep"]
+        assert (swept["path"], swept["values"]) == ("control_unit.gain", [0.25, 0.5])
+        assert answered("torque", "--set", f"{name}=0.25", "--json").json["result"]["gain"] == 0.25
 
 
 @pytest.mark.parametrize(("line", "says"), REFUSED["argument"])
@@ -164,35 +130,13 @@ def test_what_an_argument_names(line, says, answered):
     assert "Value error" not in run.err
 
 
-WEIRD = (True, "off", "2_000", 2.5, -1, float("inf"), [], [[1]], {"a": 1}, datetime.date(2020, 1, 1))
-
-
-@pytest.mark.parametrize("values", [WEIRD[::5], pytest.param(WEIRD, marks=pytest.mark.slow)])
-@pytest.mark.parametrize(("make", "example"), [(make_spec, "tolerance"), (make_requirements, "requirements")])
-def test_whatever_stands_at_a_key_is_told_in_our_words(make, example, values):
-    data = tomllib.loads((CONFIGS / f"{example}.toml").read_text(encoding="utf-8"))
-    model = Requirements if make is make_requirements else Spec
-    for path in [*keys_below(model), "tolerance.fields.friction", "tolerance.fields.friction.spread"]:
-        for value in values:
-            changed = deepcopy(data)
-            try:
-                put(changed, path, value)
-                make(changed)
-            except FileError:
-                assert path.startswith("catalogues.")  # the name of a file that is not there
-            except SpecError as error:
-                assert "Input should" not in str(error), (path, value)
-                assert not re.search("pydantic|valid|instance|Error", str(error)), (path, value)
-
-
 @pytest.mark.parametrize("wrong", ["gain = 0,5", 'gain = "x"\nballs = "6"'])
 def test_check_of_a_bad_spec_prints_json_with_the_errors(wrong, afmcalc):
     text = BASE.replace("gain = 0.5", wrong)
     run = afmcalc("check", "-", "--json", stdin=text)
     plain = afmcalc("check", "-", stdin=text)
-    assert run.code == plain.code == 2
-    assert run.err == plain.err
-    assert plain.out == ""
+    assert (plain.code, plain.out) == (2, "")
+    assert (run.code, run.err) == (2, plain.err)
     said = [line.removeprefix("error: ") for line in plain.err.splitlines() if line.startswith("error: ")]
     assert [each["message"] for each in run.json["findings"]] == said
     assert {(each["level"], each["code"]) for each in run.json["findings"]} == {("error", "bad-spec")}
@@ -218,49 +162,30 @@ def test_a_mistyped_file_is_a_spec_or_an_error_at_a_place_that_there_is(file, as
             assert 1 <= place.column <= len(place.text) + 1
 
 
-BARE = [
-    # key = value → what is asked, or how it is refused
-    ("friction_group.mean_radius", "0.4999", ""), ("friction_group.mean_radius", "0.5", '0.5 m; 0.5 mm? Write "0.5 mm" or "0.5 m"'),
-    ("friction_group.mean_radius", "10", '10 m; 10 mm? Write "10 mm" or "10 m"'),
-    ("friction_group.mean_radius", "100", 'and 100 m is too large: write "100 mm"'),
-    ("friction_group.mean_radius", '"600 mm"', ""), ("friction_group.mean_radius", '"0.6 m"', ""), ("friction_group.mean_radius", '"12 m"', ""),
-    ("control_unit.ball_circle_radius", "50", 'write "50 mm"'), ("control_unit.face_gap", "2", '2 m; 2 mm?'),
-    ("closing_spring.force", "2", '2 N; 2 kN? Write "2 kN" or "2 N"'), ("closing_spring.force", "19.9", "19.9 kN?"),
-    ("closing_spring.force", "20", ""), ("closing_spring.force", '"2 N"', ""),
-    ("drive.speed", "1460", '1460 rad/s; 1460 rpm? Write "1460 rpm" or "1460 rad/s"'),
-    ("drive.speed", "1000", ""), ("drive.speed", '"1460 1/min"', ""),
-]  # fmt: skip
+def bare(run):
+    """Key and value of each number that is asked after, a warning."""
+    asked = [each for each in run.json["findings"] if each["code"] == "number-without-unit"]
+    assert {each["level"] for each in asked} <= {"warning"}
+    return [(each["path"], each["value"]) for each in asked]
 
 
-@pytest.mark.parametrize(("path", "value", "says"), BARE)
+@pytest.mark.parametrize(("path", "value", "says"), READ["bare"])
 def test_a_number_without_a_unit_that_may_be_meant_in_another_is_asked_after(path, value, says, afmcalc):
     block, key = path.split(".")
     text = re.sub(rf"(?m)^{key} = .*\n", "", BASE)
     head = f"[{block}]\n"
     text = text.replace(head, f"{head}{key} = {value}\n") if head in text else f"{text}{head}{key} = {value}\n"
-    for run in (
-        afmcalc("torque", "-", "--json", stdin=text),
-        afmcalc("torque", "-", "--json", "--set", f"{path}={value}", stdin=BASE),
-    ):
+    asked = ["torque", "-", "--json"]
+    for run in (afmcalc(*asked, stdin=text), afmcalc(*asked, "--set", f"{path}={value}", stdin=BASE)):
         if "too large" in says or says.startswith("write"):
-            assert run.code == 2
+            assert (run.code, says in run.err) == (2, True)
             assert f"{path} = {value}: a number without a unit is in SI, and" in run.err
-            assert says in run.err
             continue
-        asked = [each for each in run.json["findings"] if each["code"] == "number-without-unit"]
-        assert [(each["level"], each["path"], each["value"]) for each in asked] == (
-            [("warning", path, float(value))] if says else []
-        )
-        assert all(says in each["message"] for each in asked)
+        assert bare(run) == ([(path, float(value))] if says else [])
+        assert says in run.out.replace('\\"', '"')
     if run.code == 0:  # what afmcalc writes is in SI: it is not asked after where it is read again
-        again = afmcalc("torque", "-", "--json", stdin=run.out).json
-        assert "number-without-unit" not in str(again["findings"])
-        assert again["result"] == run.json["result"]
-
-
-def bare(run):
-    """Key and value of each number that is asked after."""
-    return [(each["path"], each["value"]) for each in run.json["findings"] if each["code"] == "number-without-unit"]
+        again = afmcalc("torque", "-", "--json", stdin=run.out)
+        assert (bare(again), again.json["result"]) == ([], run.json["result"])
 
 
 def test_a_number_that_scatters_or_is_wanted_is_asked_after_too(afmcalc):
@@ -270,35 +195,28 @@ def test_a_number_that_scatters_or_is_wanted_is_asked_after_too(afmcalc):
     assert bare(run) == [("tolerance.fields.closing_spring.force.center", 2)]
     run = afmcalc("tolerance", "-", *few, stdin=text.replace('spread = "1 mm"', 'spread = "1 mm", max = 110'))
     assert (run.code, 'write "110 mm"' in run.err) == (2, True)
-    run = afmcalc("solve", "--for", "c1", "travel_max=100", "example:indirect")
-    assert (run.code, 'write "100 mm"' in run.err) == (2, True)
+    assert 'write "100 mm"' in afmcalc("solve", "--for", "c1", "travel_max=100", "example:indirect").err
     machine = ["torque", "--json", "--set", 'machine.speed="1460 rpm"', "--set"]
-    assert bare(afmcalc(*machine, "machine.power=499")) == [("machine.power", 499)]
-    assert bare(afmcalc(*machine, "machine.power=500")) == []
+    for power, asked in ((499, [("machine.power", 499)]), (500, [])):
+        assert bare(afmcalc(*machine, f"machine.power={power}")) == asked
     assert [each.code for each in parse_target("closing_force=2")[2]] == ["number-without-unit"]
     assert parse_target("closing_force=2 N")[2] == []
 
 
-@pytest.mark.parametrize(
-    "line",
-    [
-        "torque",
-        "accuracy",
-        "synthesize",
-        "life",
-        "check",
-        "explain torque",
-        "solve accuracy_factor=2",
-        "compare",
-        "compare --variants",
-    ],
+ASKING = (
+    "accuracy",
+    "synthesize",
+    "check",
+    "explain torque",
+    "solve accuracy_factor=2",
+    "compare",
+    "compare --variants",
 )
+
+
+@pytest.mark.parametrize("line", ASKING)
 def test_every_command_asks(line, afmcalc):
-    fatigue = (
-        "[fatigue]\nendurance_limit = '400 MPa'\npolar_section_modulus = '15 cm^3'\nexponent = 6\nbase_cycles = 1e7\n"
-    )
-    run = afmcalc(*line.split(), "-", "--json", stdin=BASE.replace('"2 kN"', "2") + fatigue)
-    assert ("closing_spring.force", 2) in bare(run)
+    assert ("closing_spring.force", 2) in bare(afmcalc(*line.split(), "-", "--json", stdin=BASE.replace('"2 kN"', "2")))
 
 
 def test_sweeps_and_designs_ask_too(afmcalc):
@@ -309,13 +227,8 @@ def test_sweeps_and_designs_ask_too(afmcalc):
     for likely in ("R=80 mm:120 mm:5", "R=0.6 m,0.7 m", "R=0.1:0.2:3"):
         run = afmcalc("accuracy", "-", "--sweep", likely, stdin=BASE)
         assert (run.code, "number-without-unit" in run.out) == (0, False)
-    search = "--set search.pairs=8 --set search.gain=0.5 --set search.mean_radius="
-    for radii, says in (
-        ("{start=0.06,stop=0.6,count=3}", "0.6 m; 0.6 mm?"),
-        ("{start=60,stop=140,count=3}", 'write "60 mm"'),
-    ):
-        run = afmcalc("design", "example:requirements", *f"{search}{radii}".split())
-        assert says in run.out + run.err
+    radii = "{start=60,stop=140,count=3}"
+    assert 'write "60 mm"' in afmcalc("design", "example:requirements", "--set", f"search.mean_radius={radii}").err
 
 
 def test_a_temperature_without_a_unit_asks_for_degrees(afmcalc):
@@ -324,21 +237,9 @@ def test_a_temperature_without_a_unit_asks_for_degrees(afmcalc):
     assert "at least 173.15\n" in afmcalc("torque", "-", stdin=BASE + '[heat]\nambient = "20 K"\n').err
 
 
-@pytest.mark.parametrize(
-    ("word", "known", "said"),
-    [
-        ("gаin", ["gain"], "; did you mean 'gain' (all Latin)?"),
-        ("расе", ["pack"], "; did you mean 'pack'?"),  # not a letter of it is Latin
-        ("РАСК", ["Pack"], "; did you mean 'Pack'?"),
-        ("Gian", ["gain", "GAIN"], "; did you mean 'gain'?"),
-        ("gain", ["gain"], ""), ("расе", ["расе", "pace"], ""), ("stone", ["gain"], ""), ("g" * 61, ["g" * 60], ""),
-    ],
-)  # fmt: skip
-def test_look_alike_letters_are_compared_as_what_they_look_like(word, known, said):
-    assert did_you_mean(word, known) == said
-
-
-def test_each_letter_that_looks_like_a_latin_one_is_taken_for_it():
+def test_letters_are_compared_as_what_they_look_like():
+    for word, known, said in REFUSED["meant"]:
+        assert did_you_mean(word, known.split()) == said
     for seen, meant in zip("АВЕКМНОРСТХавекморстх", "ABEKMHOPCTXabekmopctx", strict=True):
         assert did_you_mean(f"{seen}1", [f"{meant}1"]) == f"; did you mean '{meant}1' (all Latin)?"
         assert did_you_mean(f"wall_{seen}1", [f"wall_{meant}2"]) == f"; did you mean 'wall_{meant}2'?"
@@ -354,8 +255,68 @@ def test_a_range_by_steps_has_its_end():
 def test_a_nominal_torque_takes_the_place_of_both_springs():
     """The forces as given are those of another torque."""
     spec = read_spec(CONFIGS / "indirect.toml", ["control_spring.force=2640"])
-    assert replaced(spec, ["adjustment.nominal_torque"]) == dict.fromkeys(
-        ("closing_spring.force", "control_spring.force"), "adjustment.nominal_torque"
-    )
+    taken = replaced(spec, ["adjustment.nominal_torque"])
+    assert taken == dict.fromkeys(("closing_spring.force", "control_spring.force"), "adjustment.nominal_torque")
     other = respecified(spec, {"adjustment.nominal_torque": 300.0})
     assert (other.closing_spring.force, other.control_spring.force) == (None, None)
+
+
+KEYS = st.text(st.sampled_from("ab =#[]{}\"',:-\\é\t"), min_size=1, max_size=4)
+"""Without the dot, which parts a path."""
+ONE = st.one_of(st.integers(-99, 99), st.booleans(), st.floats(-9, 9), st.text("ab#\"'\\\n=]},", max_size=5))
+VALUES = st.recursive(ONE, lambda inner: st.lists(inner, max_size=3), max_leaves=4)
+TABLES = st.recursive(VALUES, lambda inner: st.dictionaries(KEYS, inner, max_size=3), max_leaves=8)
+
+
+def leaves(value, path=""):
+    """Every value below by its path, those of lists by number."""
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, inner in items:
+        own = f"{path}.{key}" if path else str(key)
+        if not isinstance(inner, dict):
+            yield own, inner
+        yield from leaves(inner, own)
+
+
+@given(st.dictionaries(KEYS, TABLES, max_size=4))
+def test_every_value_is_found(data):
+    as_toml, as_json = tomli_w.dumps(data), json.dumps(data, indent=1)
+    for text, read in ((as_toml, lambda part: tomllib.loads(f"x = {part}")["x"]), (as_json, json.loads)):
+        found = spans(text)
+        for path, value in leaves(data):
+            assert read(text[found[path].value : found[path].end]) == value
+
+
+def test_toml_as_people_write_it():
+    text = """# [no.table]
+a.b = 1 # gain = 2
+'c.d' = \"\"\"
+x = 1 "quoted"
+\"\"\"
+[e . "f"]   # head
+g = { h = [1, 2,
+  3], i = 'x' }
+[[j]]
+k = 1979-05-27T07:32:00Z
+"""
+    found = spans(text)
+    assert {path: text[span.value : span.end] for path, span in found.items() if "\n" not in text[span.value : span.end]} == {
+        "a.b": "1", "e.f": '[e . "f"]', "e.f.g.h.0": "1", "e.f.g.h.1": "2", "e.f.g.h.2": "3", "e.f.g.i": "'x'",
+        "j": "[[j]]", "j.k": "1979-05-27T07:32:00Z",
+    }  # fmt: skip
+    assert text[found["c.d"].key : found["c.d"].name_end] == "'c.d'"
+    place = place_at(text, found["e.f.g"].value, found["e.f.g"].end)
+    assert (str(place), place.width, place.text) == ("7:5", 12, "g = { h = [1, 2,")
+
+
+def test_a_long_line_is_cut_around_what_is_meant():
+    text = "a" * 300 + " = 1"
+    line, caret = place_at(text, 303, 304).shown()
+    assert (line[:6], len(line), line[caret.index("^")]) == ("  1 | ", 57, "1")
+
+
+def test_what_is_overridden_has_no_place():
+    source = Source("x.toml", "[a]\nb = 1\nc = 2").but(["a.b"])
+    assert source.place("a.b") is None
+    assert str(source.place("a.c")) == "3:5"
+    assert str(source.place("a.d")) == "1:1"

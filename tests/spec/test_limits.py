@@ -15,6 +15,7 @@ from afmcalc.spec.source import Source
 DEFAULT = (CONFIGS / "default.toml").read_text(encoding="utf-8")
 KEYS = "\n".join(f"key{number} = 1" for number in range(MOST_KEYS + 1))
 NINES = "9" * 5000
+DESIGN = ["design", CONFIGS / "requirements.toml", "--set"]
 
 
 @pytest.mark.parametrize(
@@ -22,8 +23,6 @@ NINES = "9" * 5000
     [
         ("a" + ".a" * 100_000 + " = 1", "a key has more than 32 parts, the most there may be"),
         ("[" + "a . " * 50_000 + "a]", "a key has more than 32 parts, the most there may be"),
-        ("a = {" + "'b'." * 50_000 + "c = 1}", "a key has more than 32 parts, the most there may be"),
-        ("a = " + "[" * 1500 + "]" * 1500, "is nested more than 32 levels deep"),
         ("a = " + "[" * 40 + "]" * 40, "is nested more than 32 levels deep"),
         ('{"a": ' * 1500 + "1" + "}" * 1500, "is nested more than 32 levels deep"),
         ("#" * (LONGEST_TOML + 1), "is larger than 256 KiB, the most for TOML"),
@@ -32,6 +31,9 @@ NINES = "9" * 5000
         (json.dumps({"a": [0] * (MOST_ITEMS + 1)}), "has more than 100,000 items in its lists"),
         ("a" * (LONGEST_TEXT + 1) + " = 1", "a key has more than 1,000 characters"),
         (f"name = '{'a' * (LONGEST_TEXT + 1)}'", "name: has more than 1,000 characters"),
+        ("", "is empty; a clutch spec in TOML or JSON is wanted"),
+        ('{"spec": [1]}', "its spec block is no object"),
+        ('{"command": "x", "result": {}, "spec": null}', "the output of 'x' carries no clutch"),
         (f"a = {NINES}", "is not valid TOML: a number has too many digits"),
         (f"b.a = 0x{'f' * 5000}", "b.a: is beyond the range of numbers"),
         (f'{{"a": {NINES}}}', "is not valid JSON: a number has too many digits"),
@@ -66,28 +68,20 @@ def test_an_endless_file_is_not_read_to_its_end(afmcalc):
         (["torque", "--set", f"gain={'[' * 1500}{']' * 1500}"], "…: is nested more than 32 levels deep\n"),
         (["torque", "--set", f"gain={NINES}"], "…: a number has too many digits\n"),
         (["torque", "--set", f"gain=0x{'f' * 5000}"], "…: is beyond the range of numbers\n"),
-        (["torque", "--set", f"tolerance.seed=0o{'7' * 5000}"], "…: is beyond the range of numbers\n"),
         (["torque", "--set", "F=1e1000000 N"], '= "1e1000000 N": must be finite; give a force'),
         (["torque", "--set", "F=1e-1000000 N"], '= "1e-1000000 N": must be greater than 0\n'),
-        (["torque", "--set", "F=0e99999999999999999999 N"], "must be greater than 0\n"),
         (["torque", "--set", f"F='{NINES} N'"], "…: has more than 1,000 characters\n"),
         (["torque", "--set", f"F='{NINES[:500]} N'"], "cannot be read as a number with a unit"),
         (["torque", "--set", f"{'a.' * 60_000}a=1"], "unknown key"),
         (["accuracy", "--sweep", f"C=0:1:{NINES}"], " points; at most 200,000 are swept\n"),
         (["accuracy", "--sweep", "C=0:1:200001"], "--sweep C=0:1:200001: 200001 points; at most 200,000 are swept\n"),
-        (["accuracy", "--sweep", "C=0:1:500", "--sweep", "z=2:501:500"],
-         "the sweep asks for 250,000 points; at most 200,000 are swept\n"),
-        (["accuracy", "--sweep", f"{'C' * 100_000}=0:1:2"], "is no key or symbol"),
+        (["accuracy", "--sweep", "C=0:1:500", "--sweep", "z=2:501:500"], "asks for 250,000 points; at most 200,000 are swept\n"),
         (["solve", f"{'K' * 100_000}=2"], "is no target"),
         (["torque", "--friction", NINES], "write a coefficient such as 0.3"),
-        (["design", CONFIGS / "requirements.toml", "--set", "search.gain={start=0, stop=1, step=1e-300}"],
-         "1e+300 values; at most 1,000,000 here\n"),
-        (["design", CONFIGS / "requirements.toml", "--set", "search.pairs={start=2, stop=10000000}"],
-         "9,999,999 values; at most 1,000,000 here\n"),
-        (["design", CONFIGS / "requirements.toml", "--set", "search.ball_diameters={start=1, stop=2, count=10000000}"],
-         "10,000,000 values; at most 10,000 here\n"),
-        (["design", CONFIGS / "requirements.toml", "--set", "search.pairs={start=2, stop=1000000}"],
-         "candidates; at most 10,000,000,000 are searched"),
+        ([*DESIGN, "search.gain={start=0, stop=1, step=1e-300}"], "1e+300 values; at most 1,000,000 here\n"),
+        ([*DESIGN, "search.pairs={start=2, stop=10000000}"], "9,999,999 values; at most 1,000,000 here\n"),
+        ([*DESIGN, "search.ball_diameters={start=1, stop=2, count=10000000}"], "10,000,000 values; at most 10,000 here\n"),
+        ([*DESIGN, "search.pairs={start=2, stop=1000000}"], "candidates; at most 10,000,000,000 are searched"),
     ],
 )  # fmt: skip
 def test_arguments_beyond_a_limit(arguments, says, afmcalc):
@@ -99,8 +93,8 @@ def test_arguments_beyond_a_limit(arguments, says, afmcalc):
     assert max(map(len, run.err.splitlines())) <= 400
 
 
-@pytest.mark.parametrize("pairs", [10**6, 10**18])
-def test_a_sweep_without_a_range_has_as_many_points_as_one_can_look_at(pairs, afmcalc):
+def test_a_sweep_without_a_range_has_as_many_points_as_one_can_look_at(afmcalc):
+    pairs = 10**18
     (swept,) = afmcalc("accuracy", "--set", f"z={pairs}", "--sweep", "z", "--json").json["result"]["sweep"]
     values = swept["values"]
     assert (values[0], values[-1], len(values)) == (2, 2 * pairs, 200)
@@ -112,26 +106,17 @@ def test_errors_stay_short():
     data = parse(Source("text", DEFAULT)) | {f"key{number}": "x" * 900 for number in range(1500)}
     with pytest.raises(SpecError) as error:
         make_spec(data, "spec.toml")
-    lines = str(error.value).splitlines()
-    assert len(lines) == 21
-    assert lines[-1] == "spec.toml: and 1,480 more"
+    assert str(error.value).splitlines()[20:] == ["spec.toml: and 1,480 more"]
     with pytest.raises(SpecError) as error:
         make_spec(parse(Source("text", DEFAULT)) | {"k" * 900: 1}, "s" * 300)
     assert [len(line) for line in str(error.value).splitlines()] == [LONGEST_LINE]
 
 
-@pytest.mark.parametrize("columns", [NINES, "0", "-5", "٣", "nonsense", "1", "99999999999999999999"])
-def test_a_nonsense_width_of_the_terminal_harms_no_table(columns, afmcalc, answered):
+@pytest.mark.parametrize("number", [NINES, "-5", "nonsense", "99999999999999999999"])
+def test_a_nonsense_number_of_the_environment(number, afmcalc, monkeypatch):
+    """As a width it harms no table, as a date it is refused."""
     with pytest.MonkeyPatch.context() as patch:  # pytest -v, which reports right after, would not bear it
-        patch.setenv("COLUMNS", columns)
-        run = afmcalc("torque")
-    nominal = answered("torque", "--json").json["result"]["nominal_torque"]
-    assert (run.code, f"{nominal:.5g}" in run.out) == (0, True)
-
-
-@pytest.mark.parametrize("epoch", ["nonsense", "-5", "99999999999999999999", NINES])
-def test_a_nonsense_date_is_refused(epoch, afmcalc, monkeypatch):
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
-    run = afmcalc("report")
-    assert (run.code, run.out) == (2, "")
-    assert len(run.err.splitlines()[-1]) < 120
+        patch.setenv("COLUMNS", number)
+        assert afmcalc("torque").code == 0
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", number)
+    assert (afmcalc("report").code, afmcalc("report").out) == (2, "")

@@ -1,15 +1,17 @@
-"""Lists of one's own: friction materials, disc springs, balls; and the names that materials are read by."""
+"""Lists: friction materials and their names, disc springs, balls (ISO 3290-1); those that ship and one's own."""
 
 import json
 
 import pytest
 from conftest import CONFIGS
+from sources import READ, REFUSED
 
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError
+from afmcalc.messages import language, speaking, translate
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.catalogues import friction_materials, material_named
-from afmcalc.spec.lists import discs
+from afmcalc.spec.lists import ball_designation, diameters, discs
 from afmcalc.spec.lists import friction_materials as own_materials
 
 CSV = """# from the works' laboratory
@@ -49,25 +51,8 @@ def test_materials_of_ones_own_in_both_forms(tmp_path):
     assert own_materials(file(tmp_path, "own.toml", TOML)) == listed
 
 
-ROW = CSV.splitlines()[2]
-WRONG = {
-    "no source": (ROW.replace("Test 12", ""), "F1: source: required"),
-    "no friction": (ROW.replace("0.2,0.3", ",0.3"), "F1: friction_min: required"),
-    "ends": (ROW.replace("0.2,0.3", "0.3,0.2"), "the lower one first"),
-    "one end": (ROW.replace("0.08", ""), "pressure_min and pressure_max: both"),
-    "condition": (ROW.replace("dry", "wet"), 'condition = "wet": must be one of dry, in oil'),
-    "unit": (ROW.replace("368.15 K", "368.15 m"), 'temperature_max = "368.15 m"'),
-    "negative": (ROW.replace(",50,", ",-50,"), 'pressure_min = "-50 kPa": must be greater than 0'),
-    "twice": (f"{ROW}\n{ROW}", "a name of its own"),
-    "other name twice": (f"{ROW}\n{ROW.replace('F1', 'F3')}", "F3: every row has a name of its own"),
-    "a sign that is none": (ROW.replace("felt pad", "felt\x1bpad"), "printable"),
-    "cells beyond the heading": (ROW + ",,x", '["", "x"]: unknown key'),
-}
-
-
-@pytest.mark.parametrize("case", WRONG)
-def test_what_is_wrong_with_a_row_is_said_in_one_sentence(case, tmp_path, afmcalc):
-    text, says = WRONG[case]
+@pytest.mark.parametrize(("text", "says"), REFUSED["material"])
+def test_what_is_wrong_with_a_row_is_said_in_one_sentence(text, says, tmp_path, afmcalc):
     path = file(tmp_path, "own.csv", "\n".join([*CSV.splitlines()[:2], text]))
     with pytest.raises(AfmcalcError, match="own.csv") as told:
         own_materials(path)
@@ -90,22 +75,17 @@ def test_a_heading_that_is_not_known_and_a_list_that_is_none(tmp_path):
         assert says in str(told.value)
 
 
-@pytest.mark.parametrize(
-    ("row", "names"),
-    [
-        ("metal-dry", ("чугун", "закаленная  Сталь", "сч 20", "EN GJL 250", "Cast iron")),
-        ("metal-oil", ("Чугун в масле",)), ("sintered-dry", ("металлокерамика",)), ("cork-dry", ("пробка",)),
-    ],
-)  # fmt: skip
-def test_names_that_are_read(row, names):
-    assert [material_named(name, friction_materials()).name for name in names] == [row] * len(names)
+NAMED = {
+    "metal-dry": ("чугун", "закаленная  Сталь", "сч 20", "EN GJL 250", "Cast iron"),
+    "metal-oil": ("Чугун в масле",), "sintered-dry": ("металлокерамика",), "cork-dry": ("пробка",),
+}  # fmt: skip
 
 
-def test_no_name_stands_for_two_materials():
-    names = [each for row in friction_materials().values() for each in (row.name, *row.also)]
-    for each in names:
-        row = material_named(each, friction_materials())
-        assert each in (row.name, *row.also)
+def test_names_that_are_read_stand_for_one_material():
+    rows = friction_materials()
+    assert len(rows) == 13
+    for name, names in (*NAMED.items(), *((row.name, (row.name, *row.also)) for row in rows.values())):
+        assert [material_named(each, rows).name for each in names] == [name] * len(names)
 
 
 def test_what_a_name_is_read_as_is_said():
@@ -117,12 +97,8 @@ def test_what_a_name_is_read_as_is_said():
 
 
 def test_of_several_materials_a_clutch_has_the_worst_in_everything():
-    faces = {
-        "friction_group.mean_radius": None,
-        "friction_group.inner_radius": "80 mm",
-        "friction_group.outer_radius": "120 mm",
-    }
-    given = NO_RANGE | faces | {"friction.unknown": True}
+    faces = {"mean_radius": None, "inner_radius": "80 mm", "outer_radius": "120 mm"}
+    given = NO_RANGE | {f"friction_group.{key}": value for key, value in faces.items()} | {"friction.unknown": True}
     several = ["cork-dry", "sintered-dry", "wood-dry"]
     spec = read_spec(CONFIGS / "default.toml", given | {"friction.material": several})
     assert spec.friction.range == (0.15, 0.325, 0.5)
@@ -130,9 +106,8 @@ def test_of_several_materials_a_clutch_has_the_worst_in_everything():
     assert "cork-dry, sintered-dry, wood-dry" in told.message
     alone = [friction_materials()[name] for name in several]
     for names, rows in ((several, alone), (several[1::-1], alone[1::-1])):
-        lining = read_spec(CONFIGS / "default.toml", given | {"friction.material": names}).friction.linings[
-            "friction.material"
-        ]
+        worst = read_spec(CONFIGS / "default.toml", given | {"friction.material": names})
+        lining = worst.friction.linings["friction.material"]
         assert lining.friction_max == max(row.friction_max for row in rows)
         for limit in ("friction_min", "pressure_min", "pressure_max", "temperature_min", "temperature_max"):
             assert getattr(lining, limit) == min(getattr(row, limit) for row in rows), limit
@@ -171,50 +146,89 @@ def test_paths_are_relative_to_the_file_that_names_them(tmp_path, afmcalc, monke
     named = '[catalogues]\nmaterials = "lists/own.csv"\ndiscs = "lists/discs.csv"\nballs = "lists/balls.csv"\n'
     path = file(tmp_path, "clutch.toml", f"{spec}\n{named}")
     monkeypatch.chdir(tmp_path / "picked")
-    told = json.loads(afmcalc("synthesize", path, "--json").out)
-    assert told["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
+    assert afmcalc("synthesize", path, "--json").json["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
     afmcalc("synthesize", path, "-o", "completed.toml")
     assert 'materials = "../lists/own.csv"' in (tmp_path / "picked" / "completed.toml").read_text(encoding="utf-8")
     again = read_spec(tmp_path / "picked" / "completed.toml")
     assert again.friction.range == (0.2, 0.25, 0.3)
     assert again.lists == read_spec(path).lists
-    piped = afmcalc("torque", "-", "--json", stdin=afmcalc("torque", path, "--json").out)
-    assert json.loads(piped.out)["result"] == json.loads(afmcalc("torque", path, "--json").out)["result"]
-    file(tmp_path / "lists", "works' own.csv", "diameter_mm\n7\n23\n90\n")
-    by_option = afmcalc("synthesize", CONFIGS / "default.toml", "--balls", "../lists/works' own.csv", "--json")
-    assert json.loads(by_option.out)["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
-
-
-def test_a_disc_of_ones_own_is_called_by_its_designation(tmp_path, afmcalc):
-    heading, *rows = DISCS.splitlines()
-    listed = "\n".join([f"{heading},designation", f"{rows[0]},Пружина 50х25 ТУ 1", f"{rows[1]},"])
-    path = file(tmp_path, "discs.csv", listed)
-    assert [each.title for each in discs(path)] == ["Пружина 50х25 ТУ 1", "X 60 (Maker's list)"]
-    asked = "springs", CONFIGS / "default.toml", "--discs", path, "--kind", "disc"
-    parts = [each["part"] for each in json.loads(afmcalc(*asked, "--json").out)["result"]["closing"]]
-    number = parts.index("Пружина 50х25 ТУ 1") + 1
-    sprung = tmp_path / "sprung.toml"
-    assert afmcalc(*asked, "--pick", number, "-o", sprung).code == 0
-    assert "Пружина 50х25 ТУ 1" in afmcalc("springs", sprung).out
-    twice = file(tmp_path, "twice.csv", f"{listed}Пружина 50х25 ТУ 1")
-    with pytest.raises(AfmcalcError, match="X 60: every row has a name of its own"):
-        discs(twice)
+    told = afmcalc("torque", path, "--json")
+    assert afmcalc("torque", "-", "--json", stdin=told.out).json["result"] == told.json["result"]
+    by_option = afmcalc("synthesize", CONFIGS / "default.toml", "--balls", "../lists/balls.csv", "--json")
+    assert by_option.json["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
 
 
 def test_disc_springs_of_ones_own(tmp_path, afmcalc):
-    path = file(tmp_path, "discs.csv", DISCS)
+    """They are called by their designation, else by name and source."""
+    heading, *rows = DISCS.splitlines()
+    listed = "\n".join([f"{heading},designation", f"{rows[0]},Пружина 50х25 ТУ 1", f"{rows[1]},"])
+    path, sprung = file(tmp_path, "discs.csv", listed), tmp_path / "sprung.toml"
     first, second = discs(path)
     assert first[:7] == ("X 50", 0.05, 0.0254, 0.002, None, 0.0034, None)
+    assert [first.title, second.title] == ["Пружина 50х25 ТУ 1", "X 60 (Maker's list)"]
     asked = ("springs", CONFIGS / "default.toml", "--discs", path, "--kind", "disc")
-    run = afmcalc(*asked, "--json")
-    parts = {each["part"] for each in json.loads(run.out)["result"]["closing"]}
-    assert parts
-    assert parts <= {f"{each.name} (Maker's list)" for each in (first, second)}
-    picked = afmcalc(*asked, "--pick", "1", "-o", tmp_path / "sprung.toml")
-    assert picked.code == 0, picked.err
-    sprung = read_spec(tmp_path / "sprung.toml")
-    assert sprung.closing_spring.disc.thickness in (first.thickness, second.thickness)
-    assert sprung.catalogues.discs == path
-    flat = file(tmp_path, "flat.csv", DISCS.replace("3.4", "2"))
-    with pytest.raises(AfmcalcError, match="X 50: free_height .* must be greater than thickness"):
-        discs(flat)
+    parts = [each["part"] for each in afmcalc(*asked, "--json").json["result"]["closing"]]
+    assert {first.title} <= {*parts} <= {first.title, second.title}
+    assert afmcalc(*asked, "--pick", parts.index(first.title) + 1, "-o", sprung).code == 0
+    assert first.title in afmcalc("springs", sprung).out
+    picked = read_spec(sprung)
+    assert (picked.closing_spring.disc.thickness, picked.catalogues.discs) == (first.thickness, path)
+    for wrong, says in (
+        (f"{listed}Пружина 50х25 ТУ 1", "X 60: every row has a name of its own"),
+        (DISCS.replace("3.4", "2"), "X 50: free_height .* must be greater than thickness"),
+    ):
+        with pytest.raises(AfmcalcError, match=says):
+            discs(file(tmp_path, "wrong.csv", wrong))
+
+
+INCH = 25.4
+PRINTED = 5e-6
+"""Half a unit of the fifth decimal, in mm: the sizes are printed to five."""
+
+
+def in_mm(source=None):
+    return [1000 * size for size in diameters(source)]
+
+
+def test_sizes_ascend_metric_or_sixty_fourths_of_an_inch():
+    sizes = in_mm()
+    assert sizes == sorted(set(sizes))
+    assert (len(sizes), sizes[0], sizes[-1]) == (148, pytest.approx(0.3), pytest.approx(4.125 * INCH))
+    for size in sizes:
+        of_an_inch = round(64 * size / INCH) * INCH / 64
+        assert abs(size - of_an_inch) <= PRINTED * (1 + 1e-6) or abs(size - round(size, 1)) < 1e-12, size
+
+
+def test_a_makers_list_is_contained():
+    sizes = in_mm()
+    for size in READ["balls"][0]:
+        assert min(abs(size - other) for other in sizes) <= 1e-4 / 2 + PRINTED, size
+
+
+LISTS = {
+    "own.toml": 'diameters = [8, "5 mm", 6.35]', "own.csv": "# mine\ndiameter_mm\n8\n5\n6.35\n",
+    "OWN.CSV": "\ufeffdiameter_mm\r\n6.35\r\n5\r\n8\r\n", "bom.toml": "\ufeffdiameters = [6.35, 5, 8]",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LISTS)
+def test_a_list_of_the_users_own(tmp_path, name):
+    (tmp_path / name).write_bytes(LISTS[name].encode())
+    assert in_mm(tmp_path / name) == pytest.approx([5, 6.35, 8])
+
+
+@pytest.mark.parametrize(("name", "text", "says"), REFUSED["balls"])
+def test_what_is_no_list(tmp_path, name, text, says):
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    with pytest.raises(AfmcalcError, match=says) as raised:
+        diameters(tmp_path / name)
+    assert name in str(raised.value)
+
+
+def test_a_standard_ball_is_named_as_it_is_ordered():
+    assert ball_designation(0.0251) is None
+    for size, name in ((25, "25"), (20.6375, "20.638"), (20.638, "20.638"), (5.55625, "5.556")):
+        named = ball_designation(size / 1000)
+        assert named == f"ball {name} mm, ISO 3290-1"
+        with speaking(language("ru")):
+            assert translate(named) == f"Шарик {name.replace('.', ',')} ГОСТ 3722-2014"

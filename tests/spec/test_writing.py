@@ -7,6 +7,7 @@ import pytest
 from conftest import CONFIGS, WANTED
 from hypothesis import given
 from hypothesis import strategies as st
+from sources import READ
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.engines import build
@@ -52,14 +53,6 @@ def test_every_key_has_its_unit_and_says_what_it_is(name):
             assert matched["value"].startswith('"') == (key.unit in WRITTEN or is_text)
 
 
-@pytest.mark.parametrize(("given", "written"), [
-    (0.5, "0.5 rad"), (0.5235987755982988, "30 deg"), (0.24497866312686414, "14.0362434679 deg"), (0.0, "0 deg"),
-])  # fmt: skip
-def test_what_was_given_is_read_back_to_the_last_bit(given, written):
-    text = to_toml({"control_unit": {"wall_angle": given}})
-    assert f'wall_angle = "{written}"' in text
-
-
 def test_text_stays_text():
     name = 'a "b" \\ c # d é Ф\t\x7f\n[x]\ny = 1'
     assert tomllib.loads(to_toml({"name": name})) == {"name": name}
@@ -69,17 +62,12 @@ def test_paths_and_lists_are_read_back():
     spec = read_spec(CONFIGS / "tolerance.toml")
     text = to_toml(resolved(spec))
     assert '[tolerance.fields."closing_spring.force"]' in text
-    assert tomllib.loads(text)["tolerance"]["quantiles"] == [0.005, 0.05, 0.5, 0.95, 0.995]
-    assert resolved(make_spec(tomllib.loads(text))) == resolved(spec)
     wrong = Source("x.toml", text.replace('spread = "1 mm"', 'spread = "1 kN"'))
     with pytest.raises(SpecError, match=r'x\.toml:\d+:10: tolerance\.fields\."?friction_group'):
         make_spec(tomllib.loads(wrong.text), wrong)
 
 
-@pytest.mark.parametrize(("path", "given", "written"), [
-    ("drive.speed", "1460 rpm", "1460 rpm"), ("drive.speed", "30 rad/s", "30 rad/s"), ("heat.ambient", "40 degC", "40 degC"),
-    ("requirements.temperature", "204 °C", "204 degC"), ("heat.ambient", "300.001 K", "26.851 degC"),
-])  # fmt: skip
+@pytest.mark.parametrize(("path", "given", "written"), READ["written"])
 def test_what_stands_on_a_plate_is_written_as_it_was_given(path, given, written):
     table, key = path.split(".")
     number = parse_quantity(given, keys()[path].unit)

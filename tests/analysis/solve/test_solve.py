@@ -143,7 +143,7 @@ def test_a_second_value_is_named(wanted):
 @pytest.mark.parametrize("count", [4, pytest.param(20, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", PARAMETERS)
 def test_against_a_scan(name, count):
-    """What is solved is, what is refused has no answer, the best is one (1,000 each: python tests/solve_scan.py 1000)."""
+    """What is solved is, what is refused has no answer, the best is one."""
     seen = run(name, count)
     assert seen["solved"] > 0.3 * count, seen
 
