@@ -174,16 +174,14 @@ def seated(low):
     """Key's friction halves the net gain, κ 2 and κ₊ 4; the sleeve leaves its stop at f = 1 only, above f_max = 0.5."""
     unit = {"gain": 3.0, "gain_slope": 40.02, "key_friction": 0.3, "hub_diameter": 0.03, "ball_circle_radius": 0.05}
     disc = stack("A 40", 4).model_dump(exclude_none=True)
-    return make_spec(
-        {
-            "variant": "indirect",
-            "friction": {"min": low, "mean": low, "max": 0.5},
-            "friction_group": {"pairs": 1, "mean_radius": 0.05},
-            "closing_spring": {"force": 500.0, "stiffness": 2000.0},
-            "control_spring": {"stiffness": 1000.0, "force": 1500.0, "disc": disc},
-            "control_unit": {**unit, "balls": 6},
-        }
-    )
+    return make_spec({
+        "variant": "indirect",
+        "friction": {"min": low, "mean": low, "max": 0.5},
+        "friction_group": {"pairs": 1, "mean_radius": 0.05},
+        "closing_spring": {"force": 500.0, "stiffness": 2000.0},
+        "control_spring": {"stiffness": 1000.0, "force": 1500.0, "disc": disc},
+        "control_unit": {**unit, "balls": 6},
+    })  # fmt: skip
 
 
 @pytest.mark.parametrize("low", [0.5, 0.4, 0.25, 0.1])

@@ -1,7 +1,5 @@
 """The direct law against a numerical solution of the axial balance, and its special cases against each other."""
 
-from math import radians, tan
-
 import numpy as np
 import pytest
 from hypothesis import example, given
@@ -105,13 +103,6 @@ def test_setting_gives_the_nominal_torque(spec, method, margin):
     assert clutch.nominal_torque == pytest.approx(150.0, rel=1e-12)
 
 
-def test_wall_angle_is_a_gain():
-    angled = _base(control_unit={"wall_angle": radians(30), "ball_circle_radius": 0.05})
-    assert build(angled).gain == 0.1 / 0.05 * tan(radians(30))
-    sensitivity = build(angled).sensitivity()
-    assert sensitivity["friction_group.mean_radius"] == -sensitivity["control_unit.ball_circle_radius"]
-
-
 def codes(spec):
     return {finding.code: finding for finding in build(spec).findings()}
 
@@ -120,14 +111,12 @@ def test_findings():
     assert codes(_base()) == {}
     above = codes(_base(control_unit={"gain": 2.0}))["gain-above-limit"]
     assert (above.level, above.value, above.limit, above.path) == ("warning", 2.0, 1.25, "control_unit.gain")
-    assert "160 N·m" in above.message
-    assert codes(_base(control_unit={"gain": 0.0}))["feedback-idle"].level == "warning"
+    assert codes(_base(control_unit={"gain": 0.0})).keys() == {"feedback-idle"}
     reduced = codes(_base(variant="all-driving", control_unit={"gain": 0.7}))["reduced-gain-above-limit"]
     assert (reduced.value, reduced.limit) == (pytest.approx(5.6), 5.0)
     assert "reduced-gain-above-limit" not in codes(_base(variant="all-driving", control_unit={"gain": 0.625}))
     missed = codes(_base(adjustment={"nominal_torque": 200.0}))["nominal-torque-missed"]
-    assert missed.limit == 200.0
-    assert missed.value == pytest.approx(118.5185185)
+    assert (missed.limit, missed.value) == (200.0, pytest.approx(118.5185185))
     below = codes(_base(adjustment={"method": "mean-friction"}))["below-nominal-torque"]
     assert below.value < below.limit
     # z_1 1, z_2 6, C 3, f_1 0.5…0.6, f_2 0.1…0.6: (0.6 + 3.6)/11.8 over (0.5 + 0.6)/2.8

@@ -5,14 +5,10 @@ import pytest
 from strategies import p5
 
 from afmcalc.analysis.accuracy import accuracy
-from afmcalc.analysis.adjust import adjust
-from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.life import life
-from afmcalc.analysis.solve.solve import solve
 from afmcalc.analysis.tolerance.model import Model, inputs_of, with_setting
 from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
-from afmcalc.errors import SpecError
 
 BEST = 18.75
 """C_1* of P5's clutch: (20 + 10) N/mm/(8·0.1·2 kN)."""
@@ -50,22 +46,6 @@ def test_a_torque_that_falls_is_said(slope, found):
     assert not codes(never.findings()) & {"torque-falls-with-travel", "torque-jumps"}, "it rests all the way"
 
 
-def test_every_analysis_of_a_pocket_that_holds():
-    held = clutch(HELD)
-    found, _ = adjust(held)
-    assert (found.narrower, found.scatter_ratio) == ("min-friction", None)
-    assert found.min_friction.scatter == pytest.approx(0, abs=1e-10)
-    assert found.mean_friction.torque.mean == pytest.approx(found.mean_friction.torque.max) == pytest.approx(200)
-    result, solved, findings = solve(held, "gain_slope", "accuracy_factor", 1.2)
-    assert (solved.accuracy_factor, result.value < BEST) == (pytest.approx(1.2), True)
-    assert {"solve-replaces", "solve-another-value"} <= codes(findings), "the pocket it had, and a slope beyond C_1*"
-    shown = {step.function: step for step in explain("accuracy", held.spec)[0].steps}
-    assert shown["pocket.constant_torque_slope"].substituted.startswith("(20000 N/m + 10000 N/m)")
-    assert {"pocket.tangent_stiffness_squared", "pocket.sleeve_stiffness", "pocket.travel"} <= set(shown)
-    straight, _ = explain("torque", clutch().spec)
-    assert not any(step.function.startswith("pocket.") for step in straight.steps), "a straight wall is S21's own law"
-
-
 def test_life_where_the_torque_jumps():
     """The mean damage over the friction, by brute force: T rises to f_set, jumps down, and falls."""
     steep = clutch(
@@ -101,15 +81,6 @@ def test_a_pocket_is_cut_once(setting):
     assert 1.01 < tolerance(nominal)[0].accuracy_factor_robust < 1.5
     alone, _ = tolerance(clutch(HELD, tolerance={"fields": {"friction": {"distribution": "uniform"}}}))
     assert (alone.method, alone.accuracy_factor_robust) == ("exact", pytest.approx(1, rel=1e-12))
-
-
-@pytest.mark.parametrize(
-    "key", ["control_spring.force=1900", "control_unit.gain_slope=3", "control_unit.profiled=both"]
-)
-def test_what_no_wall_does(key):
-    """A sleeve that never rests at its stop; a slope beside the pocket; a pocket of a straight wall."""
-    with pytest.raises(SpecError):
-        clutch(*[HELD] * ("profiled" not in key), key)
 
 
 def test_where_pockets_hold_the_torque_an_elasticity_is_one_side_s():

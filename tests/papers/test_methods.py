@@ -78,14 +78,6 @@ def test_the_narrower_band_is_not_advised_without_what_it_costs(answered, margin
     assert [(each["level"], round(each["value"], 1)) for each in found] == ([] if held else [("info", 75.0)])
 
 
-def test_no_band_and_a_threshold_below_any_clutch(afmcalc):
-    result, _ = adjust(build(read_spec(CONFIGS / "default.toml", ["friction.min=0.3", "friction.max=0.3", "beta=1"])))
-    assert (result.scatter_ratio, result.narrower) == (None, "equal")
-    result = afmcalc("adjust", "--set", "adjustment.margin=5", "--json").json["result"]
-    assert (result["pairs_threshold"], result["pairs_threshold_at_gain_limit"]) == (None, None)
-    assert result["narrower"] == "min-friction"
-
-
 RULES = {
     "mean-stress": ("exponent", 6, lambda a, m: m),
     "amplitude": ("mean_stress_sensitivity", 0.1, lambda a, m: a + 0.1 * m),
@@ -117,11 +109,11 @@ def test_a_slip_at_a_time(model, endurance, low, source):
 def test_the_papers_rule_takes_the_band_as_one_cycle():
     clutch = changed(read_spec(), fatigue={**FATIGUE, "endurance_limit": 1e6})
     result, settings = life(clutch, "mean-stress")[0], adjust(clutch)[0]
-    for side, factor in (("protected", 1.0), ("unprotected", 1.4)):
-        for method in ("min_friction", "mean_friction"):
-            torque = getattr(settings, method).torque
-            mean = factor * (torque.min + torque.max) / 2 / 15e-6
-            assert getattr(getattr(result, side), method) == pytest.approx(1e7 * (1e6 / mean) ** 6, rel=1e-9)
+    for method in ("min_friction", "mean_friction"):
+        torque = getattr(settings, method).torque
+        cycles = 1e7 * (1e6 / ((torque.min + torque.max) / 2 / 15e-6)) ** 6
+        assert getattr(result.protected, method) == pytest.approx(cycles, rel=1e-9)
+        assert getattr(result.unprotected, method) == pytest.approx(cycles / 1.4**6, rel=1e-9)
 
 
 def test_life_over_the_band_and_over_the_gain(afmcalc):
@@ -198,11 +190,8 @@ def test_overload_of_what_s22_treats(afmcalc):
     falling = [each["accuracy_factor_equilibrium"] for each in told]
     assert falling == sorted(falling, reverse=True)
     assert afmcalc("overload", spec, "--json").json["result"]["friction_interval"] == [0.1, pytest.approx(0.2)]
-    assert [
-        afmcalc("overload", f"example:{name}").code for name in ("conventional", "unlike-materials", "indirect")
-    ] == [2] * 3
-    (swept,) = afmcalc("overload", "--sweep", "z1", "--json").json["result"]["sweep"]
-    assert swept["values"] == [1, 2, 3, 4, 5, 6, 7]
+    for name in ("conventional", "unlike-materials", "indirect"):
+        assert afmcalc("overload", f"example:{name}").code == 2
 
     def potential(f, u):
         """S22 (8), z 8, β_н 1.25, F_п R 200 N·m, u = (z − z_1) C f_min with C 0.5 and z_1 1 or 0."""
@@ -210,5 +199,3 @@ def test_overload_of_what_s22_treats(afmcalc):
 
     gain = afmcalc("overload", "--json").json["result"]["potential_torque_gain"]
     assert gain == pytest.approx({e: potential(f, 0.35) - potential(f, 0.4) for e, f in FRICTION.items()})
-    remarks = afmcalc("overload", "--set", "adjustment.method=mean-friction", "--json").json["findings"]
-    assert "margin-role" in [finding["code"] for finding in remarks]

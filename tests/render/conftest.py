@@ -7,8 +7,6 @@ import html5lib
 import pytest
 from conftest import CONFIGS, FRAME
 
-from afmcalc.messages import ENGLISH, language, speaking
-
 
 @pytest.fixture(autouse=True, scope="session")
 def _a_day():
@@ -64,16 +62,3 @@ def book():
     from afmcalc.analysis.handbook import handbook
 
     return functools.cache(handbook)
-
-
-@pytest.fixture(scope="session")
-def handbook_page(book):
-    """The page of the handbook in a language."""
-    from afmcalc.render.handbook import render
-
-    @functools.cache
-    def page(spoken):
-        with speaking(ENGLISH if spoken == "en" else language(spoken)):
-            return render(book(spoken))
-
-    return page

@@ -5,11 +5,11 @@ import os
 import re
 import tomllib
 from contextlib import suppress
-from itertools import product
 from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import FRAME
 
 import afmcalc
 from afmcalc.analysis.handbook import chapter_texts
@@ -20,8 +20,10 @@ from afmcalc.drive import cases
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
 from afmcalc.errors import AfmcalcError
+from afmcalc.messages import language, speaking
 from afmcalc.papers.claims import reproduce
 from afmcalc.papers.register import misprints, register
+from afmcalc.render.handbook import render
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import respecified
 
@@ -29,6 +31,7 @@ PACKAGE = Path(afmcalc.__file__).parent
 USES = PACKAGE / "papers" / "handbook" / "uses.toml"
 DIRECTIVE = re.compile(r"\{(\w+) ([^{}]+)\}")
 WALL, SPRING = ("control_unit.wall_angle", 0.5), ("control_spring.force", 5000.0)
+EVENT = ("drive.event.duration", 0.03)
 RUNS = [
     ("envelope", "synthesize accuracy adjust layout"),
     ("conveyor-clutch", "overload accuracy adjust effects synthesize layout heat simulate"),
@@ -39,7 +42,7 @@ RUNS = [
     ("drilling-head-clutch", "life"),
     ("shishkarev2022-fig3", "accuracy overload torque adjust synthesize springs"),
     ("default", "adjust life", WALL),
-    ("drive", "effects heat simulate life"),
+    ("drive", "effects heat simulate life", EVENT),
     ("all-driving", "life"),
     ("shishkarev2021", "springs"),
 ]
@@ -78,10 +81,12 @@ def test_uses_are_those_of_the_program():
             for user in ("torque", *commands.split()):
                 ANALYSES[user].function(clutch)
             user = "solve"
-            for name, target in product(PARAMETERS, TARGETS):
+            for target in TARGETS:
                 with suppress(AfmcalcError), np.errstate(all="ignore"):
                     now = float(TARGETS[target].value(clutch))
-                    closed_inverse(clutch, name, target, now, np.float64(1.01 * now))
+                    for name in PARAMETERS:
+                        with suppress(AfmcalcError):
+                            closed_inverse(clutch, name, target, now, np.float64(1.01 * now))
         user = "reproduce"
         reproduce([])
     if os.environ.get("AFMCALC_UPDATE"):
@@ -91,7 +96,7 @@ def test_uses_are_those_of_the_program():
 
 
 def test_every_formula_is_reached_or_says_why_not():
-    """A function is calculated by a command; a formula without one is covered by others. Else the entry says why."""
+    """A command calculates it, or others cover a formula without a function; else the entry says why."""
     known = uses()
     reached = {entry.id: bool(entry.function and known[entry.function]) for entry in register()}
     for entry in register():
@@ -103,21 +108,6 @@ def test_each_formula_and_misprint_stands_once():
     shown = DIRECTIVE.findall("".join(chapter_texts("en").values()))
     for kind, wanted in (("equation", equations()), ("misprint", [entry.id for entry in misprints()])):
         assert sorted(name for key, name in shown if key == kind) == sorted(wanted)
-
-
-def test_citations_lead_to_the_chapter_that_shows_the_formula():
-    """``handbook, chapter 5`` of a docstring: the formula is in that chapter, or a formula that chapter names is."""
-    texts = chapter_texts("en")
-    shown = {name: number for number, text in texts.items() for _, name in DIRECTIVE.findall(text)}
-    cited = 0
-    for name, equation in equations().items():
-        chapters = {int(number) for number in re.findall(r"chapter (\d+)", equation.source)}
-        cited += bool(chapters)
-        assert chapters <= texts.keys(), name
-        assert not chapters or shown[name] in chapters or shown[name] > 8, name
-    assert cited > 50
-    shipped = (file for file in PACKAGE.rglob("*") if file.suffix in (".py", ".toml", ".html", ".md", ".po"))
-    assert [file for file in shipped if "heory, section" in file.read_text("utf-8")] == []
 
 
 def test_both_languages_have_the_same_parts():
@@ -132,34 +122,18 @@ def test_both_languages_have_the_same_parts():
         assert first == second, own[0][:40]
 
 
-def test_the_equations_that_stand_are_those_of_the_register():
-    right = {entry.id for entry in register() if entry.status in ("as printed", "covered")}
-    listed = re.findall(r"^- (\w+): (.*)$", chapter_texts("en")[7], re.MULTILINE)
-    assert len(listed) == 4
-    for paper, ranges in listed:
-        spans = [[int(number) for number in re.findall(r"\d+", part)] for part in ranges.split(", ")]
-        numbers = [number for span in spans for number in range(span[0], span[-1] + 1)]
-        assert {f"{paper} ({n})" for n in numbers} == {
-            each for each in right if re.fullmatch(rf"{paper} \(\d+\)", each)
-        }
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("language", ["en", "ru"])
-def test_every_link_of_the_page_leads_somewhere_in_it(language, handbook_page):
-    page = handbook_page(language)
+def test_every_link_of_the_page_leads_somewhere_in_it(book, monkeypatch):
+    """And the Russian one has no Latin word of four letters but of sources, terms, code, formulas and indices."""
+    monkeypatch.setattr("afmcalc.render.handbook.inline_svg", lambda sheet: FRAME)
+    with speaking(language("ru")):
+        page = render(book("ru"))
     ids = re.findall(r'\bid="([^"]+)"', page)
     assert len(ids) == len(set(ids)) > 200
     assert set(re.findall(r'<a [^>]*\bhref="#([^"]*)"', page)) <= set(ids)
     assert not re.search(r'(?:src|href)="(?!#)|@import|url\((?!#)', page)
     assert not re.search(r"\{(?:see|value|equation|misprint|figure|list) ", page)
-    assert not re.search(r"chapters? <a[^>]*>chapter", page, re.IGNORECASE), "the link says so itself"
-
-
-@pytest.mark.slow
-def test_russian_leaves_no_english_in_it(handbook_page):
-    """No Latin word of four letters but those of sources, of the table of terms, and in code, formulas and indices."""
-    page = re.sub(r"(?s)<(style|script|code|math)\b.*?</\1>|<section id=\"chapter-16\".*", " ", handbook_page("ru"))
+    page = re.sub(r"(?s)<(style|script|code|math)\b.*?</\1>|<section id=\"chapter-16\".*", " ", page)
     page = re.sub(r"example:\S+", " ", re.sub(r"<[^>]*>", " ", page.replace("<sub>", "_")))
     words = {word.strip(".,") for word in re.findall(r"\b[a-zA-Z]{4,}", page)}
     terms = chapter_texts("ru")[1].partition("## Термины")[2]

@@ -2,12 +2,10 @@
 
 import json
 import shlex
-import tomllib
 
 import pytest
 from browser import browser
-from conftest import CONFIGS
-from pages import TABS, is_shown, sets
+from pages import TABS, is_shown
 
 pytestmark = [browser, pytest.mark.tool]
 FOLD = "document.querySelectorAll('#form details').forEach(one => one.open = false)"
@@ -51,29 +49,6 @@ def test_a_slider_moves_the_accuracy_factor(opened, served, is_the_commands):
     assert page.cells["accuracy_factor"] != before
     assert f"{result['accuracy_factor']:.5g}" in page.page.inner_text("#numbers")
     assert slide(page, "closing_spring.force", 0.5).endswith(" kN"), "a slider keeps the unit that was written"
-
-
-MISTAKES = [("closing_spring.force", "2 s"), ("control_unit.wall_angle", "95 deg"), ("friction.min", "")]
-
-
-def test_errors_stand_at_their_field(opened, served, afmcalc):
-    """The last numbers stay; a choice whose variant lacks something says so where it is missing."""
-    page = opened(served)
-    before = page.cells
-    for key, text in MISTAKES:
-        page.unfold()
-        was = page.field(key).input_value()
-        page.put(key, text)
-        said = page.told(key)
-        assert said in afmcalc("torque", served.spec, *sets({key: text})).err
-        assert page.field(key).get_attribute("aria-invalid") == "true"
-        assert f"error-{key}" in page.field(key).get_attribute("aria-describedby").split()
-        assert page.cells == before
-        page.put(key, was)
-        page.page.wait_for_function("key => !document.getElementById(`error-${key}`).checkVisibility()", arg=key)
-        assert page.field(key).get_attribute("aria-invalid") in (None, "false")
-    page.put("variant", "indirect")
-    assert "indirect" in page.told("control_unit.key_friction")
 
 
 def focus(page, selector, most=400):
@@ -125,21 +100,12 @@ def test_without_a_mouse(opened, served):
     focus(page, "#save")
     keyboard.press("Enter")
     page.page.wait_for_function("() => document.querySelector('#status').textContent.includes('clutch.toml')")
-    assert tomllib.loads(served.spec.read_text(encoding="utf-8"))["control_unit"]["gain"] == float(moved)
+    assert f"gain = {moved}".encode() in served.spec.read_bytes()
     served.spec.write_bytes(before)
 
 
-ASKING = """async url => {
-  const read = []
-  for (const [method, mode, type] of [['GET', 'cors'], ['GET', 'no-cors'], ['POST', 'cors', 'application/json'], ['POST', 'no-cors', 'text/plain']]) {
-    try {
-      const reply = await fetch(url + (method == 'POST' ? 'live' : ''),
-        {method, mode, body: method == 'POST' ? '{"base": 0, "fields": {}}' : undefined, headers: type ? {'Content-Type': type} : {}})
-      read.push((await reply.text()).length)
-    } catch { read.push(0) }
-  }
-  return read
-}"""
+ASKING = """url => Promise.all(['cors', 'no-cors'].map(mode =>
+  fetch(url, {mode}).then(reply => reply.text(), () => '').then(text => text.length)))"""
 INJECTED = """async () => {
   const inline = document.createElement('script'), div = document.createElement('div')
   inline.textContent = 'window.ran = 1'
@@ -166,7 +132,7 @@ def test_nothing_leaves_the_page_and_nothing_comes_in(opened, served, chromium):
     other = chromium.new_page()
     other.route("http://evil.example/", lambda route: route.fulfill(body="<p>hello", content_type="text/html"))
     other.goto("http://evil.example/")
-    assert other.evaluate(ASKING, served.url) == [0, 0, 0, 0]
+    assert other.evaluate(ASKING, served.url) == [0, 0]
     other.set_content(f'<iframe src="{served.url}" width="900" height="600"></iframe>')
     other.wait_for_timeout(500)
     assert not other.frames[-1].query_selector("form")
@@ -199,45 +165,11 @@ def test_a_burst_ends_with_the_last_state(opened, served, is_the_commands):
     is_the_commands(page)
 
 
-def test_a_point_of_the_front_is_loaded(opened, served):
-    """The form becomes its clutch, and goes on from there."""
-    page = opened(served)
-    before = page.cells["accuracy_factor"]
-    page.page.fill("#requirements", (CONFIGS / "requirements.toml").read_text(encoding="utf-8"), force=True)
-    page.open("design")
-    page.page.evaluate(FOLD)
-    assert page.axe() == []
-    page.page.locator("#panel-design [data-base]").first.click()
-    page.page.wait_for_function(
-        "was => document.querySelector('[data-path=accuracy_factor]').dataset.value != was", arg=before
-    )
-    assert page.page.input_value("#base") == "1"
-    page.put("friction_group.pairs", "6")
-    page.answered("pairs=6")
-
-
-def test_a_server_that_is_gone_is_said(opened, serve):
-    page = opened(serve())
-    page.served.end()
-    page.put("control_unit.gain", "0.6")
-    page.page.wait_for_function("() => document.querySelector('#status').textContent.length > 20")
-    assert page.field("control_unit.gain").input_value() == "0.6"
-    page.problems.clear()
-
-
 WIDE = "document.documentElement.scrollWidth"
 UNNAMED = """[...document.querySelectorAll('input:not([type=hidden]), select, textarea, button')].filter(one =>
   !(one.labels?.length && [...one.labels].some(label => label.textContent.trim())) && !one.getAttribute('aria-label')
   && !one.textContent.trim() && !one.getAttribute('aria-labelledby')).map(one => one.outerHTML)"""
-TWICE = (
-    "(ids => ids.filter((id, at) => ids.indexOf(id) != at))([...document.querySelectorAll('[id]')].map(one => one.id))"
-)
-
-
-SHOWN = {
-    "drive": ("en", "dark", ["heat"]),
-    "indirect": ("ru", "light", ["accuracy", "explanation", "report"]),
-}
+SHOWN = {"drive": ("en", "dark", ["heat"]), "indirect": ("ru", "light", ["accuracy", "explanation", "report"])}
 
 
 @pytest.mark.parametrize("name", SHOWN)
@@ -247,10 +179,8 @@ def test_it_is_accessible_and_fits_a_telephone(opened, serve, name):
     page = opened(serve(name, "--lang", language), scheme=scheme, width=375)
     assert page.page.get_attribute("html", "lang") == language
     page.unfold()
-    assert page.page.evaluate(UNNAMED) == page.page.evaluate(TWICE) == []
+    assert page.page.evaluate(UNNAMED) == []
     assert page.page.get_attribute("#status", "role") == "status"
-    texts = page.page.locator("button:visible, summary:visible, [role=tab]:visible, caption:visible").all_inner_texts()
-    assert language == "en" or all(any("а" <= letter <= "я" for letter in text.lower()) for text in texts)
     page.page.click("#pin")
     faults = {"form": page.axe()}
     page.page.evaluate(FOLD)
@@ -260,6 +190,8 @@ def test_it_is_accessible_and_fits_a_telephone(opened, serve, name):
         faults[tab] = page.axe()
     page.put("control_unit.gain", "wrong unit here which is long")
     page.told("control_unit.gain")
+    assert page.field("control_unit.gain").get_attribute("aria-invalid") == "true"
+    assert "error-control_unit.gain" in page.field("control_unit.gain").get_attribute("aria-describedby").split()
     assert page.page.evaluate(WIDE) <= 375
     faults["error"] = page.axe()
     assert not any(faults.values()), json.dumps(faults, indent=1, ensure_ascii=False)

@@ -3,9 +3,9 @@
 import collections
 import csv
 import io
+import json
 import math
 import re
-from types import SimpleNamespace
 
 import pytest
 from conftest import CONFIGS
@@ -13,57 +13,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.registry import ANALYSES
-from afmcalc.messages import language, speaking, translate
+from afmcalc.messages import fitting
 from afmcalc.render.document import document
-from afmcalc.render.layout import TextTable, blocks, padded, told_apart
-from afmcalc.render.units import display, estimate, significant
-from afmcalc.render.verdict import SENTENCES
+from afmcalc.render.layout import TextTable, blocks, padded
+from afmcalc.render.symbols import latin_symbols, native
+from afmcalc.render.units import display, display_unit, estimate, shown_in, significant
 from afmcalc.result import Result, described, quantity, shown_as
+from afmcalc.spec.fields import Block
 from afmcalc.spec.keys import keys
 
-ANGLE = (
-    'tolerance.fields={"control_unit.wall_angle" = {distribution="triangular", min="19 deg", max="22 deg"}, '
-    '"closing_spring.force" = {distribution="normal", spread="5 %"}}'
-)
 SMALL = ["--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"]
 STUDY = ["tolerance", CONFIGS / "tolerance.toml", *SMALL]
-ANGLED = [*STUDY, "--set", "control_unit.gain=", "--set", "control_unit.wall_angle=20 deg", "--set", ANGLE]
 FRONT = ["design", CONFIGS / "requirements.toml", "--set", "search.pairs=[8, 10]"]
 FRONT += ["--set", "search.gain=[0.4, 0.5, 0.6]"]
-
-
-def classes(kind=Result):
-    for each in kind.__subclasses__():
-        yield each
-        yield from classes(each)
-
-
-def test_a_symbol_has_one_unit_everywhere():
-    assert all(analysis.result_class for analysis in ANALYSES.values())  # imports them
-    units = collections.defaultdict(set)
-    own = (each for each in classes() if each.__module__.startswith("afmcalc"))
-    for info in (info for each in own for info in each.model_fields.values()):
-        units[shown_as(info).symbol].add(shown_as(info).unit or None)
-    for key in keys().values():
-        units[key.symbol].add(key.unit)
-    # what stands for an error, or tells one part of a result from another, is no quantity
-    assert not {symbol: found for symbol, found in units.items() if symbol and len(found - {None}) > 1}
-    assert len(units) > 90
-
-
-RUNS = {
-    "accuracy": [CONFIGS / "indirect.toml"], "adjust": [CONFIGS / "default.toml"], "life": [CONFIGS / "default.toml"],
-    "overload": [CONFIGS / "default.toml"], "synthesize": [CONFIGS / "indirect.toml"], "tolerance": STUDY[1:],
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("command", RUNS)
-def test_no_symbol_stands_twice_in_a_table(command, answered):
-    run = answered(command, *RUNS[command], "--format", "markdown")
-    tables = [part for part in run.out.split("\n\n") if part.startswith("| Symbol |")]
-    symbols = [line.split("|")[1].strip() for table in tables for line in table.splitlines()[2:]]
-    assert len(symbols) > 4
-    assert not [symbol for symbol, count in collections.Counter(symbols).items() if symbol and count > 1]
 
 
 class Row(Result):
@@ -75,11 +37,10 @@ class Rows(Result):
     rows: list[Row] = described("rows")
 
 
-@pytest.mark.parametrize("count", [1, 3, 4])
-def test_a_table_of_more_than_three_rows_leaves_its_details_out(count):
-    (table,) = blocks(document(Rows(rows=[Row(name=f"n{number}", width=number) for number in range(count)])))
-    assert ("w, mm" in table.header) == (count <= 3)
-    assert len(table.rows) == count
+def test_a_table_of_more_than_three_rows_leaves_its_details_out():
+    for count in (1, 3, 4):
+        (table,) = blocks(document(Rows(rows=[Row(name=f"n{number}", width=number) for number in range(count)])))
+        assert ("w, mm" in table.header, len(table.rows)) == (count <= 3, count)
 
 
 def test_significant_figures():
@@ -131,15 +92,6 @@ def test_estimates_of_a_study_carry_their_errors(answered):
     assert float(cells["sobol.total", "friction"]["value"]) == found["sobol"][0]["total"]
 
 
-def test_units_are_the_engineers(answered):
-    table = answered(*ANGLED).out
-    angle = next(line for line in table.splitlines() if line.startswith("control_unit.wall_angle"))
-    assert angle.split() == ["control_unit.wall_angle", "triangular", "19", "20", "22", "1.5", "deg"]
-    solved = answered("solve", "--for", "R", "torque_max=300").out
-    assert re.search(r"value found +89\.062 +mm", solved)
-    assert not re.search(r"(?<![\w·])(rad|Pa|SI|m)\b", table + solved)
-
-
 def test_variants_stand_side_by_side(answered):
     """In a table for each of what is kept equal."""
     compare = "compare", CONFIGS / "indirect.toml", "--variants"
@@ -180,27 +132,98 @@ def test_a_narrow_table_has_every_number_and_key_whole(command, afmcalc, monkeyp
     assert whole(60) == whole(300)
 
 
-def test_a_name_is_not_cut_off_a_terminal(answered):
-    wide = answered("torque", "--set", f"name={'x' * 300}").out
-    assert "x" * 300 in wide
-    assert "\x1b" not in wide
-
-
-def test_a_step_says_its_setting_only_where_another_differs():
-    step = SimpleNamespace(function="f", symbol="T", setting="min-friction", side=None)
-    other = SimpleNamespace(function="f", symbol="T", setting="mean-friction", side=None)
-    assert told_apart(step, [step, step]) == []
-    assert told_apart(step, [step, other]) == ["set at f_min"]
-    assert told_apart(step, [step, SimpleNamespace(**vars(other) | {"symbol": "K"})]) == []
-
-
-@pytest.mark.parametrize("name", ["default", "shishkarev2021"])
-def test_check_begins_with_its_verdict_and_compare_tells_a_finding_once(name, answered):
-    with speaking(language("ru")):
-        sentences = tuple(translate(sentence) for sentence in SENTENCES.values())
-    assert answered("check", f"example:{name}").out.splitlines()[1].startswith(tuple(SENTENCES.values()))
-    assert answered("--lang", "ru", "check", f"example:{name}").out.splitlines()[1].startswith(sentences)
-    run = answered("compare", f"example:{name}", f"example:{name}", "example:indirect")
+def test_compare_tells_a_finding_once(answered):
+    run = answered("compare", "example:default", "example:default", "example:indirect")
     told = [line for line in run.out.splitlines() if re.match(r"(info|warning|error): ", line)]
     messages = [line.partition(": ")[2].partition(": ")[2] for line in told]
     assert len(set(messages)) == len(messages) > 0
+
+
+ASKED = {
+    "torque": "indirect", "synthesize": "indirect", "accuracy": "unlike-materials", "adjust": "all-driving",
+    "life": "default",
+}  # fmt: skip
+
+
+def numbers(value):
+    """Every number of a JSON value."""
+    if isinstance(value, dict | list):
+        for each in value.values() if isinstance(value, dict) else value:
+            yield from numbers(each)
+    elif isinstance(value, int | float) and not isinstance(value, bool):
+        yield value
+
+
+@pytest.mark.parametrize("command", ASKED)
+def test_every_number_shown_in_si_is_one_of_the_result(command, answered):
+    path = CONFIGS / f"{ASKED[command]}.toml"
+    known = list(numbers(answered(command, path, "--json").json["result"]))
+    table = answered(command, path, "--units", "si").out.partition("\nwarning:")[0].partition("\ninfo:")[0]
+    words = [cell for line in table.splitlines()[3:] for cell in re.split(r"\s{2,}", line)]
+    shown = [float(word) for word in words if re.fullmatch(r"-?[\d.]+(e[+-]\d+)?", word)]
+    assert len(shown) >= 4
+    assert all(any(abs(each - value) <= 1e-4 * abs(value) for value in known) for each in shown)
+    # a ball is ordered by its millimetres
+    assert not re.search(r"\b(kN|mm|MPa|deg|N/mm)\b", re.sub(r"ball \S+ mm, ISO", "", table))
+    assert answered(command, path).out == answered(command, path, "--units", "engineer").out
+
+
+def test_units_hold_until_the_end_of_the_block():
+    def shown():
+        return display(0.1, "m"), display_unit("m"), display(300.0, "K abs"), display_unit("K abs")
+
+    with shown_in("si"):
+        assert shown() == ("0.1", "m", "300", "K")
+    assert shown() == ("100", "mm", "26.85", "°C")
+
+
+@pytest.mark.parametrize("command", ["torque", "synthesize", "explain torque"])
+def test_an_ascii_stream_gets_letters_and_columns(command, answered):
+    asked = *command.split(), CONFIGS / f"{ASKED.get(command, 'default')}.toml", "--quiet"
+    whole, spelled = answered(*asked), answered(*asked, encoding="ascii")
+    assert spelled.out.isascii()
+    assert "\\u" not in spelled.out
+    assert "T_n" in spelled.out or "T_н" not in whole.out
+    assert len(spelled.out.splitlines()) == len(whole.out.splitlines())
+    if header := next((line for line in spelled.out.splitlines() if line.startswith("Symbol")), ""):
+        at = header.index("Quantity")
+        table = spelled.out.split(header)[1].split("\n\n")[0].splitlines()[1:]
+        assert all(line[at - 2 : at] == "  " and line[at] != " " for line in table)
+
+
+def test_json_for_an_ascii_stream_says_the_same(answered):
+    arguments = "torque", CONFIGS / "default.toml", "--json", "--set", 'name="Муфта 😀 ½"'
+    whole, spelled = answered(*arguments), answered(*arguments, encoding="ascii")
+    assert spelled.out.isascii()
+    assert json.loads(spelled.out) == json.loads(whole.out)
+
+
+def symbols():
+    """Symbol and unit of every field of a result, of every key of a spec and of requirements."""
+    assert all(analysis.result_class for analysis in ANALYSES.values())  # imports them
+
+    def classes(base):
+        for each in base.__subclasses__():
+            yield from (each, *classes(each)) if each.__module__.startswith("afmcalc") else ()
+
+    for field in (field for each in (*classes(Result), *classes(Block)) for field in each.model_fields.values()):
+        more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of a spec
+        yield shown_as(field).symbol or more.get("symbol"), shown_as(field).unit
+    yield from ((key.symbol, key.unit) for key in keys().values())
+
+
+def test_a_symbol_has_one_unit_and_a_spelling_of_its_own():
+    """F_п, the spring's, and F_p, the release force, stand in one table; in ASCII and in Latin letters."""
+    units = collections.defaultdict(set)
+    for symbol, unit in symbols():
+        units[symbol] |= {unit} if symbol and unit else set()
+    known = set(filter(None, units))
+    assert len(known) > 90
+    assert [symbol for symbol in known if len(units[symbol]) > 1] == []
+    spelled = {symbol: fitting(symbol, "ascii") for symbol in known}
+    assert len(set(spelled.values())) == len(known), collections.Counter(spelled.values()).most_common(3)
+    assert (spelled["F_п"], spelled["F_п2"], spelled["F_p"]) == ("F_sp", "F_sp2", "F_p")
+    with latin_symbols():
+        latin = {native(symbol) for symbol in known}
+    assert len(latin) == len(known)
+    assert not [symbol for symbol in latin if re.search("[а-яА-Я]", symbol)]
