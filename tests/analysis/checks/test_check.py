@@ -9,25 +9,19 @@ from afmcalc.analysis.answers import Answers
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec, resolved
 
-SHIPPED = sorted(
-    path for path in CONFIGS.glob("*.toml") if path.stem not in {"fokin2011-fig2", "conveyor-clutch", *WANTED}
-)
-"""Clutches that can be made; the gain of F11 fig. 2 is above its limit as printed (M4). Of the conveyor's see ``test_machines``."""
-
-QUICK = {"default", "indirect", "constant-torque", "unlike-materials"}
-
 
 def overridden(changes):
     return [part for change in changes for part in ("--set", change)]
 
 
-@pytest.mark.parametrize(
-    "path",
-    [each if each.stem in QUICK else pytest.param(each, marks=pytest.mark.slow) for each in SHIPPED],
-    ids=lambda path: path.stem,
-)
-def test_what_ships_can_be_made(path, afmcalc):
-    run = afmcalc("check", path, "--strict", "--json")
+QUICK = ["default", "indirect", "constant-torque", "unlike-materials"]
+OTHERS = sorted({path.stem for path in CONFIGS.glob("*.toml")} - {"fokin2011-fig2", "conveyor-clutch", *WANTED, *QUICK})
+"""Clutches that can be made; the gain of F11 fig. 2 is above its limit as printed (M4)."""
+
+
+@pytest.mark.parametrize("name", [*QUICK, *(pytest.param(each, marks=pytest.mark.slow) for each in OTHERS)])
+def test_what_ships_can_be_made(name, afmcalc):
+    run = afmcalc("check", CONFIGS / f"{name}.toml", "--strict", "--json")
     assert run.code == 0, run.out
     # whether a clutch slips at the start of its motor is worth knowing, and no fault
     held = [row for row in run.json["result"]["limits"] if row["name"] != "torque of a direct start"]
@@ -37,41 +31,35 @@ def test_what_ships_can_be_made(path, afmcalc):
 def test_a_warning_fails_a_strict_check(afmcalc):
     assert afmcalc("check", "--set", "C=2").code == 0
     run = afmcalc("check", "--set", "C=2", "--strict", "--json")
-    assert run.code == 1
     result = run.json["result"]
-    assert (result["passed"], result["errors"], result["warnings"]) == (False, 0, 1)
+    assert (run.code, result["passed"], result["errors"], result["warnings"]) == (1, False, 0, 1)
     (beyond,) = [row for row in result["limits"] if row["verdict"] == "warning"]
     assert (beyond["value"], beyond["limit"]) == (2, pytest.approx(1.25))
 
 
 IMPOSSIBLE = {
-    "balls overlap": ("balls-overlap", ["control_unit.balls=13"], 0.025, 0.1 * math.sin(math.pi / 13)),
-    "a ball fills the ball circle": ("ball-reaches-axis", ["control_unit.balls=", "r=10 mm"], None, 0.01),
+    "balls-overlap": (["control_unit.balls=13"], 0.025, 0.1 * math.sin(math.pi / 13)),
+    "ball-reaches-axis": (["control_unit.balls=", "r=10 mm"], None, 0.01),
     # C 5: tan α 2.5, balls of 6.5 mm have room, mouths 6.5/cos α − s tan α have not
-    "pockets cut into each other": (
-        "pockets-overlap", ["C=5", "control_unit.balls=26"], 0.0065 * math.hypot(1, 2.5) - 0.005, 0.1 * math.sin(math.pi / 26),
-    ),
-    "no ball in the list": ("no-standard-ball", ["C=0.1"], None, 0.104775),
-    "deeper than the sleeve": ("depth-beyond-sleeve", ["control_unit.sleeve_depth=11 mm"], 0.0115, 0.011),
-    "a ball too small": ("ball-too-small", ["control_unit.ball_diameter=20 mm"], 0.02, 0.006 / math.sin(math.atan(0.25))),
+    "pockets-overlap": (["C=5", "control_unit.balls=26"], 0.0065 * math.hypot(1, 2.5) - 0.005, 0.1 * math.sin(math.pi / 26)),
+    "no-standard-ball": (["C=0.1"], None, 0.104775),
+    "depth-beyond-sleeve": (["control_unit.sleeve_depth=11 mm"], 0.0115, 0.011),
+    "ball-too-small": (["control_unit.ball_diameter=20 mm"], 0.02, 0.006 / math.sin(math.atan(0.25))),
 }  # fmt: skip
-"""Kind → its code, what makes the base clutch (r 50 mm, s = y = 2 mm) so, value and limit worked out by hand."""
+"""Code → what makes the base clutch (r 50 mm, s = y = 2 mm) so, value and limit worked out by hand."""
 
 
-@pytest.mark.parametrize("kind", IMPOSSIBLE)
-def test_the_impossible_is_an_error(kind, afmcalc):
-    code, changes, value, limit = IMPOSSIBLE[kind]
+@pytest.mark.parametrize("code", IMPOSSIBLE)
+def test_the_impossible_is_an_error(code, afmcalc):
+    changes, value, limit = IMPOSSIBLE[code]
     run = afmcalc("check", *overridden(changes), "--json")
-    assert run.code == 1
     (found,) = [each for each in run.json["findings"] if each["code"] == code]
-    assert found["level"] == "error"
-    assert found["limit"] == pytest.approx(limit)
+    assert (run.code, found["level"], found["limit"]) == (1, "error", pytest.approx(limit))
     assert value is None or found["value"] == pytest.approx(value)
     for row in run.json["result"]["limits"]:
         assert (row["verdict"] == "pass") == (row["utilisation"] <= 1 + 1e-9)
-    failed = [row for row in run.json["result"]["limits"] if row["verdict"] == "fail"]
-    assert any((row["value"], row["limit"]) == (found["value"], found["limit"]) for row in failed)
-    assert all(row["utilisation"] > 1 for row in failed)
+    failed = [(row["value"], row["limit"]) for row in run.json["result"]["limits"] if row["verdict"] == "fail"]
+    assert (found["value"], found["limit"]) in failed
 
 
 def test_what_is_not_given_is_not_judged(afmcalc):
@@ -98,13 +86,9 @@ UNUSUAL = {
 @pytest.mark.parametrize("path", UNUSUAL)
 def test_the_implausible_is_a_warning_that_names_the_usual(path, afmcalc):
     changes, value, limit = UNUSUAL[path]
-    found = [
-        each for each in afmcalc("check", *overridden(changes), "--json").json["findings"] if each["code"] == "unusual"
-    ]
-    (own,) = [each for each in found if each["path"] == path]
+    found = afmcalc("check", *overridden(changes), "--json").json["findings"]
+    (own,) = [each for each in found if (each["code"], each["path"]) == ("unusual", path)]
     assert (own["level"], own["value"], own["limit"]) == ("warning", pytest.approx(value), pytest.approx(limit))
-    assert "unusual" in own["message"]
-    assert "usual" in own["message"].replace("unusual", "")
 
 
 def test_a_spring_as_long_as_the_clutch_is_wide_is_unusual():
@@ -122,10 +106,7 @@ def test_a_hub_larger_than_balls_and_discs_leave_room_for(afmcalc, name, value):
     run = afmcalc("check", spec, *hub, "--json")
     assert run.code == 1
     (said,) = [each for each in run.json["findings"] if each["code"] == "hub-too-large"]
-    assert (said["value"], said["limit"]) == (
-        value,
-        pytest.approx(0.1 - 0.019844 if value == 0.5 else 0.16 - 0.016, abs=1e-6),
-    )
+    assert (said["value"], said["limit"]) == (value, pytest.approx(0.1 - 0.019844 if value == 0.5 else 0.144, abs=1e-6))
     (row,) = [each for each in run.json["result"]["limits"] if each["name"] == "hub within balls and discs"]
     assert row["verdict"] == "fail"
     ring = [f"friction_group.{key}" for key in ("mean_radius=", "inner_radius=0.03", "outer_radius=0.17")]
@@ -134,48 +115,30 @@ def test_a_hub_larger_than_balls_and_discs_leave_room_for(afmcalc, name, value):
     assert said["limit"] == pytest.approx(0.06)
 
 
-RING = ("friction_group.mean_radius=", "friction_group.inner_radius=80 mm", "friction_group.outer_radius=120 mm")
-RADII = [part for change in RING for part in ("--set", change)]
-CORKS = ("friction.min=", "friction.mean=", "friction.max=", "friction.material=cork-dry")
-CORK = [part for change in CORKS for part in ("--set", change)]
-LOWER = 55e3
-"""Pa, what cork bears at least; 95 kPa at most."""
+RADII = overridden(f"friction_group.{key}" for key in ("mean_radius=", "inner_radius=0.08", "outer_radius=0.12"))
+CORK = overridden(f"friction.{key}" for key in ("min=", "mean=", "max=", "material=cork-dry"))
+GRADES = {"pass": "", "warning": "-in-range", "fail": "-exceeded"}
 
 
 def findings(run):
     return {finding["code"]: finding for finding in run.json["findings"]}
 
 
-@pytest.mark.parametrize(
-    ("force", "mean", "peak", "code"),
-    [(1000, "mean-pressure", "peak-pressure", 0), (1500, "mean-pressure-in-range", "peak-pressure-in-range", 0), (3000, "mean-pressure-exceeded", "peak-pressure-exceeded", 1)],
-)  # fmt: skip
-def test_pressure(force, mean, peak, code, afmcalc):
-    run = afmcalc("check", *RADII, *CORK, "--set", f"F={force}", "--json")
-    assert run.code == code
-    found = findings(run)
-    assert found[mean]["value"] == pytest.approx(force / (math.pi * (0.12**2 - 0.08**2)))
-    assert found[peak]["value"] == pytest.approx(force / (2 * math.pi * 0.08 * 0.04))
-    assert found[mean]["path"] == "friction.material"
-    pressed = findings(
-        afmcalc("check", *RADII, *CORK, "--set", "friction_group.radius_model=uniform-pressure", "--json")
-    )
-    assert not any(code.startswith("peak") for code in pressed)
-
-
 def test_one_limit_on_both_sides_of_the_allowable_range(afmcalc):
-    """The utilisation grows with the load, and row, finding and sentence agree."""
-    before = 0.0
+    """Cork bears 55 to 95 kPa: the utilisation is of the lower, the verdict of both; row and finding agree."""
     for force, grade in ((1000, "pass"), (1500, "warning"), (2380, "warning"), (2400, "fail"), (3000, "fail")):
         run = afmcalc("check", *RADII, *CORK, "--set", f"F={force}", "--json")
         row = next(row for row in run.json["result"]["limits"] if row["name"] == "surface pressure in the mean")
-        said = next(each for code, each in findings(run).items() if code.startswith("mean-pressure"))
-        assert row["verdict"] == grade
-        assert said["limit"] == row["limit"] == LOWER
-        assert row["utilisation"] == pytest.approx(row["value"] / LOWER)
-        assert f"utilisation {row['utilisation']:.3g}" in said["message"]
-        assert row["utilisation"] > before
-        before = row["utilisation"]
+        said = findings(run)[f"mean-pressure{GRADES[grade]}"]
+        assert (row["verdict"], said["path"], said["limit"], row["limit"]) == (grade, "friction.material", 55e3, 55e3)
+        assert said["value"] == row["value"] == pytest.approx(force / (math.pi * (0.12**2 - 0.08**2)))
+        assert row["utilisation"] == pytest.approx(row["value"] / 55e3)
+        peak = force / (2 * math.pi * 0.08 * 0.04)
+        verdict = "pass" if peak < 55e3 else "warning" if peak < 95e3 else "fail"
+        assert findings(run)[f"peak-pressure{GRADES[verdict]}"]["value"] == pytest.approx(peak)
+        assert run.code == ("fail" in (grade, verdict))
+    even = afmcalc("check", *RADII, *CORK, "--set", "friction_group.radius_model=uniform-pressure", "--json")
+    assert not any(code.startswith("peak") for code in findings(even))
 
 
 def test_no_pressure_without_radii_or_material(afmcalc):

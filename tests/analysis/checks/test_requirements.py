@@ -67,6 +67,7 @@ friction_group = {pairs = 7, driving_pairs = 2, mean_radius = "100 mm"}
 closing_spring = {force = "2 kN"}
 control_unit = {gain = 1.47}
 requirements = {torque_max = "200 N*m"}
+fatigue = {endurance_limit = "400 MPa", polar_section_modulus = "15 cm^3", exponent = 6, base_cycles = 1e7}
 """
 LASTING = """
 variant = "indirect"
@@ -94,11 +95,9 @@ def test_a_torque_just_before_a_jump_counts(afmcalc):
     assert own["at_high"] == pytest.approx(leaving)
     assert torque["accuracy_factor"] == pytest.approx(own["high"] / own["low"]) == pytest.approx(2.001, abs=5e-4)
     assert torque["scatter"] == pytest.approx(99.32, abs=5e-3)
-    failed = afmcalc(
-        "check", "example:constant-torque", *changes, *set_to("requirements.accuracy_factor=1.4"), "--json"
-    )
-    assert failed.code == 1
-    assert failed.json["result"]["requirements"][0]["value"] == pytest.approx(2.001, abs=5e-4)
+    wanted = set_to("requirements.accuracy_factor=1.4")
+    failed = afmcalc("check", "example:constant-torque", *changes, *wanted, "--json")
+    assert (failed.code, failed.json["result"]["requirements"][0]["value"]) == (1, pytest.approx(2.001, abs=5e-4))
 
 
 def test_a_torque_between_the_ends_is_judged(afmcalc, tmp_path):
@@ -111,8 +110,7 @@ def test_a_torque_between_the_ends_is_judged(afmcalc, tmp_path):
     torque = afmcalc("torque", path, "--json").json["result"]
     assert [round(each, 1) for each in torque["torque"].values()] == [102.7, 244.4, 167.1]
     assert torque["torque_range"]["at_high"] == 0.81
-    part = ["endurance_limit=400 MPa", "polar_section_modulus=15 cm^3", "exponent=6", "base_cycles=1e7"]
-    life = afmcalc("life", path, *set_to(*(f"fatigue.{each}" for each in part)), "--json").json["result"]
+    life = afmcalc("life", path, "--json").json["result"]
     assert life["stress_protected"] == pytest.approx((102.71 + 244.38) / 2 / 15e-6, rel=1e-4)
 
 
@@ -133,40 +131,23 @@ def test_accuracy_under_a_load_that_lasts(afmcalc, tmp_path):
     rows, told = checked(f"{rising}=2.5", f"{lasting}=2.7")
     assert not rows["accuracy_factor_hysteresis"]["passed"]
     assert not told
-    # within both, or beyond both, there is nothing to say
-    assert not checked(f"{rising}=2.9")[1]
-    assert not checked(f"{rising}=2")[1]
+    assert not checked(f"{rising}=2.9")[1], "within both"
+    assert not checked(f"{rising}=2")[1], "beyond both"
 
 
-def test_a_margin_in_the_spring_is_not_taken_off_again():
-    """S19: set at the mean friction T_н is what is left of the spring's force less its margin."""
-    for method, over in (("min-friction", 1.25), ("mean-friction", 1)):
-        clutch = build(read_spec(None, [f"adjustment.method={method}"]))
-        assert clutch.machine_torque == pytest.approx(clutch.nominal_torque / over)
+UNKNOWN = {"outer_diameter": 0.2, "surface_pressure": 1e6, "travel": 0.01, "exceedance": 0.01, "cycles": 1e6,
+           "trips_per_hour": 5, "torque_after_wear": 90}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("name", "limit", "needs"),
-    [
-        ("outer_diameter", 0.2, "friction_group.outer_radius"),
-        ("surface_pressure", 1e6, "friction_group.inner_radius and outer_radius"),
-        ("travel", 0.01, "a sleeve that travels (indirect)"),
-        ("exceedance", 0.01, "[tolerance]"),
-        ("cycles", 1e6, "[fatigue]"),
-        ("trips_per_hour", 5, "[drive], [heat] with cooling and ambient, and a limit"),
-        ("torque_after_wear", 90, "heat.lining and the stiffness of the spring"),
-    ],
-)
-def test_what_cannot_be_judged_is_no_pass(name, limit, needs, afmcalc):
-    spec = ["--set", f"requirements.{name}={limit}", "--set", "requirements.torque_max=400", "--set", "fatigue="]
+def test_what_cannot_be_judged_is_no_pass(afmcalc):
+    wanted = set_to(*(f"requirements.{name}={limit}" for name, limit in UNKNOWN.items()))
+    spec = [*wanted, *set_to("requirements.torque_max=400", "fatigue=")]
     run = afmcalc("check", *spec, "--json")
-    assert run.code == 0
-    (row,) = [row for row in run.json["result"]["requirements"] if row["requirement"] == name]
-    assert (row["value"], row["utilisation"], row["passed"]) == (None, None, None)
-    (found,) = [each for each in run.json["findings"] if each["code"] == "requirement-not-judged"]
-    assert found["level"] == "warning"
-    assert "not judged: needs " + needs in found["message"]
-    assert afmcalc("check", *spec, "--strict").code == 1
+    rows = {row["requirement"]: row for row in run.json["result"]["requirements"]}
+    assert {tuple(rows[name][key] for key in ("value", "utilisation", "passed")) for name in UNKNOWN} == {(None,) * 3}
+    told = [(each["level"], each["path"]) for each in run.json["findings"] if each["code"] == "requirement-not-judged"]
+    assert sorted(told) == sorted(("warning", f"requirements.{name}") for name in UNKNOWN)
+    assert (run.code, afmcalc("check", *spec, "--strict").code) == (0, 1)
 
 
 def test_a_lining_that_takes_all_the_force_leaves_no_torque():
@@ -184,23 +165,13 @@ def test_life_without_a_limit_is_held():
 
 
 def test_exceedance_is_of_the_torque_required():
-    """P(T > T_max) of friction that is uniform over 0.1…0.8, by the friction at which T is that."""
-    limit = 300.0
-    beyond = limit / (1600 - 3.5 * limit)
-    blocks = {"fields": {"friction": {"distribution": "uniform"}}}
+    """P(T > 300 N·m) of friction that is uniform over 0.1…0.8, by the friction at which T is that."""
+    beyond, blocks = 300 / (1600 - 3.5 * 300), {"fields": {"friction": {"distribution": "uniform"}}}
     data = resolved(read_spec(CONFIGS / "default.toml"))
-    data |= {"tolerance": blocks, "requirements": {"torque_max": limit, "exceedance": 0.5}}
-    _, rows, _ = rows_of(make_spec(data))
-    assert rows["exceedance"].value == pytest.approx((0.8 - beyond) / 0.7, rel=1e-6)
+    data |= {"tolerance": blocks, "requirements": {"torque_max": 300.0, "exceedance": 0.5}}
+    assert rows_of(make_spec(data))[1]["exceedance"].value == pytest.approx((0.8 - beyond) / 0.7, rel=1e-6)
     data["tolerance"] = {**blocks, "torque_limit": 250.0}
     assert rows_of(make_spec(data))[1]["exceedance"].passed is None
     del data["requirements"]["torque_max"]
     with pytest.raises(SpecError, match=r"requirements\.torque_max.*required beside exceedance"):
         make_spec(data)
-
-
-def test_travel_is_that_at_the_largest_friction(afmcalc):
-    travel = afmcalc("torque", CONFIGS / "indirect.toml", "--json").json["result"]["travel"]
-    for limit, holds in ((travel["max"] * 1.01, True), (travel["max"] * 0.99, False)):
-        _, rows, _ = rows_of(read_spec(CONFIGS / "indirect.toml", [f"requirements.travel={limit!r}"]))
-        assert (rows["travel"].value, rows["travel"].passed) == (pytest.approx(travel["max"]), holds)

@@ -15,8 +15,13 @@ FEW = ["--set", "search.pairs=[8, 12]", "--set", "search.mean_radius=0.12"]
 
 def changed(**tables):
     """The example with tables changed, None: without the key."""
-    merged = {name: {**BASE.get(name, {}), **value} if isinstance(value, dict) and name != "friction" else value for name, value in tables.items()}  # fmt: skip
-    return BASE | {name: {key: item for key, item in value.items() if item is not None} if isinstance(value, dict) else value for name, value in merged.items()}  # fmt: skip
+    data = dict(BASE)
+    for name, value in tables.items():
+        merged = {**BASE.get(name, {}), **value} if isinstance(value, dict) and name != "friction" else value
+        data[name] = (
+            {key: item for key, item in merged.items() if item is not None} if isinstance(value, dict) else value
+        )
+    return data
 
 
 @pytest.mark.parametrize("asked", ["knee", "03"])
@@ -30,27 +35,9 @@ def test_a_pick_is_asked_for_by_number_or_as_the_knee(asked, afmcalc, answered, 
     assert run.json["result"]["front"] == front["front"]
     again = afmcalc("torque", target, "--json").json
     assert (again["spec"], again["result"]["closing_force"]) == (run.json["spec"], row["closing_force"])
-    assert afmcalc("check", "-", stdin=run.out).code == 0
-
-
-def test_a_number_that_is_none_is_refused(afmcalc):
-    few = [*FEW, "--set", "search.gain=[0.4, 0.6]"]
+    assert afmcalc("check", target, "--json").json["result"] == run.json["result"]["verdict"]
     for wrong in ("0", "222", "²", "9" * 5000, "kne"):
-        assert afmcalc("design", FILE, *few, "--pick", wrong).code == 2
-    assert afmcalc("design", FILE, *few, "--pick", "knee", "--set", 'objectives=["closing_force"]').code == 2
-
-
-def test_the_clutch_picked_is_shown_alone_with_what_a_check_says(afmcalc, answered, tmp_path):
-    target = tmp_path / "picked.toml"
-    alone = afmcalc("design", FILE, *FEW, "--pick", "knee", "--quiet", "--output", target)
-    assert alone.err == ""
-    assert "no.  variant" not in alone.out
-    verdict = afmcalc("check", target, "--json").json
-    assert answered("design", FILE, *FEW, "--pick", "knee", "--json").json["result"]["verdict"] == verdict["result"]
-    assert not any(f"[{each['code']}" in alone.out for each in verdict["findings"])
-    loud = answered("design", FILE, *FEW, "--pick", "knee").out
-    assert all(f"[{each['code']}" in loud for each in verdict["findings"])
-    assert all(f"{row['utilisation']:.5g}" in alone.out for row in verdict["result"]["requirements"])
+        assert afmcalc("design", FILE, *FEW, "--pick", wrong, "--set", "search.gain=[0.4, 0.6]").code == 2
 
 
 @pytest.mark.parametrize("contact_force", [5000.0, None])
@@ -95,17 +82,13 @@ def test_springs_finds_the_springs_of_every_clutch_proposed():
     need = changed(
         variants=["indirect"], objectives=["closing_force", "accuracy_factor", "travel"], springs="disc",
         wanted={"nominal_torque": 150, "accuracy_factor": None, "torque_max": None}, limits={"gain_limit": False, "surface_pressure": None},
-        search={
-            "pairs": [6, 8], "mean_radius": {"start": 0.08, "stop": 0.12, "count": 4}, "gain": {"start": 0.6, "stop": 2.0, "count": 4},
-            "ball_circle_radius": [0.04, 0.05], "closing_stiffness": {"start": 1e5, "stop": 8e5, "count": 4},
-            "control_stiffness": [0.0, 1e5, 3e5], "closing_force": {"min": 100, "max": 1e5},
-        },
+        search={"pairs": [6, 8], "mean_radius": {"start": 0.08, "stop": 0.12, "count": 4}, "gain": {"start": 0.6, "stop": 2.0, "count": 4},
+                "ball_circle_radius": [0.04, 0.05], "closing_stiffness": {"start": 1e5, "stop": 8e5, "count": 4},
+                "control_stiffness": [0.0, 1e5, 3e5], "closing_force": {"min": 100, "max": 1e5}},
         fixed={"hub_diameter": 0.05, "key_friction": 0.01, "face_width": None, "closing_room": room,
                "control_room": {"inner_diameter": 0.05, "outer_diameter": 0.2}},
     )  # fmt: skip
-    front = api.design(need).front
-    assert len(front) > 3
-    for number in range(1, len(front) + 1):
+    for number in range(1, len(api.design(need).front) + 1):
         answer = api.design(need, pick=number)
         (row,), clutch = answer.picked, api.Clutch(answer.spec)
         found = clutch.springs(kind="disc", top=1000)

@@ -12,9 +12,8 @@ import pytest
 from afmcalc import SpecError, load
 
 DIRECT = ["conventional", "differentiated", "all-driving"]
-OBJECTIVES = [
-    "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel", "control_force", "closing_deflection", "control_deflection",
-]  # fmt: skip
+OBJECTIVES = ["closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel", "control_force", "closing_deflection",
+              "control_deflection"]  # fmt: skip
 MOST = {"trip": 6, "event": 5, "scatter": 6, "sprung": 10, "curved": 10}
 """Candidates of a search whose check takes longer; of others 20."""
 AT_LEAST = {"trips_per_hour", "torque_after_wear", "cycles"}
@@ -27,15 +26,12 @@ LARGER_BALL = {"ball-too-small", "contact-force-exceeded"}
 """Errors that a larger ball may put right."""
 LININGS = {"material": "friction.material", "driving_material": "friction.driving.material"}
 HEAT = {"disc_mass": 0.8, "specific_heat": 480.0, "ambient": 313.15, "cooling": 5.0, "lining": 1e-4}
-DRIVE = {
-    "speed": 150.0, "motor_inertia": 0.02, "driven_inertia": 0.01, "shaft_stiffness": 8000.0, "load_torque": 60.0,
-    "motor_torque": 60.0, "cut_off": 0.01,
-}  # fmt: skip
+DRIVE = {"speed": 150.0, "motor_inertia": 0.02, "driven_inertia": 0.01, "shaft_stiffness": 8000.0, "load_torque": 60.0,
+         "motor_torque": 60.0, "cut_off": 0.01}  # fmt: skip
 FATIGUE = {"endurance_limit": 4e7, "polar_section_modulus": 3e-6, "exponent": 6, "base_cycles": 1e7}
-TOLERANCE = {
-    "samples": 1000, "sobol_base": 64, "seed": 1,
-    "fields": {"friction": {"distribution": "uniform"}, "closing_spring.force": {"distribution": "normal", "spread": 0.02}},
-}  # fmt: skip
+FORCE = {"distribution": "normal", "spread": 0.02}
+FIELDS = {"friction": {"distribution": "uniform"}, "closing_spring.force": FORCE}
+TOLERANCE = {"samples": 1000, "sobol_base": 64, "seed": 1, "fields": FIELDS}
 DISCS = """name,outer_diameter_mm,inner_diameter_mm,thickness_mm,free_height_mm,source
 A 60,60,30.5,1.5,3.5,works
 B 80,80,41,3,5.3,works
@@ -55,16 +51,12 @@ class Space:
     axes: dict
     wanted: dict
     balls: list
-    width: float | None = None
-    """Width of the faces, where the mean radius is searched."""
-    forces: list | None = None
-    """Forces of the closing springs that there are; None: any force."""
+    width: float | None = None  # of the faces, where the mean radius is searched
+    forces: list | None = None  # of the closing springs that there are; None: any force
     springs: str | None = None
     gain_limit: bool = True
-    counted_by: dict = field(default_factory=dict)
-    """Limits that other requirements are counted by: they stay."""
-    pressed: bool = True
-    """Whether the contact pressure may be limited: then each ball is a candidate of its own."""
+    counted_by: dict = field(default_factory=dict)  # limits that other requirements are counted by: they stay
+    pressed: bool = True  # whether the contact pressure may be limited: then each ball is a candidate of its own
 
 
 def put(spec, path, value):
@@ -80,9 +72,6 @@ def without_none(data):
 
 def rounded(values):
     return tuple(float(f"{value:.8g}") for value in values)
-
-
-# the door: how a search is written, and how its answer is read
 
 
 def designed(run, space, limits, *options, between=False):
@@ -126,12 +115,8 @@ def objective(row, name):
 def front_of(space, result):
     """Of each clutch on the front its variant and linings, and its objectives."""
     names = ["variant", *(name for name, path in LININGS.items() if path in space.axes)]
-    return [
-        (tuple(row[name] for name in names), rounded(objective(row, name) for name in space.objectives)) for row in result["front"]
-    ]  # fmt: skip
-
-
-# brute force
+    values = [rounded(objective(row, name) for name in space.objectives) for row in result["front"]]
+    return [(tuple(row[name] for name in names), each) for row, each in zip(result["front"], values, strict=True)]
 
 
 def candidates(space):
@@ -259,13 +244,8 @@ def random_limits(rng, space, good, favoured=()):
 
 
 def best_of(points):
-    return {
-        one for one in points
-        if not any(other != one and all(a <= b for a, b in zip(other, one, strict=True)) for other in points)
-    }  # fmt: skip
-
-
-# random searches
+    beaten = lambda one, by: by != one and all(a <= b for a, b in zip(by, one, strict=True))  # noqa: E731
+    return {one for one in points if not any(beaten(one, other) for other in points)}
 
 
 def space_of(kind, rng, discs):
@@ -283,9 +263,8 @@ def space_of(kind, rng, discs):
     else:
         axes["friction_group.mean_radius"] = some(0.07, 0.12, 3)
     steering = "control_unit.wall_angle" if angle else "control_unit.gain"
-    axes[steering] = (
-        some(0.15, 0.7, 4) if angle else [*some(0.2, 4.0 if kind == "unlike" else 2.0, 3), rng.choice([0.0, 1.0])]
-    )
+    steep = 4.0 if kind == "unlike" else 2.0
+    axes[steering] = some(0.15, 0.7, 4) if angle else [*some(0.2, steep, 3), rng.choice([0.0, 1.0])]
     axes["control_unit.ball_circle_radius"] = some(0.035, 0.06, 1 if len(variants) > 1 else 2)
     spec = {"friction": friction(kind, rng, axes)}
     unit = spec["control_unit"] = {"balls": rng.randint(5, 9), "face_gap": 5e-4, "edge_clearance": 1e-3}
@@ -309,10 +288,8 @@ def space_of(kind, rng, discs):
         width = None
     thin(rng, variants, axes, MOST.get(kind, 20))
     fixed = ["closing_force", "ball_diameter" if kind == "curved" else "accuracy_factor"]
-    objectives = [
-        *fixed,
-        *rng.sample(sorted({*OBJECTIVES[: None if travels else 4]} - {*fixed}), 2 if travels else rng.randint(0, 1)),
-    ]
+    others = sorted({*OBJECTIVES[: None if travels else 4]} - {*fixed})
+    objectives = [*fixed, *rng.sample(others, 2 if travels else rng.randint(0, 1))]
     wanted = {"method": rng.choice(["min-friction", "mean-friction"]), "margin": rng.uniform(1.0, 1.4)}
     wanted[rng.choice(["nominal_torque", "machine_torque"])] = rng.uniform(80, 200)
     return Space(

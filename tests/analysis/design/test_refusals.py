@@ -3,7 +3,6 @@
 import json
 import tomllib
 
-import pytest
 from conftest import CONFIGS
 
 from afmcalc import SpecError
@@ -12,10 +11,8 @@ from afmcalc.spec.requirements import make_requirements
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
 CONVEYOR = tomllib.loads((CONFIGS / "conveyor.toml").read_text(encoding="utf-8"))
 FATIGUE = {"endurance_limit": 1e8, "exponent": 6, "base_cycles": 1e7, "polar_section_modulus": 1e-5}
-SLEEVE = {
-    "variants": ["indirect"], "search.closing_stiffness": 4e5, "search.control_stiffness": 1e5, "fixed.hub_diameter": 0.05,
-    "fixed.key_friction": 0.02,
-}  # fmt: skip
+SLEEVE = {"variants": ["indirect"], "search.closing_stiffness": 4e5, "search.control_stiffness": 1e5,
+          "fixed.hub_diameter": 0.05, "fixed.key_friction": 0.02}  # fmt: skip
 BOTH = {"search.mean_radius": None, "search.inner_radius": 0.1, "search.outer_radius": 0.2}
 SPACE = {"disc_thickness": 0.003, "plate_thickness": 0.008, "housing_wall": 0.006}
 
@@ -45,14 +42,11 @@ VALUES = {
 """Key → values of it that are refused there."""
 OTHERS = [
     ("search.mean_radius", {"search.outer_radius": 0.2}),
-    ("search.mean_radius", {"search.mean_radius": None, "search.inner_radius": 0.1}),
     ("search.outer_radius", BOTH | {"search.inner_radius": 0.2, "fixed.face_width": None}),
     ("fixed.face_width", BOTH),
     ("fixed.face_width", {"fixed.face_width": None, "limits.surface_pressure": None, "limits.outer_diameter": 0.2}),
     ("search.wall_angle", {"search.gain": None, "search.wall_angle": [5, 10]}),
-    ("search.wall_angle", {"search.gain": None, "search.wall_angle": "-1 deg"}),
     ("search.closing_force.max", {"search.closing_force": {"min": 5, "max": 1}}),
-    ("search.closing_forces", {"search.closing_force": None, "search.closing_forces": [0]}),
     ("search.closing_stiffness", {"variants": ["indirect"]}),
     ("variants.0", {"variants": ["direct"]}),
     ("objectives.0", {"objectives": ["mass"]}),
@@ -107,10 +101,12 @@ def test_requirements_are_refused_at_their_key():
     assert not wrong
 
 
-@pytest.mark.parametrize("keys", [{"search.gain": None}, dict.fromkeys(["search.mean_radius", "search.gain"], {"start": 0.1, "stop": 0.2, "count": 1_000_000})])  # fmt: skip
-def test_a_refusal_is_a_sentence_and_writes_nothing(keys, afmcalc, tmp_path, monkeypatch):
-    """Too many candidates too, before any work."""
+def test_too_many_candidates_are_refused_before_any_work(afmcalc, tmp_path, monkeypatch):
+    """And nothing is written."""
     monkeypatch.setattr("afmcalc.analysis.design.design.search", None)
-    run = afmcalc("design", "-", "--pick", 1, "-o", tmp_path / "x.toml", stdin=json.dumps(changed(BASE, keys)))
+    many = changed(
+        BASE, dict.fromkeys(["search.mean_radius", "search.gain"], {"start": 0.1, "stop": 0.2, "count": 1_000_000})
+    )
+    run = afmcalc("design", "-", "--pick", 1, "-o", tmp_path / "x.toml", stdin=json.dumps(many))
     assert (run.code, run.out, run.err.count("error: ")) == (2, "", 1)
     assert not list(tmp_path.iterdir())

@@ -47,13 +47,8 @@ def test_a_front_by_definition(objectives, size, levels, seed):
         assert _culled(ranked).tolist() == brute(points.tolist())
     noisy = points * (1 + generator.integers(-2, 3, points.shape) * 2.0**-52)
     assert {tuple(row) for row in points[front(noisy)]} == {tuple(row) for row in points[front(points)]}
-    distinct = generator.random((size, objectives))
+    distinct = generator.random((7 * size, objectives))
     assert front(distinct).tolist() == brute(distinct.tolist())
-
-
-def test_a_front_of_many_levels():
-    points = np.random.default_rng(1).random((300, 3))
-    assert front(points).tolist() == brute(points.tolist())
 
 
 @st.composite
@@ -61,12 +56,13 @@ def wide(draw):
     """Requirements of which every bound holds up to one radius, or from one radius on; limits that bite now and then."""
     maybe = lambda low, high: draw(st.one_of(st.none(), st.floats(low, high)))  # noqa: E731
     some = lambda low, high, most=3: draw(st.lists(st.floats(low, high), min_size=1, max_size=most, unique=True))  # noqa: E731
+    several = lambda names, least=0: draw(st.lists(st.sampled_from(names), min_size=least, unique=True))  # noqa: E731
     angle, both = draw(st.booleans()), draw(st.booleans())
     material = draw(st.sampled_from([None, "cork-dry", "woven-dry"]))
     return need_of(
         friction={"min": None, "mean": None, "max": None, "material": material} if material else {},
-        variants=draw(st.lists(st.sampled_from(["conventional", "differentiated", "all-driving", "indirect"]), min_size=1, unique=True)),
-        objectives=["closing_force", *draw(st.lists(st.sampled_from(["accuracy_factor", "ball_diameter", "travel", "control_deflection"]), unique=True))],
+        variants=several(["conventional", "differentiated", "all-driving", "indirect"], 1),
+        objectives=["closing_force", *several(["accuracy_factor", "ball_diameter", "travel", "control_deflection"])],
         wanted={"accuracy_factor": maybe(2, 8), "torque_max": maybe(300, 1500), "method": draw(st.sampled_from(["min-friction", "mean-friction"]))},
         search={
             "pairs": [4, 9], "driving_pairs": [1, 2], "closing_force": {"min": draw(st.floats(100, 1000)), "max": draw(st.floats(2000, 80000))},
@@ -166,11 +162,8 @@ def test_a_ball_has_room_beside_the_hub(variant):
     """Of 30 mm on a circle of 100 mm: 70 mm."""
     space = {"disc_thickness": 0.003, "plate_thickness": 0.008, "housing_wall": 0.006, "bore": 0.03}
     for hub, feasible in ((0.0699, 1), (0.0701, 0)):
-        own = (
-            {"fixed": {"hub_diameter": hub, "key_friction": 0.01}}
-            if variant == "indirect"
-            else {"envelope": {**space, "hub_diameter": hub}}
-        )
+        fixed, envelope = {"hub_diameter": hub, "key_friction": 0.01}, {**space, "hub_diameter": hub}
+        own = {"fixed": fixed} if variant == "indirect" else {"envelope": envelope}
         need = need_of(
             variants=[variant], wanted={"accuracy_factor": None, "torque_max": None}, limits={"surface_pressure": None, "gain_limit": False},
             search={**SLEEVE, "control_stiffness": 2e5, "ball_diameters": [0.03], "closing_force": {"min": 1, "max": 1e6}}, **own,

@@ -2,64 +2,31 @@
 
 import math
 
-import numpy as np
 import pytest
 from conftest import CONFIGS, S21
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from solve_scan import run
-from strategies import indirect_specs
 
 from afmcalc.analysis.check import check
-from afmcalc.analysis.solve.search import looked
 from afmcalc.analysis.solve.solve import PARAMETERS, NotAttainableError, solve
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.edit import respecified
 
-TARGET_NAMES = ["accuracy_factor", "nominal_torque", "torque_max", "scatter"]
 
-
-@settings(max_examples=4)
-@given(indirect_specs(curved=True), st.floats(1.0, 20.0))
-def test_gain_that_a_control_spring_asks_for(spec, ratio):
-    """S21 (5): C = 2 R f_1/d + (F_п2 − F_п1)/(z F_п1 f_set); the pocket's slope does not matter at the stop."""
-    group, unit, own = spec.friction_group, spec.control_unit, spec.friction
-    at_set = own.min if spec.adjustment.method == "min-friction" else own.mean
-    force = spec.closing_spring.force
-    result, solved, _ = solve(build(spec), "C", "control_force", ratio * force)
-    threshold = 2 * group.mean_radius * unit.key_friction / unit.hub_diameter
-    printed = threshold + (ratio * force - force) / (group.pairs * force * at_set)
-    assert result.value == pytest.approx(printed, rel=1e-9, abs=1e-12)
-    assert solved.control_force == pytest.approx(ratio * force, rel=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("name", "value", "method"),
-    [
-        # example:indirect: F_п1 2 kN, z 8, f_set 0.3, R 0.1, κ = C − 0.04; F_п2 = F_п1 (1 + z f_set κ)
-        ("C", 0.04 + 0.5 / (8 * 2 * 0.3), "closed-form"),
-        ("F", 2500 / (1 + 8 * 0.3 * 0.96), "closed-form"),
-        # κ = 1 − 0.4 R, so that R = (1 − 0.25/2.4)/0.4
-        ("R", (1 - 0.25 / 2.4) / 0.4, "bracketed-root"),
-    ],
-)
-def test_what_gives_a_control_spring_of_2_5_kn(name, value, method):
+def test_what_gives_a_control_spring_of_2_5_kn():
+    """F_п1 2 kN, z 8, f_set 0.3, R 0.1, κ = C − 0.04 = 1 − 0.4 R; F_п2 = F_п1 (1 + z f_set κ)."""
     clutch = build(read_spec("example:indirect"))
-    result, solved, _ = solve(clutch, name, "control_force", 2500.0)
-    assert (result.value, result.method) == (pytest.approx(value, rel=1e-9), method)
-    assert solved.control_force == pytest.approx(2500.0, rel=1e-9)
+    for name, value in {"C": 0.04 + 0.5 / 4.8, "F": 2500 / (1 + 2.4 * 0.96), "R": (1 - 0.25 / 2.4) / 0.4}.items():
+        result, solved, _ = solve(clutch, name, "control_force", 2500.0)
+        assert (result.value, solved.control_force) == pytest.approx((value, 2500.0), rel=1e-9)
 
 
 def test_driving_pairs():
     """More bypass pairs regulate less; f 0.1…0.8, z 8, C 0.5: z_1 = 2 gives 3.06, 3 gives 3.33."""
     result, _, _ = solve(build(read_spec()), "z1", "accuracy_factor", 3.2)
-    assert result.value == 2
-    assert result.exact_value is None, "2.55 is beyond the gain limit, 1/(C f_max) = 2.5"
+    assert (result.value, result.exact_value) == (2, None), "2.55 is beyond the gain limit, 1/(C f_max) = 2.5"
     beyond, _, _ = solve(build(read_spec()), "z1", "accuracy_factor", 3.2, beyond_limit=True)
-    # z_2 = (8 − 3.2)/(0.5·0.8·2.2)
-    assert beyond.exact_value == pytest.approx(8 - 4.8 / 0.88)
-    assert beyond.value == 2
+    assert (beyond.value, beyond.exact_value) == (2, pytest.approx(8 - 4.8 / 0.88))  # z_2 = (8 − 3.2)/(0.5·0.8·2.2)
 
 
 ALPHA = ["C=", f"alpha={math.atan(0.25)} rad"]
@@ -98,12 +65,12 @@ def test_a_gain_that_is_given_does_not_bound_the_radius():
     assert result.value == pytest.approx(1000 * (1 + 3.5 * 0.8) / (2000 * 8 * 0.8))
 
 
-@pytest.mark.parametrize("wanted", [1.0, 9.0])
-def test_the_best_at_a_kink_between_two_samples(wanted):
+def test_the_best_at_a_kink_between_two_samples():
     """(z_1 f_max + z_2 f_min)/(z f_min) at C = 1.25; 8 at 0."""
-    with pytest.raises(NotAttainableError) as refused:
-        solve(build(read_spec()), "C", "accuracy_factor_peak", wanted, beyond_limit=True)
-    assert (refused.value.best, refused.value.at) == pytest.approx((1.875, 1.25) if wanted == 1 else (8, 0))
+    for wanted, best in ((1.0, (1.875, 1.25)), (9.0, (8, 0))):
+        with pytest.raises(NotAttainableError) as refused:
+            solve(build(read_spec()), "C", "accuracy_factor_peak", wanted, beyond_limit=True)
+        assert (refused.value.best, refused.value.at) == pytest.approx(best)
 
 
 @pytest.mark.parametrize(
@@ -153,7 +120,7 @@ def test_a_plateau_is_no_answer(afmcalc):
     pocket = ["--set", "control_unit.pocket=", "--set", "control_unit.gain_slope=900"]
     refused = afmcalc("solve", "--for", "c1", "torque_max=160", CONFIGS / "constant-torque.toml", *pocket)
     assert refused.code == 2
-    assert "torque_max = 160 N·m is given by a whole range of c1, not by one value" in refused.err
+    assert "a whole range of c1" in refused.err
     rising = afmcalc("solve", "--for", "c1", "torque_max=170", CONFIGS / "constant-torque.toml", *pocket, "--json")
     assert rising.json["result"]["reached"] == pytest.approx(170)
 
@@ -166,13 +133,11 @@ LIFE = [CONFIGS / "drive.toml", ["drive.dynamic_factor=2", "drive.event="]]
 @pytest.mark.slow
 def test_force_for_an_exceedance_of_an_ordinary_clutch():
     """T = z R F f of a normal f: P(T > L) = 5 % at F = L/(z R (f + 1.645 σ)), z 8, R 0.1 m, f 0.3 ± 0.03."""
+    fields = {"friction": {"distribution": "normal", "spread": 0.03}}
     data = {
-        "variant": "conventional",
-        "friction": {"min": 0.2, "max": 0.4},
-        "friction_group": {"pairs": 8, "mean_radius": 0.1},
-        "closing_spring": {"force": 2000.0},
-        "tolerance": {"torque_limit": 200.0, "fields": {"friction": {"distribution": "normal", "spread": 0.03}}},
-    }
+        "variant": "conventional", "friction": {"min": 0.2, "max": 0.4}, "friction_group": {"pairs": 8, "mean_radius": 0.1},
+        "closing_spring": {"force": 2000.0}, "tolerance": {"torque_limit": 200.0, "fields": fields},
+    }  # fmt: skip
     clutch = build(make_spec(data))
     result, _, findings = solve(clutch, "F", "exceedance", 0.05)
     assert result.value == pytest.approx(200 / (8 * 0.1 * (0.3 + BEYOND_95 * 0.03)), rel=1e-4)
@@ -195,40 +160,8 @@ def test_a_life_without_end_is_no_number():
     assert refused.value.best == pytest.approx(1e7, rel=1e-6)
 
 
-@pytest.mark.slow
-def test_contact_by_hertz_goes_with_the_cube_root_of_the_force():
-    spec = read_spec("example:indirect", ["control_unit.ball_diameter=20 mm"])
-    first, _, _ = solve(build(spec), "F", "contact_pressure", 1.5e9)
-    second, _, _ = solve(build(spec), "F", "contact_pressure", 3e9)
-    assert second.value == pytest.approx(8 * first.value, rel=1e-6)
-
-
 def test_what_check_says_of_the_clutch_found():
     result, solved, _ = solve(build(read_spec(*LIFE)), "F", "cycles", 1e5)
     again = build(respecified(solved.spec, {"requirements.cycles": 1e5, "requirements.temperature": None}))
     values = {row.requirement: row.value for row in check(again)[0].requirements}
     assert values["cycles"] == result.reached
-
-
-def test_what_is_passed_touched_or_jumped_over():
-    at = np.linspace(0, 10, 26)
-    waves = lambda x: 2 + np.sin(x)  # noqa: E731
-    assert looked(waves, 2.5, at)[1] == pytest.approx(
-        [math.pi * k + (-1) ** k * math.pi / 6 for k in range(4)], rel=1e-8
-    )
-    # an extreme between two values, beyond which there is nothing
-    curve, none = looked(waves, 3.5, at)
-    assert not none
-    assert curve.value.max() == pytest.approx(3, abs=1e-6)
-    assert len(looked(waves, 2.9999, at)[1]) >= 2
-    jump = lambda x: np.where(x < math.e, 1.0, 2.0)  # noqa: E731
-    curve, none = looked(jump, 1.5, at)
-    assert not none
-    assert np.abs(curve.at - math.e).min() < 1e-8
-    # steps of a sample are none: within one in a thousand
-    assert looked(lambda x: np.round(x, 3), 1.2344, at)[1] == pytest.approx([1.2345], abs=1e-6)
-    assert looked(lambda x: np.round(x, 1), 1.25, at)[1] == []
-    # what is not known, and what has no end
-    unknown = lambda x: np.where(x < 3, math.nan, np.where(x > 7, math.inf, x))  # noqa: E731
-    assert looked(unknown, 5.0, at)[1] == pytest.approx([5.0])
-    assert looked(unknown, 8.0, at)[1] == []
