@@ -2,7 +2,6 @@
 
 import io
 import os
-import re
 import string
 import sys
 from gettext import GNUTranslations
@@ -18,7 +17,6 @@ from sources import READ
 from strategies import CHARACTERS
 from texts import texts
 
-import afmcalc
 from afmcalc.cli.main import without_lang
 from afmcalc.errors import AfmcalcError, chosen_language
 from afmcalc.messages import FOLDER, joined, known, language, localized, say, say_many, speaking, translate
@@ -123,13 +121,6 @@ def test_programs_read_the_same_in_every_language(line, answered):
     for format_ in ("json", "csv"):
         english, russian = (answered(*line.split(), "--format", format_, "--lang", name) for name in ("en", "ru"))
         assert (russian.code, russian.out) == (english.code, english.out)
-
-
-def test_python_speaks_the_language_of_the_variable(monkeypatch):
-    monkeypatch.setenv("AFMCALC_LANG", "ru")
-    assert re.search("пружин", str(afmcalc.load().adjust()))
-    with pytest.raises(AfmcalcError, match="неизвестный ключ"):
-        afmcalc.load(set={"friction.minn": 1})
 
 
 @pytest.mark.parametrize("left", [None, 0, 1000])

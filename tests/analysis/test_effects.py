@@ -6,13 +6,13 @@ import pytest
 from conftest import CONFIGS
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import direct_specs, indirect_specs
+from strategies import direct_specs, indirect_specs, p5
 
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.effects import effects
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
-from afmcalc.spec import make_spec, read_spec
+from afmcalc.spec import read_spec
 
 SPLINES = {"spline_friction": 0.1, "inner_spline_radius": 0.075, "outer_spline_radius": 0.125}
 
@@ -46,14 +46,11 @@ def pressed(clutch, forces_of, driving, driven, radii):
         if spec.kind.travels:
             # the sleeve: (C − 2 R f_1/d) T_b/R against both springs; at its stop the control spring presses alone
             thrust = law.net_gain * ball_torque / radius
-            travel = (thrust + clutch.closing_force - clutch.control_force) / (
-                law.closing_stiffness + law.control_stiffness
-            )
-            wanted = (
-                clutch.control_force - thrust if travel < 0 else clutch.closing_force - law.closing_stiffness * travel
-            )
+            stiffness = law.closing_stiffness + law.control_stiffness
+            travel = (thrust + law.closing_force - law.control_force) / stiffness
+            wanted = law.control_force - thrust if travel < 0 else law.closing_force - law.closing_stiffness * travel
         else:
-            wanted = clutch.closing_force - clutch.gain * ball_torque / radius
+            wanted = law.closing_force - law.gain * ball_torque / radius
         low, high = (first, high) if first < wanted else (low, first)
     return radius * sum(f * n for f, n in zip(frictions, forces, strict=True))
 
@@ -82,8 +79,7 @@ def test_figures_of_the_theory():
     assert (held.accuracy_factor_low, held.accuracy_factor_high) == pytest.approx((2.43, 3.38), abs=0.005)
     assert held.torque_high.max / result.torque.max == pytest.approx(1.26, abs=0.005)
     assert held.torque_low.max / result.torque.max == pytest.approx(0.80, abs=0.005)
-    assert found["effect-on-accuracy"].level == "warning"
-    assert found["effect-not-told"].path == "heat.lining"
+    assert {"effect-on-accuracy", "effect-not-told"} <= found.keys()
     _, cams, _ = one(clutch, "sliding-cams")
     assert cams.torque_high.max / result.torque.max == pytest.approx(1.44, abs=0.005)
     rho, alpha = math.atan(0.1), math.atan(0.25)
@@ -147,42 +143,7 @@ def test_a_worn_clutch_that_no_longer_carries_its_machine_is_said():
 def test_wear_takes_the_force_of_the_spring_that_follows():
     _, worn, _ = one(base("heat.lining=0.5 mm", "closing_spring.stiffness=100 N/mm"), "wear")
     assert worn.torque_low.max / worn.torque_high.max == pytest.approx(1 - 100e3 * 8 * 0.5e-3 / 2000)
-    spec = make_spec(
-        {
-            "variant": "indirect",
-            "friction": {"min": 0.1, "max": 0.8},
-            "friction_group": {"pairs": 8, "mean_radius": 0.1},
-            "closing_spring": {"force": 2000, "stiffness": 2e4},
-            "control_spring": {"stiffness": 1e4},
-            "control_unit": {"gain": 1, "hub_diameter": 0.05, "key_friction": 0.0},
-            "heat": {"lining": 1e-3},
-        }
-    )
-    _, worn, _ = one(build(spec), "wear")
+    _, worn, _ = one(build(p5("control_unit.key_friction=0", "heat.lining=1 mm")), "wear")
     # S21 (11) with the control spring 80 N weaker, the closing one as it was
     control, stiffness = 2000 * 1.8 - 80, 3e4 + 8 * 0.8 * 2e4
     assert worn.torque_low.max == pytest.approx(8 * 0.1 * 0.8 * (2000 * 1e4 + control * 2e4) / stiffness)
-
-
-WEIGHT = ("friction_group.pressure_disc_mass=4 kg", "friction_group.discs_mass=7 kg")
-
-
-@pytest.mark.parametrize(("axis", "sign"), [("spring-above", 1), ("spring-below", -1)])
-@pytest.mark.parametrize("name", ["all-driving", "indirect"])
-def test_weight_of_the_discs_pair_by_pair(name, axis, sign):
-    """Each pair bears the discs between it and the spring: the forces by bisection, as for splines."""
-    clutch = build(read_spec(f"example:{name}", (*WEIGHT, f"friction_group.vertical_axis={axis}")))
-    weight, between = sign * 9.80665 * 4, sign * 9.80665 * 7 / (clutch.spec.friction_group.pairs - 1)
-    bare = build(read_spec(f"example:{name}"))
-
-    def forces(first, frictions, _):
-        # the pressure disc lies on the first pair: spring and balls press with ``first``
-        return [first + weight + number * between for number in range(len(frictions))]
-
-    result, effect, _ = one(clutch, "weight")
-    for end in ("min", "max"):
-        friction = getattr(clutch.friction[0], end)
-        low, high = (getattr(torque, end) for torque in (effect.torque_low, effect.torque_high))
-        assert (low if sign > 0 else high) == pytest.approx(getattr(result.torque, end))
-        wanted = pressed(bare, forces, friction, friction, None)
-        assert (high if sign > 0 else low) == pytest.approx(wanted, rel=1e-9)

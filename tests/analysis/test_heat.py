@@ -22,19 +22,14 @@ PACK = {"pairs": 8, "inner_radius": 0.08, "outer_radius": 0.12}
 
 def clutch(torque=337.0, drive=None, discs=None, friction=None, **more):
     """An ordinary clutch of nominal torque ``torque``; friction does not wander unless given."""
-    return build(
-        make_spec(
-            {
-                "variant": "conventional",
-                "friction": friction or {"min": 0.3, "max": 0.3},
-                "friction_group": PACK,
-                "adjustment": {"nominal_torque": torque},
-                "drive": {"speed": "1500 rpm", "cut_off": 0.5} if drive is None else drive,
-                "heat": {} if discs is None else discs,
-                **more,
-            }
-        )
-    )
+    data = {
+        "variant": "conventional",
+        "friction_group": PACK,
+        "adjustment": {"nominal_torque": torque},
+        "heat": discs or {},
+    }
+    drive = {"speed": "1500 rpm", "cut_off": 0.5} if drive is None else drive
+    return build(make_spec(data | {"friction": friction or {"min": 0.3, "max": 0.3}, "drive": drive} | more))
 
 
 def codes(found):
@@ -54,9 +49,10 @@ def test_example_of_the_theory():
     assert not {"temperature-exceeded", "temperature-in-range"} & set(codes(found))
 
 
-@given(
-    st.floats(0.1, 50), st.floats(5, 400), st.floats(20, 2000), st.floats(0, 0.99), st.one_of(st.none(), st.floats(0.01, 50))
-)  # fmt: skip
+CUT_OFF = st.one_of(st.none(), st.floats(0.01, 50))
+
+
+@given(st.floats(0.1, 50), st.floats(5, 400), st.floats(20, 2000), st.floats(0, 0.99), CUT_OFF)
 def test_energy_and_momentum_of_the_motor_side_balance(inertia, speed, torque, share, off):
     """Until it stands the motor side gives its momentum and its energy, and the motor what it turns meanwhile."""
     drive = {"motor_inertia": inertia, "speed": speed, "motor_torque": share * torque, "cut_off": off}
@@ -151,9 +147,8 @@ def test_disc_and_lining_against_finite_differences(lining, end, flux):
     mean, face = disc_and_lining((1.0, 1.0, 1.0), lining, lambda t: flux(t, end), end)
     bodies = [Body(1.0, 1.0, 1.0, 1.0), Body(lining[0], lining[1], 1.0, lining[2])]
     whole = 0.5 if flux is falls else 0.8
-    course = course_of(
-        [(0.0, 1.0, 0.0), *((t * end, power, heat * end) for t, power, heat in BEND[flux]), (end, 0.0, whole * end)]
-    )
+    bend = [(t * end, power, heat * end) for t, power, heat in BEND[flux]]
+    course = course_of([(0.0, 1.0, 0.0), *bend, (end, 0.0, whole * end)])
     assert (most_in_disc(bodies, course), largest_rise(bodies, course)) == pytest.approx((mean, face), rel=3e-3)
 
 
@@ -171,27 +166,21 @@ def test_the_mean_of_the_discs_is_never_above_their_faces(carries, dense, mass, 
     assert found.temperature_rise.max <= found.energy.max / (mass * 480)
 
 
+MOULDED = {"material": "moulded-dry"}
+
+
 def hot_faces(**required):
-    """Shared among the tests: one trip brings the faces to 537 °C, the mean of the discs to 75 °C."""
-    return make_spec(
-        {
-            "variant": "conventional",
-            "friction": {"material": "moulded-dry"},
-            "friction_group": {"pairs": 2, "inner_radius": 0.08, "outer_radius": 0.12},
-            "closing_spring": {"force": 24e3},
-            "drive": {"speed": "3000 rpm", "cut_off": 0.25},
-            "heat": {
-                "disc_mass": 6, "specific_heat": 480, "conductivity": 50, "density": 7850, "lining_conductivity": 0.5,
-                "lining_density": 2000, "lining_specific_heat": 1000, "lining": 0.002, "ambient": "20 degC",
-            },
-            "requirements": {"temperature": "204 degC", **required},
-        }
-    )  # fmt: skip
+    """One trip brings the faces to 537 °C, the mean of the discs to 75 °C."""
+    lining = {"lining_conductivity": 0.5, "lining_density": 2000, "lining_specific_heat": 1000, "lining": 0.002}
+    discs = {"disc_mass": 6, "specific_heat": 480, "conductivity": 50, "density": 7850, "ambient": "20 degC", **lining}
+    more = {"friction_group": PACK | {"pairs": 2}, "closing_spring": {"force": 24e3}, "adjustment": {}}
+    required = {"temperature": "204 degC", **required}
+    return clutch(None, {"speed": "3000 rpm", "cut_off": 0.25}, discs, MOULDED, requirements=required, **more)
 
 
 def test_a_material_is_held_against_the_faces():
     """537 °C at the faces passed, the mean of the discs being below the 204…260 °C of moulded-dry."""
-    own = build(hot_faces())
+    own = hot_faces()
     verdict, found = check(own)
     told = codes(found)["temperature-exceeded"]
     assert not verdict.passed
@@ -204,18 +193,17 @@ def test_a_material_is_held_against_the_faces():
     result, _ = heat(own)
     # thick disc and lining, an even flux: the lining's share is its effusivity's, 1000 to 13726
     power, area = result.power_density.max, 2 * AREA
-    assert result.face_temperature.max == pytest.approx(
-        293.15 + 2 * power * math.sqrt(0.25 / math.pi) / (1000 + math.sqrt(50 * 7850 * 480)), abs=1
-    )
+    rise = 2 * power * math.sqrt(0.25 / math.pi) / (1000 + math.sqrt(50 * 7850 * 480))
+    assert result.face_temperature.max == pytest.approx(293.15 + rise, abs=1)
     held = 13726.6 / 14726.6 * power * area * 0.25 / (6 * 480)
     assert row.value == result.temperature.max == pytest.approx(293.15 + held, abs=0.2)
     for most, passed in ((530, False), (545, True)):
-        rows, _ = requirement_rows(Answers(build(hot_faces(face_temperature=f"{most} degC"))))
+        rows, _ = requirement_rows(Answers(hot_faces(face_temperature=f"{most} degC")))
         assert [(each.requirement, each.passed) for each in rows][1] == ("face_temperature", passed)
         assert rows[1].utilisation == pytest.approx((told.value - 293.15) / (most - 20))
 
 
-@pytest.mark.parametrize("mass", [0.5, 2.0, 50.0])
+@pytest.mark.parametrize("mass", [0.5, 50.0])
 def test_trips_per_hour_bring_the_discs_to_the_limit_and_no_further(mass):
     discs = {"disc_mass": mass, "specific_heat": 480, "ambient": "20 degC", "cooling": 2.5}
     result, _ = heat(clutch(discs=discs, friction={"material": "moulded-dry"}))
@@ -264,29 +252,23 @@ def test_discs_that_melt_are_an_error_whatever_is_given():
     """26.5 kJ into 20 g or 50 g of steel; without a limit, with one, and without surroundings."""
     small, larger = {"disc_mass": 0.02, "specific_heat": 480}, {"disc_mass": 0.06, "specific_heat": 480}
     warm = {"ambient": "20 degC"}
-    for discs, more in (
-        (small, {}),
-        (small | warm, {}),
-        (small | warm, {"requirements": {"temperature": "3000 degC"}}),
-        (small | warm, {"friction": {"material": "moulded-dry"}}),
+    for begin, more in (
+        (0, {}),
+        (293.15, {}),
+        (293.15, {"requirements": {"temperature": "3000 degC"}}),
+        (293.15, {"friction": MOULDED}),
     ):
-        result, found = heat(clutch(discs=discs, **more))
+        result, found = heat(clutch(discs=small | (warm if begin else {}), **more))
         told = codes(found)["discs-melt"]
         assert (told.level, told.limit) == ("error", 1811)
-        assert told.value == pytest.approx(
-            result.energy.max / 0.02 / 480 + (293.15 if "ambient" in discs else 0), rel=1e-3
-        )
+        assert told.value == pytest.approx(result.energy.max / 0.02 / 480 + begin, rel=1e-3)
     told = codes(heat(clutch(discs=larger | warm))[1])
-    assert "discs-melt" not in told
-    assert (told["temperature-beyond-catalogue"].level, told["temperature-beyond-catalogue"].limit) == (
-        "warning",
-        950.15,
-    )
-    assert "heat-not-judged" not in told
+    assert not {"discs-melt", "heat-not-judged"} & told.keys()
+    beyond = told["temperature-beyond-catalogue"]
+    assert (beyond.level, beyond.limit) == ("warning", 950.15)
 
 
 def test_an_event_is_simulated():
-    pytest.importorskip("scipy")
     drive = {
         "speed": 15, "motor_inertia": 2, "driven_inertia": 0.05, "shaft_stiffness": 8000, "damping_ratio": 0.03,
         "motor_torque": 150, "event": {"kind": "stop", "stop_time": 0.01},

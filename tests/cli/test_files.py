@@ -15,7 +15,6 @@ from sources import DATA
 
 from afmcalc.cli.files import write_file
 from afmcalc.errors import AfmcalcError
-from afmcalc.spec import read_spec
 
 SPEC = CONFIGS / "default.toml"
 
@@ -80,16 +79,6 @@ def test_of_many_threads_that_write_one_file_one_does(tmp_path):
     with ThreadPoolExecutor(8) as pool:
         written = [each for many in pool.map(lambda number: [*write(number)], range(8)) for each in many]
     assert sorted(written) == [(at, (tmp_path / f"{at}").read_bytes()) for at in range(10)]
-
-
-def test_a_file_that_appears_meanwhile_is_kept(afmcalc, tmp_path, monkeypatch):
-    """Between the first look and the writing somebody else writes it."""
-    target = tmp_path / "x.json"
-    read = lambda *given: (target.write_text("mine"), read_spec(SPEC))[1]  # noqa: E731
-    monkeypatch.setattr("afmcalc.cli.options.Common.read", read)
-    run = afmcalc("torque", SPEC, "-o", target)
-    assert (run.code, run.err) == (2, f"error: {target}: exists already; --force replaces it\n")
-    assert target.read_text() == "mine"
 
 
 @pytest.mark.parametrize("line", FILES["read"])

@@ -15,25 +15,13 @@ FREE = {"time": 0.0, "stiffness": 1e-6, "load": 0.0, "engine": Engine(0.0, None,
 """Behind a shaft as soft as air, without motor."""
 
 
-def swing(rate: float, mass: float = 0.0, **changes):
-    """The hub, immovable, is turned against the driven half: the balls climb their wall and come back."""
-    drive = indirect(0.3, mass=mass, motor_inertia=1e12, **(FREE | changes))
-    return begun(drive, 0.0, -rate, 0.0, 0.0, rate, 0.0, 3300.0)
-
-
-def spring_work(travel: float) -> float:
-    """(F_п2 − F_п1) x + ½ (c_1 + c_2) x² of both springs."""
-    return (3300.0 - 2500.0) * travel + (2e4 + 1e4) * travel**2 / 2
-
-
 @pytest.mark.parametrize("rate", [2.0, 10.0])
 def test_v7_one_swing_of_the_control_unit(rate):
-    """Out to where κ has taken the speed, back with κ₊; the key keeps the loop energy."""
-    drive = swing(rate)
+    """The hub, immovable, is turned against the driven half: out to where κ has taken the speed, back with κ₊."""
+    drive = begun(indirect(0.3, motor_inertia=1e12, **FREE), 0.0, -rate, 0.0, 0.0, rate, 0.0, 3300.0)
     kinetic = 0.5 * drive.train.driven_inertia * rate**2
     top = run(drive, 2.0, recorded=True)
-    travel = top.travel_max
-    work = spring_work(travel)
+    work = (3300.0 - 2500.0) * top.travel_max + (2e4 + 1e4) * top.travel_max**2 / 2
     assert 1.0 / 0.4 * work == pytest.approx(kinetic, rel=1e-7), "the work of the way out"
     # every swing back leaves the share κ/κ₊ of its energy, so that all of it is the key's in the end
     speeds = [abs(row.speed_driven) for row in top.history if row.travel == 0 and row.time > 0]
@@ -43,9 +31,8 @@ def test_v7_one_swing_of_the_control_unit(rate):
     assert top.key_heat == pytest.approx(kinetic, rel=1e-6)
 
 
-SLOW = {
-    "stiffness": 2000.0, "driven_inertia": 2000.0, "motor_inertia": 1e12, "damping": 2000.0, "speed": 4e-3, "time": 600.0,
-}  # fmt: skip
+SLOW = {"stiffness": 2000.0, "driven_inertia": 2000.0, "motor_inertia": 1e12, "damping": 2000.0, "speed": 4e-3,
+        "time": 600.0}  # fmt: skip
 """A tool that slows down for so long that inertia is nothing."""
 LASTING = {"motor_inertia": 1e12, "driven_inertia": 1e9, "speed": 5.0, "time": 0.0, "load": 150.0}
 
@@ -60,9 +47,7 @@ def test_quasi_static_loading_trips_at_the_torque_of_the_law():
 @pytest.mark.parametrize("slope", [0.0, 15.0])
 @pytest.mark.parametrize("friction", [0.6, 0.16, 0.05])
 def test_returning_it_slides_at_the_torque_of_the_law(friction, slope):
-    """A hair less friction under a lasting load: held by its key, or back by a hair, the sleeve carries what `torque`
-    says, whether its wall is straight, curved, or one that holds the torque.
-    """
+    """A hair less friction under a lasting load: held by its key, or back by a hair, it carries what `torque` says."""
     drive = indirect(friction, law={"gain_slope": slope}, **LASTING)
     own, before = drive.pack.law, friction * (1 + 2e-7)
     expected, torque = (own.torque_returning(each, 0.8) for each in (friction, before))
@@ -117,9 +102,7 @@ DISC = DiscCharacteristic(
 
 @pytest.mark.slow
 def test_disc_springs():
-    """Loaded slowly or returning by a hair the sleeve carries what ``torque`` says; a frictionless key gives a swing
-    all its energy back; time steps find the same peak.
-    """
+    """Loaded slowly or returning it carries what ``torque`` says; a frictionless key gives all energy back; in steps."""
     own = {"closing_disc": DISC, "control_disc": DISC}
     drive = indirect(0.3, law=own, **SLOW | {"speed": 16e-3, "time": 300.0})
     assert drive.sliding != pytest.approx(indirect(0.3).sliding, rel=1e-3)

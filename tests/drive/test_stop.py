@@ -1,7 +1,4 @@
-"""Indirect clutches whose sleeve is at its stop: events against steps, against a referee, and the bracket κ … κ₊.
-
-At the friction of the setting, 0.3, the sleeve of this drive hammers on its stop.
-"""
+"""Indirect clutches whose sleeve hammers on its stop: events against a referee, and the bracket κ … κ₊."""
 
 import numpy as np
 import pytest
@@ -28,8 +25,7 @@ def hammering(**more: object):
 def referee(clutch, f, end, *, seat=2e-7, slow=2e-3, late=3e-5):
     """Peaks of shaft and clutch, heat: theory-drive, section 9, every set-valued law a steep one.
 
-    ``seat``: turn within which the balls are at their stop; ``slow``: slip below which friction is viscous; ``late``:
-    time in which N comes to the edge of its play.
+    ``seat``: turn of balls at their stop; ``slow``: slip of viscous friction; ``late``: N comes to the edge of its play.
     """
     spec, drive = clutch.spec, clutch.spec.drive
     z, R, C = spec.friction_group.pairs, clutch.mean_radius, spec.control_unit.gain
@@ -77,10 +73,7 @@ def test_events_meet_the_referee(f):
 
 @pytest.mark.slow
 def test_the_bracket_at_the_stop():
-    """V1 by hand: T = zf R F_п2/(1 + zf κ), run down against the load's torque; with κ₊ and the play too.
-
-    f_min 0.1: zf = 0.8; F_п2 = 2000 (1 + 2.4 κ), T_н = 240·2 N·m, machine torque T_н/1.75.
-    """
+    """V1 by hand at f_min: T = zf R F_п2/(1 + zf κ), zf 0.8, F_п2 = 2000 (1 + 2.4 κ), against T_н/1.75 = 480/1.75."""
     own = hammering(**{"control_unit.key_friction": 0.05})
     kappa, kappa_back, motor = 0.8, 1.2, 480 / 1.75
     rising, falling = (0.8 * 0.1 * 2000 * (1 + 2.4 * kappa) / (1 + 0.8 * net) for net in (kappa, kappa_back))
@@ -99,10 +92,7 @@ def test_the_bracket_at_the_stop():
 
 @pytest.mark.slow
 def test_the_key_loses_what_the_turns_of_the_sleeve_tell():
-    """dE = (C/κ − 1) dW on the way out, (1 − C/κ₊) dW back, W = (F_п2 − F_п1) x + ½ (c_1 + c_2) x²: from the travels alone.
-
-    example:indirect: F_п1 2 kN, c_1 400, c_2 200 N/mm, set at f = 0.3: F_п2 = F_п1 (1 + 2.4 κ), 2 R f_1/d = 4 f_1.
-    """
+    """dE = (C/κ − 1) dW on the way out, (1 − C/κ₊) dW back, W = (F_п2 − F_п1) x + ½ (c_1 + c_2) x², F_п2 = F_п1 (1 + 2.4 κ)."""
     gain, kappa, kappa_back = 2.0, 1.4, 2.6
     own = hammering(**{"control_unit.key_friction": 0.15, "control_unit.gain": gain})
     result, _ = simulate(own)
@@ -120,10 +110,7 @@ def test_the_key_loses_what_the_turns_of_the_sleeve_tell():
 
 
 def test_slow_slip_is_as_long_as_it_is():
-    """example:drive at f_min: 1.87255 s and 3356.19 J by fixed steps (RK4) in quadruple precision; 1.8455 s before.
-
-    The slip ends in judder, whose swings grow from what the event has left of them: double precision gives 1.872.
-    """
+    """example:drive at f_min, in quadruple precision (RK4): it ends in judder, which grows from the rest of the event."""
     own = build(read_spec("example:drive"))
     found = case_of(own, own.friction[0].min).run()
     assert found.slip_time == pytest.approx(1.87255, rel=1e-3)

@@ -1,8 +1,4 @@
-"""An event is simulated until nothing more can come: by located switches and in steps, with an ordinary clutch too.
-
-The figures are those of two programs that share no code with this one: an independent check (solve_ivp, DOP853, 1e-10),
-and the fixed steps below.
-"""
+"""An event is simulated until nothing more can come; figures of an independent check (DOP853) and of fixed steps."""
 
 import numpy as np
 import pytest
@@ -60,26 +56,13 @@ def stepped(friction: float, end: float, step: float = 2e-5) -> tuple[float, flo
 def test_a_heavy_tool_trips_the_clutch_late():
     """At f_max nothing slips in the first swing; it was said never to slip, with a dynamic factor below 1."""
     result, found = simulate(build(HEAVY))
-    assert result.peak_torque.max == pytest.approx(494.98, rel=1e-4)
-    assert result.slip_time.max == pytest.approx(2.01472, rel=1e-4)
-    assert result.slip_energy.max == pytest.approx(10_887.9, rel=1e-4)
+    told = (result.peak_torque.max, result.slip_time.max, result.slip_energy.max)
+    assert told == pytest.approx((494.98, 2.01472, 10_887.9), rel=1e-4)
+    assert told == pytest.approx(stepped(0.3, 2.3), rel=2e-3)
     assert min(vars(result.dynamic_factor).values()) > 1
     assert result.peak_torque_conventional.max == pytest.approx(result.peak_torque.max), "it is an ordinary clutch"
     assert with_dynamic_factor(build(HEAVY).spec, result)["drive"]["dynamic_factor"] > 1
     assert "motor-stops-at-cut-off" in {each.code for each in found}
-
-
-@pytest.mark.slow
-def test_a_heavy_tool_in_steps():
-    found = case_of(build(HEAVY), 0.3).run()
-    assert stepped(0.3, 2.3) == pytest.approx((found.peak, found.slip_time, found.heat), rel=2e-3)
-
-
-def test_sweeps_end_with_the_duration():
-    cut = build(merged(HEAVY, {"drive": {"event": {"duration": 0.05}}}))
-    stepped = peaks_of(cut, np.array([0.3]), np.array([0.3])).shaft[0]
-    assert stepped == pytest.approx(case_of(cut, 0.3).run().peak, rel=5e-4)
-    assert stepped < 490
 
 
 def test_a_duration_is_run_out():
@@ -87,9 +70,11 @@ def test_a_duration_is_run_out():
     own = build(merged(HEAVY, {"drive": {"event": {"duration": 0.05}}}))
     result, found = simulate(own)
     assert result.slip_time.max == 0
-    told = [each for each in found if each.code == "event-not-settled"]
-    assert [(each.level, each.value) for each in told] == [("warning", 0.05)] * 2
-    assert case_of(own, 0.3).run(recorded=True).history[-1].time == 0.05
+    told = [(each.level, each.value) for each in found if each.code == "event-not-settled"]
+    assert told == [("warning", 0.05)] * 2
+    event = case_of(own, 0.3).run(recorded=True)
+    assert event.history[-1].time == 0.05
+    assert peaks_of(own, np.array([0.3]), np.array([0.3])).shaft[0] == pytest.approx(event.peak, rel=5e-4), "of a sweep"
     quick = merged(HEAVY, {"drive": {"event": {"kind": "stop", "stop_time": 0.01, "torque": None, "rise_time": None}}})
     quick = merged(quick, {"drive": {"tool_inertia": None, "cut_off": 0.1, "event": {"duration": 0.5}}})
     assert case_of(build(quick), 0.3).run(recorded=True).history[-1].time == 0.5
@@ -101,11 +86,10 @@ def test_a_stalled_motor_slips_again_until_its_cut_off():
     """A Kloss motor at standstill pulls the harder the faster it turns: it swings a shaft that hardly damps."""
     own = merged(HEAVY, {"closing_spring": {"force": 1500}, "drive": {"damping_ratio": 0.0, "cut_off": 1.0}})
     own = merged(own, {"drive": {"motor": {"breakdown_torque": 340.0}, "tool_inertia": 0.5}})
-    found = outcome_of(build(own), 0.3)
-    slips = [row for row in found.trip.course if row.time > 0.5]
-    assert slips, "long after the first slip has ended"
-    assert found.trip.settled
-    assert found.trip.time > 1.0, "the cut-off"
+    found = outcome_of(build(own), 0.3).trip
+    assert any(row.time > 0.5 for row in found.course), "long after the first slip has ended"
+    assert found.settled
+    assert found.time > 1.0, "the cut-off"
     never = merged(own, {"drive": {"cut_off": None}})
     assert simulate(build(never))[0].slip_time.max is None
 

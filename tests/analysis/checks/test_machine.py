@@ -129,21 +129,6 @@ def test_a_design_from_a_plate_is_that_for_its_torque():
     assert said.code == "service-factor-assumed"
 
 
-@pytest.mark.parametrize("drive", [{}, {"drive": {"dynamic_factor": 1.3}}])
-def test_no_clutch_of_a_front_makes_its_shaft_yield(drive):
-    """The front with a weak shaft is that with T_max below the torque at which it yields."""
-    limit = 140.0
-    factor = 1.3 if drive else 1.0
-    weak = {"diameter": 0.02, "yield_strength": limit * factor * math.sqrt(3) * 16 / (math.pi * 0.02**3)}
-    need = make_requirements(WANTED | SMALL | drive | {"shaft": weak})
-    result = design(need)[0]
-    bounded = WANTED["wanted"] | {"torque_max": limit}
-    same = design(make_requirements(WANTED | SMALL | {"wanted": bounded}))[0]
-    assert result.front == same.front
-    assert result.excluded["shaft_yield"] == same.excluded["torque_max"] > 0
-    assert Answers(build(with_picked(need, result, 1)[1])).ask("check")[0].passed
-
-
 def test_a_search_says_that_the_shaft_is_not_held_against_peaks():
     """Until the peak torque that it bears is required: π d³/16 σ_т/√3 of the shaft of the example."""
     drive, bears = {"drive": DRIVE}, 355e6 / math.sqrt(3) * math.pi * 0.04**3 / 16

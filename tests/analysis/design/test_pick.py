@@ -73,27 +73,3 @@ def test_figures_that_a_drawing_bears(steering):
         assert answer.picked[0].closing_force == float(f"{answer.picked[0].closing_force:.4g}")
         few.append(all(value == pytest.approx(float(f"{value:.3g}"), rel=1e-10) for value in figures))
     assert sum(few) >= 2
-
-
-@pytest.mark.slow
-def test_springs_finds_the_springs_of_every_clutch_proposed():
-    """Between the grid points too; with discs, whose force is no straight line, a check passes."""
-    room = {"inner_diameter": 0.02, "outer_diameter": 0.08, "length": 0.08}
-    need = changed(
-        variants=["indirect"], objectives=["closing_force", "accuracy_factor", "travel"], springs="disc",
-        wanted={"nominal_torque": 150, "accuracy_factor": None, "torque_max": None}, limits={"gain_limit": False, "surface_pressure": None},
-        search={"pairs": [6, 8], "mean_radius": {"start": 0.08, "stop": 0.12, "count": 4}, "gain": {"start": 0.6, "stop": 2.0, "count": 4},
-                "ball_circle_radius": [0.04, 0.05], "closing_stiffness": {"start": 1e5, "stop": 8e5, "count": 4},
-                "control_stiffness": [0.0, 1e5, 3e5], "closing_force": {"min": 100, "max": 1e5}},
-        fixed={"hub_diameter": 0.05, "key_friction": 0.01, "face_width": None, "closing_room": room,
-               "control_room": {"inner_diameter": 0.05, "outer_diameter": 0.2}},
-    )  # fmt: skip
-    for number in range(1, len(api.design(need).front) + 1):
-        answer = api.design(need, pick=number)
-        (row,), clutch = answer.picked, api.Clutch(answer.spec)
-        found = clutch.springs(kind="disc", top=1000)
-        named = {f"{each.part}, {each.parallel}" for each in (*found.closing, *found.control)}
-        assert {part.partition(" ×")[0] for part in (row.closing_part, row.control_part)} <= named
-        assert clutch.check().passed
-        assert clutch.accuracy().accuracy_factor == row.accuracy_factor_sprung
-        assert 150 * (1 - 1e-12) <= clutch.torque().nominal_torque < 150.2

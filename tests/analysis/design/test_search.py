@@ -169,15 +169,3 @@ def test_a_ball_has_room_beside_the_hub(variant):
             search={**SLEEVE, "control_stiffness": 2e5, "ball_diameters": [0.03], "closing_force": {"min": 1, "max": 1e6}}, **own,
         )  # fmt: skip
         assert design(need)[0].feasible == feasible
-
-
-def test_a_constant_force_has_no_deflection_that_could_be_small():
-    """It is best in K_т: both stay on the front."""
-    need = need_of(
-        variants=["indirect"], objectives=["control_deflection", "accuracy_factor"], wanted={"accuracy_factor": None, "torque_max": None},
-        search={**SLEEVE, "control_stiffness": [0, 2e5], "closing_force": {"min": 1, "max": 1e6}}, limits={"surface_pressure": None},
-        fixed={"hub_diameter": 0.05, "key_friction": 0.01},
-    )  # fmt: skip
-    stiff, constant = design(need)[0].front
-    assert (stiff.control_stiffness, stiff.control_deflection) == (2e5, pytest.approx(stiff.control_force / 2e5))
-    assert (constant.control_stiffness, constant.control_deflection) == (0, None)

@@ -1,4 +1,4 @@
-"""Explanations: the formula shown is the code that ran."""
+"""Explanations: the formula shown is the code that ran; a report asks the analyses that the commands ask."""
 
 import math
 import re
@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.accuracy import accuracy
+from afmcalc.analysis.dossier import dossier
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.explain.formula import FormulaText
 from afmcalc.analysis.explain.trace import CallReader
@@ -24,7 +25,7 @@ CASES = [("torque", "conventional"), ("torque", "indirect"), ("accuracy", "unlik
 CASES += [("check", "default"), ("overload", "all-driving"), ("synthesize", "indirect"), ("life", "default")]
 
 
-@pytest.mark.parametrize(("command", "name"), CASES)
+@pytest.mark.parametrize(("command", "name"), [*CASES, pytest.param("heat", "drive", marks=pytest.mark.slow)])
 def test_every_value_shown_is_the_value_calculated(command, name):
     """Each step names an equation, and that equation on the step's own numbers gives the step's value."""
     spec = read_spec(CONFIGS / f"{name}.toml")
@@ -172,29 +173,6 @@ def test_every_result_has_its_steps_whatever_numbers_coincide(spec):
             assert ("κ₊" in step.formula) == (step.at or "").endswith(", returning")
 
 
-RUN_DOWN = {"motor_inertia": 1.5, "speed": 30.0, "motor_torque": 90.0}
-
-
-@pytest.mark.slow
-def test_the_heat_of_a_trip_is_explained_by_its_own_numbers():
-    """Each at its friction; the power is that of the slip, not a unit by which the surface's is scaled."""
-    drive = resolved(read_spec(CONFIGS / "drive.toml"))
-    steps = explain("heat", make_spec(drive))[0].steps
-    per_trip = {"q_A", "ΔΘ", "q", "n_Θ", "ν", "t_p", "n_w"}
-    told = [(step.symbol, step.at) for step in steps if step.symbol in per_trip]
-    assert sorted(told) == sorted((symbol, f"f_{end}") for symbol in per_trip for end in ("min", "cp", "max"))
-    assert not any(" 1 W" in step.substituted or step.substituted.startswith("1 W") for step in steps)
-    assert not {"l", "b", "t", "Q"} & {step.symbol for step in steps}, "of depth and effusivity nothing comes here"
-    required = {"temperature": drive["requirements"]["temperature"]}
-    run_down = make_spec(drive | {"drive": RUN_DOWN, "requirements": required})
-    result, _ = ANALYSES["heat"].function(build(run_down))
-    steps = explain("heat", run_down)[0].steps
-    for symbol, values in (("t", result.slip_time), ("Q", result.energy), ("q", result.power_density)):
-        own = {step.at: step.value for step in steps if step.symbol == symbol}
-        assert own == {"f_min": values.min, "f_cp": values.mean, "f_max": values.max}
-    assert all(step.value > 0 for step in steps if step.symbol == "P")
-
-
 def test_of_a_life_of_slips_the_mean_damage_is_shown_not_its_nodes():
     spec = read_spec(CONFIGS / "indirect.toml", ["fatigue.ultimate_strength=600e6", "fatigue.endurance_limit=10e6"])
     result, _ = ANALYSES["life"].function(build(spec), model="goodman")
@@ -208,15 +186,28 @@ def test_of_a_life_of_slips_the_mean_damage_is_shown_not_its_nodes():
             assert lives.get((over, method, "protected")) == value
 
 
-def test_the_search_for_a_gain_that_can_be_cut_is_not_explained(afmcalc):
-    """Twenty-one steps, not the thousand of the gains that are tried."""
-    wide = ["--set", "control_unit.edge_clearance=4"]
-    told = afmcalc("explain", "synthesize", CONFIGS / "constant-torque.toml", *wide, "--json").json
-    assert len(told["result"]["steps"]) == 21
-
-
 def test_accuracy_of_springs_as_made_has_a_step():
     for force in (2500, 5500, 9000):
         spec = read_spec("example:indirect", [f"control_spring.force={force}"])
         values = {step.symbol: step.value for step in explain("accuracy", spec)[0].steps}
         assert values["K_т"] == pytest.approx(accuracy(build(spec))[0].accuracy_factor, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", ["default", "indirect", pytest.param("tolerance", marks=pytest.mark.slow)])
+def test_a_report_has_each_analysis_that_applies_explained_or_not(name):
+    """The results are those of the commands, and the same with and without their formulas."""
+    spec = read_spec(CONFIGS / f"{name}.toml")
+    own = build(spec)
+    sections = [each for each in ANALYSES.values() if each.section and each.applies(own) and each.section.applies(own)]
+    told, bare = dossier(spec), dossier(spec, explained=False)
+    assert {topic.name for topic in told.topics} == {each.name for each in sections} - {"check"}
+    for topic, plain in zip(told.topics, bare.topics, strict=True):
+        assert topic.result == plain.result == ANALYSES[topic.name].function(own)[0]
+    assert (told.check, told.check.limits, told.findings) == (bare.check, bare.check.limits, bare.findings)
+    assert not any(topic.derivations for topic in bare.topics)
+    assert told.topics[0].derivations
+
+
+def test_no_life_without_fatigue():
+    told = dossier(read_spec(CONFIGS / "default.toml", ["fatigue="]), explained=False)
+    assert "life" not in {topic.name for topic in told.topics}

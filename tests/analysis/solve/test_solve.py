@@ -9,7 +9,7 @@ from solve_scan import run
 from afmcalc.analysis.check import check
 from afmcalc.analysis.solve.solve import PARAMETERS, NotAttainableError, solve
 from afmcalc.engines import build
-from afmcalc.spec import make_spec, read_spec
+from afmcalc.spec import read_spec
 from afmcalc.spec.edit import respecified
 
 
@@ -57,20 +57,6 @@ def test_the_best_of_what_cannot_be_had(name, target, wanted, spec, overrides, b
         solve(build(read_spec(spec, overrides)), name, target, wanted)
     assert refused.value.best == pytest.approx(best, rel=1e-6, abs=1e-6)
     assert (refused.value.at is None) if at is None else (refused.value.at == pytest.approx(at, rel=1e-6))
-
-
-def test_a_gain_that_is_given_does_not_bound_the_radius():
-    """T = F R z f/(1 + z_2 C f), z_2 C = 3.5, whatever R."""
-    result, _, _ = solve(build(read_spec()), "R", "torque_max", 1000.0)
-    assert result.value == pytest.approx(1000 * (1 + 3.5 * 0.8) / (2000 * 8 * 0.8))
-
-
-def test_the_best_at_a_kink_between_two_samples():
-    """(z_1 f_max + z_2 f_min)/(z f_min) at C = 1.25; 8 at 0."""
-    for wanted, best in ((1.0, (1.875, 1.25)), (9.0, (8, 0))):
-        with pytest.raises(NotAttainableError) as refused:
-            solve(build(read_spec()), "C", "accuracy_factor_peak", wanted, beyond_limit=True)
-        assert (refused.value.best, refused.value.at) == pytest.approx(best)
 
 
 @pytest.mark.parametrize(
@@ -125,23 +111,7 @@ def test_a_plateau_is_no_answer(afmcalc):
     assert rising.json["result"]["reached"] == pytest.approx(170)
 
 
-BEYOND_95 = 1.6448536269514722
-"""Standard normal quantile of 95 %."""
 LIFE = [CONFIGS / "drive.toml", ["drive.dynamic_factor=2", "drive.event="]]
-
-
-@pytest.mark.slow
-def test_force_for_an_exceedance_of_an_ordinary_clutch():
-    """T = z R F f of a normal f: P(T > L) = 5 % at F = L/(z R (f + 1.645 σ)), z 8, R 0.1 m, f 0.3 ± 0.03."""
-    fields = {"friction": {"distribution": "normal", "spread": 0.03}}
-    data = {
-        "variant": "conventional", "friction": {"min": 0.2, "max": 0.4}, "friction_group": {"pairs": 8, "mean_radius": 0.1},
-        "closing_spring": {"force": 2000.0}, "tolerance": {"torque_limit": 200.0, "fields": fields},
-    }  # fmt: skip
-    clutch = build(make_spec(data))
-    result, _, findings = solve(clutch, "F", "exceedance", 0.05)
-    assert result.value == pytest.approx(200 / (8 * 0.1 * (0.3 + BEYOND_95 * 0.03)), rel=1e-4)
-    assert "solve-looked" in [finding.code for finding in findings]
 
 
 @pytest.mark.parametrize("cycles", [1e5, 2e6])

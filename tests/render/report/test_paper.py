@@ -7,7 +7,7 @@ import pytest
 from conftest import CONFIGS
 from pypdf import PdfReader
 
-from afmcalc.messages import language, speaking
+from afmcalc.messages import ENGLISH, language, speaking
 from afmcalc.render import handbook
 from afmcalc.render.report.sheets import find_browser, printed
 
@@ -38,7 +38,9 @@ def browser():
 def test_in_a_browser(what, browser, drawn, book, tmp_path):
     """Nothing is loaded, nothing wider than the window, no formula cut off; in print 9 points, as wide as the paper."""
     file = tmp_path / "page.html"
-    file.write_text(drawn("indirect") if what == "report" else handbook.render(book("en")), encoding="utf-8")
+    with speaking(ENGLISH):
+        made = drawn("indirect") if what == "report" else handbook.render(book("en"))
+    file.write_text(made, encoding="utf-8")
     page, asked, problems = browser.new_page(), [], []
     page.on("request", lambda request: asked.append(request.url))
     page.on("console", lambda line: problems.append(line.text))
