@@ -7,6 +7,7 @@ import io
 import json
 import math
 import os
+import shutil
 import sys
 import time
 from dataclasses import dataclass
@@ -78,6 +79,19 @@ def afmcalc():
 def answered(afmcalc):
     """Run the program as ``afmcalc`` does, once for each command line: for those that read only what ships."""
     return functools.cache(afmcalc)
+
+
+@pytest.fixture(scope="session")
+def chromium():
+    """A headless browser, one for the whole run."""
+    program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    api = pytest.importorskip("playwright.sync_api")
+    if program is None:
+        pytest.skip("no chromium, chromium-browser or google-chrome on the path")
+    with api.sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=program, args=["--no-sandbox", "--disable-quic"])
+        yield opened
+        opened.close()
 
 
 FRAME = "<svg viewBox='0 0 7 4'></svg>"

@@ -1,8 +1,6 @@
 """Pages of the server in Debian's Chromium, driven by Playwright; nothing is downloaded."""
 
 import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -21,16 +19,6 @@ _LACKING = [
     *([] if PATH else [f"no headless browser on the path ({', '.join(NAMES)})"]),
 ]
 browser = pytest.mark.skipif(bool(_LACKING), reason=f"the page is not opened in a browser: {'; '.join(_LACKING)}")
-
-
-@contextmanager
-def chromium() -> Iterator[Any]:
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=PATH, args=["--no-sandbox", "--disable-quic"])
-        yield opened
-        opened.close()
 
 
 class Opened:

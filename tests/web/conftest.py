@@ -6,7 +6,6 @@ from typing import Any
 
 import pytest
 from browser import Opened
-from browser import chromium as started
 from pages import Site, spec_in
 from serving import Served
 
@@ -41,13 +40,6 @@ def serve(tmp_path: Path) -> Iterator[Any]:
     yield start
     for server in servers:
         server.end()
-
-
-@pytest.fixture(scope="session")
-def chromium() -> Iterator[Any]:
-    """The browser."""
-    with started() as running:
-        yield running
 
 
 @pytest.fixture

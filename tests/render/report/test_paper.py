@@ -23,25 +23,15 @@ PAPER = 662
 """A4 less its margins, in pixels."""
 
 
-@pytest.fixture(scope="module")
-def browser():
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=find_browser(), args=["--no-sandbox"])
-        yield opened
-        opened.close()
-
-
 @pytest.mark.tool
 @pytest.mark.parametrize("what", ["report", "handbook"])
-def test_in_a_browser(what, browser, drawn, book, tmp_path):
+def test_in_a_browser(what, chromium, drawn, book, tmp_path):
     """Nothing is loaded, nothing wider than the window, no formula cut off; in print 9 points, as wide as the paper."""
     file = tmp_path / "page.html"
     with speaking(ENGLISH):
         made = drawn("indirect") if what == "report" else handbook.render(book("en"))
     file.write_text(made, encoding="utf-8")
-    page, asked, problems = browser.new_page(), [], []
+    page, asked, problems = chromium.new_page(), [], []
     page.on("request", lambda request: asked.append(request.url))
     page.on("console", lambda line: problems.append(line.text))
     page.on("pageerror", lambda error: problems.append(str(error)))
