@@ -29,15 +29,6 @@ def codes(own, **options):
     return {found.code: found for found in simulate(own, **options)[1]}
 
 
-@pytest.mark.slow
-def test_motor_too_strong_for_the_clutch():
-    told = codes(light(drive={"motor_torque": 210.0}))
-    assert (told["motor-never-stops"].level, told["motor-never-stops"].path) == ("error", "drive.cut_off")
-    off = light(drive={"motor_torque": 210.0, "cut_off": 0.3})
-    assert {"motor-stops-at-cut-off", "motor-never-stops"} & codes(off).keys() == {"motor-stops-at-cut-off"}
-    assert simulate(off)[0].slip_energy.min > 200 * 15 * 0.3
-
-
 @pytest.mark.parametrize("changes", [VARIANTS["conventional"], pytest.param(INDIRECT, marks=pytest.mark.slow)])
 def test_sweep_is_what_single_runs_give(changes):
     own = light(**changes)

@@ -51,16 +51,6 @@ def test_a_long_sweep_is_calculated_in_stretches_that_join():
     np.testing.assert_allclose(found["factor"], 8 * (1 + 0.7 * gain) / (1 + 5.6 * gain), rtol=1e-14)
 
 
-def test_arrays_of_several_shapes_broadcast():
-    gain, pairs = np.linspace(0, 1, 5), np.array([[4.0], [8.0], [16.0]])
-    outputs = {"factor": lambda clutch: clutch.accuracy_factor, "radius": lambda clutch: clutch.mean_radius}
-    found = evaluate(read_spec(), {"control_unit.gain": gain, "friction_group.pairs": pairs}, outputs)
-    controlled = pairs - 1
-    np.testing.assert_allclose(found["factor"], 8 * (1 + 0.1 * controlled * gain) / (1 + 0.8 * controlled * gain))
-    assert found["radius"].shape == (3, 5)
-    assert (found["radius"] == 0.1).all()
-
-
 def test_what_is_swept_heads_its_column(afmcalc):
     """The reduced gain is no key of the spec: its values are not told as gains."""
     run = afmcalc("accuracy", "example:all-driving", "--sweep", "zC=1:2:2", "--format", "csv")
