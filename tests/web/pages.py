@@ -5,6 +5,7 @@ import contextvars
 import json
 import re
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from html.parser import HTMLParser
 from importlib.util import find_spec
@@ -54,6 +55,12 @@ class Here:
         yield json.loads(json.dumps(answer(job["state"], job)))
 
 
+def finished(coroutine: Any) -> Any:
+    """Result of a coroutine that runs in a thread of its own: in this one a browser may keep a loop running."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(contextvars.copy_context().run, asyncio.run, coroutine).result()
+
+
 class Site:
     """The application that a command line ``afmcalc serve …`` would serve, and what may be asked of it.
 
@@ -81,7 +88,7 @@ class Site:
         async def send(message: Any) -> None:
             assert message["type"].endswith("complete")
 
-        asyncio.run(app({"type": "lifespan", "asgi": {"version": "3.0"}, "state": {}}, receive, send))
+        finished(app({"type": "lifespan", "asgi": {"version": "3.0"}, "state": {}}, receive, send))
 
     def ask(self, method: str, path: str, body: object = None, whole: bool = True, **headers: Any) -> Answer:
         """One request as the page sends it but for ``headers``: None leaves one out, a list sends it more than once.
@@ -112,7 +119,7 @@ class Site:
             got.append(message)
 
         try:
-            self._context.copy().run(asyncio.run, asyncio.wait_for(self._app(scope, receive, send), 60))
+            self._context.copy().run(finished, asyncio.wait_for(self._app(scope, receive, send), 60))
         except Exception:
             if not got:  # else the page was told of it, with 500
                 raise

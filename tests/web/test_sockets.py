@@ -23,11 +23,17 @@ def request(served, method="POST", path=None, body=LIVE, drop=(), **headers):
 
 @pytest.fixture(autouse=True)
 def is_alive(served):
-    """After every test, with no more memory than before."""
-    before = served.memory()
+    """After every test, with no more memory than before; its workers have started each time."""
+
+    def settled():
+        assert served.live({})["fragments"]["numbers"]
+        while not served.is_quiet():
+            pass
+        return served.memory()
+
+    before = settled()
     yield
-    assert served.live({})["fragments"]["numbers"]
-    assert served.memory() - before < 20 * MIB
+    assert settled() - before < 20 * MIB
 
 
 def test_what_is_no_request_is_refused(served):

@@ -10,7 +10,7 @@ import sys
 from contextlib import aclosing
 
 import pytest
-from pages import CONFIGS, web
+from pages import CONFIGS, finished, web
 from serving import proc, until
 
 pytestmark = web
@@ -68,7 +68,7 @@ def run(scene, *arguments, **options):
         worker.end(closed=True)
         await asyncio.sleep(0)
 
-    asyncio.run(asyncio.wait_for(played(), 20))
+    finished(asyncio.wait_for(played(), 20))
 
 
 async def asked(worker, job, gone=here):
