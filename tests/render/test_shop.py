@@ -126,6 +126,7 @@ def test_dimensions_are_those_of_the_spec(drawn):
         # of an angle ezdxf takes the one or the other side of the two lines
         measured.append(min(value, 360 - value) if line.dimtype == 2 else value * line.override().get("dimlfac"))
         (text,) = (part.plain_text() for part in line.virtual_entities() if part.dxftype() == "MTEXT")
+        text = text.replace("<>", f"{measured[-1]:.9g}")  # older ezdxf leaves what is measured to the reader
         written.append(float(re.sub(f"[Ø*°]|^{unit.balls}×", "", text)))
     assert sorted(measured) == pytest.approx(wanted, rel=1e-6)
     assert sorted(written) == pytest.approx(wanted, rel=1e-4)

@@ -160,6 +160,7 @@ def test_a_fault_is_found():
         assert ("A", "") not in covered
 
 
+@pytest.mark.slow
 def test_the_picture_of_the_readme():
     """Root mean square of the differences, of 255: another version of the font engine stays below 4, a curve does not."""
     made, stored = save(sheet("torque", "default"), "png", 64), Path(__file__).parent / "baseline" / "torque.png"
