@@ -1,0 +1,189 @@
+"""Which laws make up a clutch, by its variant, its adjustment method and the keys it has; its quantities from a spec."""
+
+from collections.abc import Iterator, Mapping
+from functools import cache
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from ..laws import (
+    accuracy,
+    adjustment,
+    control_unit,
+    curved,
+    curved_wall,
+    direct,
+    indirect,
+    life,
+    machine,
+    overload,
+    pack,
+    pressure,
+    unlike,
+)
+from ..laws.arrays import is_array
+from .quantities import Case, Law, Laws, Quantities
+
+if TYPE_CHECKING:
+    from ..spec.models import Spec
+
+Part: TypeAlias = ModuleType | Mapping[str, Law]
+
+_EVERY: tuple[Part, ...] = (life, control_unit, accuracy, adjustment, pressure, machine, pack)
+_DIRECT: tuple[Part, ...] = (*_EVERY, direct, adjustment.DIRECT)
+VARIANTS: dict[str, tuple[Part, ...]] = {
+    "conventional": (*_DIRECT, direct.CONVENTIONAL),
+    "differentiated": (*_DIRECT, direct.DIFFERENTIATED),
+    "all-driving": (*_DIRECT, direct.ALL_DRIVING),
+    "indirect": (*_EVERY, indirect),
+}
+"""Laws of a variant; a later part replaces what an earlier one has of the same name."""
+
+METHODS = {"min-friction": pack.SET_AT_MIN, "mean-friction": pack.SET_AT_MEAN}
+_METHODS_UNLIKE = {"min-friction": unlike.SET_AT_MIN, "mean-friction": unlike.SET_AT_MEAN}
+
+KEYS: dict[str, tuple[Part, ...]] = {
+    "wall_angle": (pack.WALL_ANGLE_GIVEN,),
+    "uniform-pressure": (pack.UNIFORM_PRESSURE,),
+    "uniform-wear": (pressure.UNIFORM_WEAR,),
+    "motor_power": (machine.GIVEN,),
+    "amplitude": (life.AMPLITUDE,),
+    "goodman": (life.GOODMAN,),
+}
+"""What a spec gives, or says → the laws that it brings; those of the sleeve have an order of their own."""
+RULES = ("amplitude", "goodman")
+CURVED = ("gain_slope", "constant-torque")
+DISCS = ("closing_disc", "control_disc")
+_CHOOSING = {*KEYS, *CURVED, *DISCS, "control_force_made", "friction_driving_min"}
+
+
+@cache
+def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
+    """Return the laws of a variant that is set by a method, with what the keys that are given choose among them."""
+    unlike_materials = "friction_driving_min" in keys
+    slips, slips_from_mean = {"friction": "friction_slips"}, life.FORECAST_OF_SLIPS
+    parts = [*VARIANTS[variant], METHODS[method]]
+    if unlike_materials:
+        parts += [unlike, _METHODS_UNLIKE[method]]
+        slips = unlike.OF_SLIPS
+        slips_from_mean = {"torque_high": "torque_max_from_mean", **unlike.OF_SLIPS_FROM_MEAN}
+    else:
+        parts.append(pack.ONE_FRICTION)
+        if variant in ("differentiated", "all-driving"):
+            parts.append(overload)
+        if variant != "indirect":
+            parts.append(adjustment.DIRECT_ONE_MATERIAL)
+    if variant == "indirect":
+        parts += _sleeve(keys)
+    parts += [part for key, chosen in KEYS.items() if key in keys for part in chosen]
+    cases: dict[str, Case] = {"slips": slips}
+    if not keys.isdisjoint(RULES):
+        cases["forecast"] = slips_from_mean
+    laws = Laws(*parts, cases=cases)
+    laws.made_by = laws_for, variant, method, keys
+    return laws
+
+
+def _sleeve(keys: frozenset[str]) -> Iterator[Part]:
+    """Laws of a sleeve between springs of any characteristic, behind straight walls or curved ones."""
+    if "control_force_made" in keys:
+        yield indirect.CONTROL_FORCE_MADE
+    walls, discs = not keys.isdisjoint(CURVED), not keys.isdisjoint(DISCS)
+    if walls:
+        yield from (curved, curved_wall)
+    elif not discs:
+        yield indirect.STRAIGHT
+    if discs:
+        from . import disc_balance
+
+        yield from (disc_balance, disc_balance.NO_DISC)
+        if walls:
+            yield disc_balance.CURVED
+    if "constant-torque" in keys:
+        yield curved.CONSTANT_TORQUE
+
+
+def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = False) -> Quantities:
+    """Return the quantities of the clutch of a spec.
+
+    Args:
+        spec: a valid one; its values may be arrays.
+        rule: rule for the damaging stress of a life.
+        noted: keep the steps of the calculation.
+    """
+    found = given(spec)
+    group, unit = spec.friction_group, spec.control_unit
+    keys = {*found, rule}
+    if group.inner_radius is not None:
+        keys.add(group.radius_model or "uniform-wear")
+    if unit is not None and unit.pocket is not None:
+        keys.add(unit.pocket)
+    laws = laws_for(spec.variant, spec.adjustment.method, frozenset(keys & _CHOOSING))
+    return Quantities(laws, found, noted=noted)
+
+
+NAMES: dict[str, dict[str, str]] = {
+    "friction_group": {
+        **{"pairs": "pairs", "driving_pairs": "bypass_pairs", "mean_radius": "mean_radius"},
+        **{"inner_radius": "inner_radius", "outer_radius": "outer_radius"},
+    },
+    "closing_spring": {"force": "closing_force", "stiffness": "closing_stiffness"},
+    "control_spring": {"force": "control_force_made", "stiffness": "control_stiffness"},
+    "control_unit": {
+        **{"gain": "gain", "gain_slope": "gain_slope", "wall_angle": "wall_angle", "balls": "balls"},
+        **{"ball_circle_radius": "ball_circle_radius", "hub_diameter": "hub_diameter", "key_friction": "key_friction"},
+        **{"face_gap": "face_gap", "edge_clearance": "edge_clearance", "ball_diameter": "ball_diameter_standard"},
+        **{"allowable_contact_force": "allowable_contact_force", "sleeve_depth": "sleeve_depth"},
+    },
+    "control_unit.contact": {
+        **{"ball_modulus": "ball_modulus", "ball_poisson": "ball_poisson", "wall_modulus": "wall_modulus"},
+        **{"wall_poisson": "wall_poisson", "allowable_pressure": "allowable_pressure"},
+    },
+    "adjustment": {"margin": "margin", "nominal_torque": "nominal_torque_wanted"},
+    "machine": {
+        **{"power": "motor_power", "speed": "motor_speed", "ratio": "drive_ratio", "efficiency": "drive_efficiency"},
+        **{"service_factor": "service_factor", "starting_torque_ratio": "starting_torque_ratio"},
+    },
+    "shaft": {"diameter": "shaft_diameter", "yield_strength": "yield_strength"},
+    "drive": {"dynamic_factor": "dynamic_factor"},
+    "fatigue": {
+        **{"endurance_limit": "endurance_limit", "polar_section_modulus": "polar_section_modulus"},
+        **{"exponent": "exponent", "base_cycles": "base_cycles", "load_low": "load_low"},
+        **{"mean_stress_sensitivity": "mean_stress_sensitivity", "ultimate_strength": "ultimate_strength"},
+    },
+    "friction": {"min": "friction_min", "mean": "friction_mean", "max": "friction_max"},
+    **{
+        f"friction.{group}": {end: f"friction_{group}_{end}" for end in ("min", "mean", "max")}
+        for group in ("driving", "driven")
+    },
+}
+"""Block of a spec → its keys → the quantities that they give."""
+
+
+def given(spec: "Spec") -> dict[str, Any]:
+    """Return the quantities that a spec gives, by name."""
+    found: dict[str, Any] = {}
+    for path, names in NAMES.items():
+        block: Any = spec
+        for name in path.split("."):
+            block = None if block is None else getattr(block, name)
+        if block is not None:
+            found |= {name: value for key, name in names.items() if (value := getattr(block, key)) is not None}
+    found |= dict(_materials(spec))
+    slope = found.get("gain_slope")
+    if slope is not None and not is_array(slope) and slope == 0:
+        del found["gain_slope"]  # a straight wall
+    if "shaft_diameter" in found:
+        found.pop("polar_section_modulus", None)
+    for name, spring in (("closing_disc", spec.closing_spring), ("control_disc", spec.control_spring)):
+        if spring is not None and spring.disc is not None:
+            from .springs import DiscCharacteristic
+
+            found[name] = DiscCharacteristic(spring.disc)
+    return found
+
+
+def _materials(spec: "Spec") -> Iterator[tuple[str, float]]:
+    """Ranges of friction of the materials named."""
+    for path, block in spec.friction.blocks.items():
+        names, (low, _, high) = NAMES[path], block.range
+        yield from ((names["min"], low), (names["max"], high))
