@@ -38,12 +38,17 @@ def _clutch(rnd: random.Random, variant: str) -> dict[str, Any]:
         "friction_group": group,
         "closing_spring": {"force": rnd.uniform(100, 2e4)},
         "adjustment": {"method": rnd.choice(["min-friction", "mean-friction"]), "margin": rnd.choice([1.0, 1.25, 1.7])},
-        "fatigue": {"endurance_limit": 1e8, "polar_section_modulus": rnd.uniform(2e-6, 5e-5), "exponent": 6, "base_cycles": 1e7},
+        "fatigue": {
+            "endurance_limit": 1e8,
+            "polar_section_modulus": rnd.uniform(2e-6, 5e-5),
+            "exponent": 6,
+            "base_cycles": 1e7,
+        },
     }
     if variant in ("differentiated", "unlike") and rnd.random() < 0.8:
         group["driving_pairs"] = rnd.randint(1, pairs - 1)
     if variant != "unlike" and rnd.random() < 0.1:
-        spec["friction"] = {"material": rnd.choice(["sintered metal", "woven", "molded", "cermet"])}
+        spec["friction"] = {"material": rnd.choice(["moulded-dry", "woven-dry", "sintered-oil", "paper-oil"])}
     if variant != "conventional":
         spec["control_unit"] = {"gain": rnd.uniform(0.01, 1.5)}
         if variant != "indirect" and rnd.random() < 0.05:
@@ -79,7 +84,13 @@ def _sleeve(rnd: random.Random, spec: dict[str, Any], radius: float) -> None:
         closing |= {"force": rnd.uniform(800, 9e3), "stiffness": 1e6, "disc": DISC | {"series": rnd.randint(4, 12)}}
         control.pop("force", None)
         if rnd.random() < 0.5:
-            control["disc"] = {**DISC, "thickness": 0.006, "free_height": 0.0082, "series": rnd.randint(8, 20), "parallel": 2}
+            control["disc"] = {
+                **DISC,
+                "thickness": 0.006,
+                "free_height": 0.0082,
+                "series": rnd.randint(8, 20),
+                "parallel": 2,
+            }
 
 
 def _unit(rnd: random.Random, unit: dict[str, Any], variant: str) -> None:
@@ -92,7 +103,8 @@ def _unit(rnd: random.Random, unit: dict[str, Any], variant: str) -> None:
         unit["contact"] = {
             "ball_modulus": 2.1e11, "ball_poisson": 0.28, "wall_modulus": 1.9e11, "wall_poisson": 0.31, "allowable_pressure": 3e9
         }  # fmt: skip
-    if variant != "indirect" and rnd.random() < 0.3 and unit.pop("gain"):
+    if variant != "indirect" and rnd.random() < 0.3:
+        del unit["gain"]
         unit["wall_angle"] = rnd.uniform(0.1, 1.2)
     if rnd.random() < 0.1:
         del unit["balls"]
@@ -108,10 +120,16 @@ def _around(rnd: random.Random, spec: dict[str, Any]) -> None:
     if rnd.random() < 0.3:
         spec["fatigue"]["ultimate_strength"] = rnd.uniform(2e7, 9e8)
     if rnd.random() < 0.3:
-        spec["shaft"] = {"diameter": rnd.uniform(0.01, 0.06)}
+        spec["shaft"] = {"diameter": rnd.uniform(0.02, 0.06)}
+        del spec["fatigue"]["polar_section_modulus"]
         if rnd.random() < 0.5:
             spec["shaft"]["yield_strength"] = 4e8
     if rnd.random() < 0.3:
         spec["machine"] = {"power": rnd.uniform(1e3, 5e4), "speed": rnd.uniform(50, 300)}
         if rnd.random() < 0.6:
-            spec["machine"] |= {"ratio": rnd.uniform(1, 5), "efficiency": 0.9, "service_factor": 1.5, "starting_torque_ratio": 2.2}
+            spec["machine"] |= {
+                "ratio": rnd.uniform(1, 5),
+                "efficiency": 0.9,
+                "service_factor": 1.5,
+                "starting_torque_ratio": 2.2,
+            }

@@ -88,8 +88,6 @@ def jumping_slope(sleeve_stiffness_there, pairs, friction_leaving, closing_force
     return sleeve_stiffness_there / (pairs * friction_leaving * closing_force)
 
 
-
-
 # behind curved walls
 
 

@@ -6,7 +6,6 @@ from .wiring import Same
 nothing = 0.0
 unity = 1.0
 never = False
-always = True
 
 
 def friction_mean(friction_min, friction_max):
