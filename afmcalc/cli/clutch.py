@@ -56,7 +56,7 @@ def torque(
 
     points = [friction_of(text) for text in friction or ()]
     with with_details(details):
-        common.calculate(common.clutch(spec), friction=points)
+        common.calculate(common.wired(spec), friction=points)
 
 
 @with_common

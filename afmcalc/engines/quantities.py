@@ -23,7 +23,7 @@ Case = Mapping[str, str]
 Names = frozenset[str]
 
 
-class Missing(LookupError):
+class MissingError(LookupError):
     """A quantity that there is no law of, or that needs what is not given."""
 
 
@@ -134,7 +134,7 @@ class Quantities:
         """Return the value of a quantity, such as ``gain``, or in a case ``torque_at_f_max``.
 
         Raises:
-            Missing: there is none of that name, or it needs what is not given; says what is.
+            MissingError: there is none of that name, or it needs what is not given; says what is.
         """
         if name not in self._kept:
             scope = self._scope_of(name)
@@ -147,7 +147,7 @@ class Quantities:
             raise AttributeError(name)
         try:
             return self[name]
-        except Missing as error:
+        except MissingError as error:
             raise AttributeError(str(error)) from None
 
     def __contains__(self, name: object) -> bool:
@@ -173,17 +173,17 @@ class Quantities:
         it names, or none.
 
         Raises:
-            Missing: no such case or quantity.
+            MissingError: no such case or quantity.
         """
         targets: Case = {}
         if case:
             if case not in self.laws.cases:
                 cases, hint = ", ".join(self.laws.cases), did_you_mean(case, self.laws.cases)
-                raise Missing(say("no case {case!r}{hint}; there are {cases}", case=case, hint=hint, cases=cases))
+                raise MissingError(say("no case {case!r}{hint}; there are {cases}", case=case, hint=hint, cases=cases))
             targets = self.laws.cases[case]
         for name in values:
             if name not in self.laws.names and name not in self._names:
-                raise Missing(self._unknown(name))
+                raise MissingError(self._unknown(name))
         fresh = {name: self[target] for name, target in targets.items()} | values
         own = {
             name: value
@@ -221,7 +221,7 @@ class Quantities:
     def _calculated(self, name: str) -> Any:
         if name not in self.laws.laws:
             if (split := self.laws.case_of(name)) is None or split[0] not in self.laws.names:
-                raise Missing(self._unknown(name))
+                raise MissingError(self._unknown(name))
             return self.at(split[1])[split[0]]
         law = self.laws.laws[name]
         if isinstance(law, Same):
@@ -233,8 +233,8 @@ class Quantities:
         kept = self._kept
         try:
             values = {one: kept[one] if one in kept else self[one] for one in self.laws.arguments[name]}
-        except Missing:
-            raise Missing(self._unknown(name)) from None
+        except MissingError:
+            raise MissingError(self._unknown(name)) from None
         value = law(**values)
         if self.steps is not None:
             self.steps.append(Step(name, self.case, law, {one: self.stands_for(one) for one in values}, values, value))
@@ -262,7 +262,7 @@ class Quantities:
         return say("{name} needs {needs}", name=name, needs=", ".join(missing))
 
     def compiled(self, name: str, *free: str) -> Callable[..., Any]:
-        """A quantity as a function of others, numbers, for loops: its laws as one expression, all else as it is here."""
+        """A quantity as a function of others, of numbers, for loops: its laws as one expression, all else kept."""
         laws = self.laws
         known: dict[str, Any] = {}
 
@@ -290,7 +290,7 @@ class Quantities:
                     split[0], clutch, texts | {bound: expression(to, clutch, texts) for bound, to in targets.items()}
                 )
             if not callable(law):
-                raise Missing(clutch._unknown(one))
+                raise MissingError(clutch._unknown(one))
             return f"{constant(law)}({', '.join(expression(each, clutch, texts) for each in laws.arguments[one])})"
 
         text = expression(name, self, {one: one for one in free})

@@ -1,4 +1,4 @@
-"""Which laws make up a clutch, by its variant, its adjustment method and the keys it has; its quantities from a spec."""
+"""Which laws make up a clutch, by its variant, adjustment method and keys given; its quantities from a spec."""
 
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -121,42 +121,30 @@ def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = Fals
     return Quantities(laws, found, noted=noted)
 
 
-NAMES: dict[str, dict[str, str]] = {
-    "friction_group": {
-        **{"pairs": "pairs", "driving_pairs": "bypass_pairs", "mean_radius": "mean_radius"},
-        **{"inner_radius": "inner_radius", "outer_radius": "outer_radius"},
-    },
-    "closing_spring": {"force": "closing_force", "stiffness": "closing_stiffness"},
-    "control_spring": {"force": "control_force_made", "stiffness": "control_stiffness"},
-    "control_unit": {
-        **{"gain": "gain", "gain_slope": "gain_slope", "wall_angle": "wall_angle", "balls": "balls"},
-        **{"ball_circle_radius": "ball_circle_radius", "hub_diameter": "hub_diameter", "key_friction": "key_friction"},
-        **{"face_gap": "face_gap", "edge_clearance": "edge_clearance", "ball_diameter": "ball_diameter_standard"},
-        **{"allowable_contact_force": "allowable_contact_force", "sleeve_depth": "sleeve_depth"},
-    },
-    "control_unit.contact": {
-        **{"ball_modulus": "ball_modulus", "ball_poisson": "ball_poisson", "wall_modulus": "wall_modulus"},
-        **{"wall_poisson": "wall_poisson", "allowable_pressure": "allowable_pressure"},
-    },
-    "adjustment": {"margin": "margin", "nominal_torque": "nominal_torque_wanted"},
-    "machine": {
-        **{"power": "motor_power", "speed": "motor_speed", "ratio": "drive_ratio", "efficiency": "drive_efficiency"},
-        **{"service_factor": "service_factor", "starting_torque_ratio": "starting_torque_ratio"},
-    },
-    "shaft": {"diameter": "shaft_diameter", "yield_strength": "yield_strength"},
-    "drive": {"dynamic_factor": "dynamic_factor"},
-    "fatigue": {
-        **{"endurance_limit": "endurance_limit", "polar_section_modulus": "polar_section_modulus"},
-        **{"exponent": "exponent", "base_cycles": "base_cycles", "load_low": "load_low"},
-        **{"mean_stress_sensitivity": "mean_stress_sensitivity", "ultimate_strength": "ultimate_strength"},
-    },
-    "friction": {"min": "friction_min", "mean": "friction_mean", "max": "friction_max"},
-    **{
-        f"friction.{group}": {end: f"friction_{group}_{end}" for end in ("min", "mean", "max")}
-        for group in ("driving", "driven")
-    },
-}
-"""Block of a spec → its keys → the quantities that they give."""
+_NAMES = """\
+friction          min=friction_min mean=friction_mean max=friction_max
+friction.driving  min=friction_driving_min mean=friction_driving_mean max=friction_driving_max
+friction.driven   min=friction_driven_min mean=friction_driven_mean max=friction_driven_max
+friction_group    pairs driving_pairs=bypass_pairs mean_radius inner_radius outer_radius
+closing_spring    force=closing_force stiffness=closing_stiffness
+control_spring    force=control_force_made stiffness=control_stiffness
+control_unit      gain gain_slope wall_angle ball_circle_radius hub_diameter key_friction balls face_gap edge_clearance
+control_unit      ball_diameter=ball_diameter_standard allowable_contact_force sleeve_depth
+control_unit.contact  ball_modulus ball_poisson wall_modulus wall_poisson allowable_pressure
+adjustment        margin nominal_torque=nominal_torque_wanted
+machine           power=motor_power speed=motor_speed ratio=drive_ratio efficiency=drive_efficiency
+machine           service_factor starting_torque_ratio
+shaft             diameter=shaft_diameter yield_strength
+drive             dynamic_factor
+fatigue           endurance_limit polar_section_modulus exponent base_cycles load_low mean_stress_sensitivity
+fatigue           ultimate_strength
+"""
+NAMES: dict[str, dict[str, str]] = {}
+"""Block of a spec → its keys → the quantities that they give; a key without a name is called as it is."""
+for _line in _NAMES.splitlines():
+    _block, *_keys = _line.split()
+    _named = (each.partition("=") for each in _keys)
+    NAMES.setdefault(_block, {}).update({key: name or key for key, _, name in _named})
 
 
 def given(spec: "Spec") -> dict[str, Any]:
