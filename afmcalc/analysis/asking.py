@@ -7,30 +7,27 @@ from ..engines.quantities import Quantities
 from ..result import Result, Triple, shown_as
 
 R = TypeVar("R", bound=Result)
-ENDS = {"f_min": "min", "f_mean": "mean", "f_max": "max"}
-"""Case of a friction → its place in a ``Triple``."""
+ENDS = ("f_min", "f_mean", "f_max")
+"""Cases of a ``Triple``."""
 
 
 class _Question(NamedTuple):
     field: str
-    quantity: str
-    over_range: bool
-    """Whether it is asked at the smallest, the mean and the largest friction."""
+    names: tuple[str, ...]
+    """One, or three of a ``Triple``."""
     optional: bool
 
 
 @cache
-def _questions(kind: type[Result]) -> list[_Question]:
-    return [
-        _Question(
-            name,
-            shown.quantity,
-            over_range=Triple in (field.annotation, *get_args(field.annotation)),
-            optional=not field.is_required(),
-        )
-        for name, field in kind.model_fields.items()
-        if (shown := shown_as(field)).asked
-    ]
+def _questions(kind: type[Result]) -> tuple[list[_Question], tuple[str, ...]]:
+    """What the fields of a result ask, and all of the names."""
+    questions = []
+    for field, info in kind.model_fields.items():
+        if (shown := shown_as(info)).asked:
+            over_range = Triple in (info.annotation, *get_args(info.annotation))
+            names = tuple(f"{shown.quantity}_at_{case}" for case in ENDS) if over_range else (shown.quantity,)
+            questions.append(_Question(field, names, optional=not info.is_required()))
+    return questions, tuple(name for question in questions for name in question.names)
 
 
 def answer(kind: type[R], clutch: Quantities, **values: Any) -> R:
@@ -42,13 +39,13 @@ def answer(kind: type[R], clutch: Quantities, **values: Any) -> R:
         clutch: the quantities.
         values: the fields that are not asked, and those of the others that are something else here.
     """
-    for field, name, over_range, optional in _questions(kind):
-        if field in values or (optional and (f"{name}_at_f_min" if over_range else name) not in clutch):
+    questions, names = _questions(kind)
+    known = clutch.known(*names)
+    for field, names, optional in questions:
+        if field in values or (optional and names[0] not in known):
             continue
-        values[field] = over_ends(clutch, name) if over_range else clutch[name]
+        found = [
+            known[name] if name in known else clutch[name] for name in names
+        ]  # a required one says what is missing
+        values[field] = Triple(min=found[0], mean=found[1], max=found[2]) if len(found) > 1 else found[0]
     return kind(**values)
-
-
-def over_ends(clutch: Quantities, name: str) -> Triple:
-    """Return a quantity at the smallest, the mean and the largest friction."""
-    return Triple(**{end: clutch[f"{name}_at_{case}"] for case, end in ENDS.items()})

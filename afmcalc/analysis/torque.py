@@ -5,12 +5,11 @@ from typing import Any, TypeVar
 
 from ..engines.protocol import Clutch
 from ..engines.quantities import Quantities
-from ..engines.wired import Wired
-from ..equations.calls import is_noting
+from ..engines.selection import Wired
+from ..equations import calls
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..result import Answer, Result, Triple, asked, described
-from ..spec.models import Spec
 from .asking import answer
 from .clutch_findings import clutch_findings
 
@@ -82,14 +81,14 @@ class TorqueResult(Answer):
         return "" if name == "torque_range" and shown else None
 
 
-
 Pair = tuple[float, float | None]
 T = TypeVar("T")
 
 
 def torque(clutch: Wired, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
     """Calculate torque and forces over the friction range, and at pairs (f, None) or (f_1, f_2) asked for."""
-    if is_noting():  # explain and the report read the calls of the old engine
+    notes = calls._NOTES.get()
+    if notes is not None and notes is not calls._UNNOTED:  # explain and the report read the calls of the old engine
         from .torque_traced import torque as traced
 
         return traced(clutch, friction)  # type: ignore[arg-type]

@@ -7,7 +7,16 @@ from ..engines.protocol import Clutch
 from ..equations import direct, indirect
 from ..findings import Finding
 from ..result import Triple
-from .torque import FrictionPoint, Pair, TorqueExtremes, TorqueResult, friction_fields, outside_range, pairs_asked, triple
+from .torque import (
+    FrictionPoint,
+    Pair,
+    TorqueExtremes,
+    TorqueResult,
+    friction_fields,
+    outside_range,
+    pairs_asked,
+    triple,
+)
 
 
 def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:

@@ -23,7 +23,7 @@ from .streams import tell
 
 if TYPE_CHECKING:
     from ..engines import Clutch
-    from ..engines.wired import Wired, WiredClutch
+    from ..engines.selection import Wired, WiredClutch
     from ..findings import Finding
     from ..render.layout import SweepDrawing
     from ..render.plot.chart import Sheet
@@ -189,7 +189,7 @@ class Common:
 
     def wired(self, source: str | None) -> "WiredClutch":
         """Return the clutch of a spec for a command whose analysis asks by name; refuses what ``keep`` refuses."""
-        from ..engines.wired import WiredClutch
+        from ..engines.selection import WiredClutch
 
         self.keep(source)
         return WiredClutch(self.read(source))

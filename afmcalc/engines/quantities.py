@@ -111,6 +111,10 @@ def _arguments(law: Law) -> tuple[str, ...]:
     return law.__code__.co_varnames[: law.__code__.co_argcount] if callable(law) else ()
 
 
+def _identity(value: Any) -> Any:
+    return id(value) if is_array(value) else value
+
+
 class Quantities:
     """The quantities of a clutch, SI: numbers, or arrays of one axis with a value for each of many clutches."""
 
@@ -162,6 +166,10 @@ class Quantities:
         """The quantities that are given or follow from what is; those at a friction are asked of a case."""
         return sorted(name for name in {*self.laws.laws, *self._names} if name in self)
 
+    def known(self, *names: str) -> dict[str, Any]:
+        """Return the values of those of some quantities that are given or follow from what is, by name."""
+        return {name: self[name] for name in names if name in self}
+
     def missing(self, name: str) -> list[str]:
         """What would have to be given before a quantity can be calculated; empty where it can be."""
         return self.laws.missing(name, self._names)
@@ -196,7 +204,8 @@ class Quantities:
 
     def _scope(self, own: dict[str, Any], bound: dict[str, tuple[str, str]], family: dict[Any, Any]) -> "Quantities":
         bound = {name: bound[name] for name in own if name in bound}
-        root, key = self._root, frozenset((name, id(own[name]) if is_array(own[name]) else own[name]) for name in own)
+        root = self._root
+        key = frozenset((name, value if type(value) is float else _identity(value)) for name, value in own.items())
         if key not in family:
             scope = object.__new__(Quantities)
             scope.laws, scope.steps, scope._root, scope._own, scope._bound = self.laws, self.steps, root, own, bound
@@ -227,7 +236,10 @@ class Quantities:
         if isinstance(law, Same):
             return self[law.quantity]
         if isinstance(law, Either):
-            return chosen(self[law.condition], lambda: self[law.yes], lambda: self[law.no])
+            condition = self[law.condition]
+            if type(condition) is bool:
+                return self[law.yes if condition else law.no]
+            return chosen(condition, lambda: self[law.yes], lambda: self[law.no])
         if not callable(law):
             return law
         kept = self._kept

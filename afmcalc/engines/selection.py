@@ -1,9 +1,10 @@
 """Which laws make up a clutch, by its variant, adjustment method and keys given; its quantities from a spec."""
 
 from collections.abc import Iterator, Mapping
-from functools import cache
+from dataclasses import dataclass
+from functools import cache, cached_property
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 from ..laws import (
     accuracy,
@@ -21,6 +22,7 @@ from ..laws import (
     unlike,
 )
 from ..laws.arrays import is_array
+from ..messages import say
 from .quantities import Case, Law, Laws, Quantities
 
 if TYPE_CHECKING:
@@ -175,3 +177,60 @@ def _materials(spec: "Spec") -> Iterator[tuple[str, float]]:
     for path, block in spec.friction.blocks.items():
         names, (low, _, high) = NAMES[path], block.range
         yield from ((names["min"], low), (names["max"], high))
+
+
+class Wired(Protocol):
+    """What such an analysis takes: ``WiredClutch``, or until the last analysis is converted the old engine."""
+
+    @property
+    def spec(self) -> "Spec":
+        """The spec."""
+
+    @property
+    def quantities(self) -> Quantities:
+        """The quantities."""
+
+
+@dataclass(frozen=True)
+class WiredClutch:
+    """A clutch that is calculated by its laws alone."""
+
+    spec: "Spec"
+
+    @cached_property
+    def quantities(self) -> Quantities:
+        """Its quantities, each calculated when first asked for.
+
+        Raises:
+            SpecError: the spec describes no clutch.
+        """
+        return accepted(self.spec, quantities_of(self.spec))
+
+
+def accepted(spec: "Spec", clutch: Quantities) -> Quantities:
+    """Return the quantities of a spec; refuse what its rules cannot see.
+
+    Raises:
+        SpecError: a gain below the threshold 2 R f_1/d, at which the sleeve would leave its stop at zero torque; no
+            wall that holds the torque.
+    """
+    unit = spec.control_unit
+    if not spec.kind.travels or unit is None:
+        return clutch
+    if clutch["net_gain"] < 0:
+        message = say(
+            "must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
+            "force, and the sleeve leaves its stop at zero torque",
+            threshold=float(clutch["gain_threshold"]),
+        )
+        gain = f"{float(clutch['gain']):.6g}"
+        if unit.wall_angle is not None:
+            raise spec.refused("control_unit.wall_angle", message, f"(C = {gain})")
+        raise spec.refused("control_unit.gain", message, gain)
+    if unit.pocket is not None and not clutch["friction_leaving"] > 0:
+        message = say(
+            "no wall holds the torque: control_spring.force does not exceed the force of the closing spring, so "
+            "that the sleeve never rests at its stop"
+        )
+        raise spec.refused("control_unit.pocket", message, repr(unit.pocket))
+    return clutch

@@ -75,12 +75,6 @@ def noted() -> Iterator[list[Note]]:
         _NOTES.reset(token)
 
 
-def is_noting() -> bool:
-    """Return whether calls are noted."""
-    notes = _NOTES.get()
-    return notes is not None and notes is not _UNNOTED
-
-
 @contextmanager
 def unnoted() -> Iterator[None]:
     """Note nothing within the block: what a search tries is no step of a calculation."""

@@ -73,6 +73,7 @@ def nominal_torque_ratio(pairs, gain, friction_set, normal_force_at_setting, clo
 
 # setting
 
+
 def control_force_set(closing_force, pairs, net_gain, friction_set):
     """Control-spring force that just holds the sleeve at its stop at the setting, F_п2 = F_п1 (1 + z f_set κ).
 

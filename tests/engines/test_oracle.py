@@ -1,4 +1,5 @@
 """Every quantity of random clutches by the laws, against the engine of 0.3.0 and its analyses."""
+# ruff: noqa: SIM905, SIM108
 
 import math
 from collections import Counter
