@@ -112,7 +112,7 @@ def _point(clutch: Quantities, friction: float, friction_driven: float | None, *
     if not unlike:
         there = clutch.at(friction=friction)
         return answer(FrictionPoint, there, friction_driving=None, friction_driven=None)
-    both = {"friction_driving": friction, "friction_driven": friction if friction_driven is None else friction_driven}
+    both: dict[str, Any] = {"friction_driving": friction, "friction_driven": friction if friction_driven is None else friction_driven}
     return answer(FrictionPoint, clutch.at(**both), friction=None)
 
 

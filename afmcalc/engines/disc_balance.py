@@ -239,10 +239,8 @@ def _torque_max_from_mean(torque_at_f_mean, torque_at_leaving_from_mean, turning
     return larger(torque_at_f_mean, torque_at_leaving_from_mean, *between, torque_at_f_max)
 
 
-def _torque_returning_turn(
-    balance_at_returning, travel_max, travel_returning_at_f_min, friction_min, friction_max, torque_at_f_max,
-    mean_radius, pairs,
-):  # fmt: skip
+def _torque_returning_turn(balance_at_returning, travel_max, travel_returning_at_f_min, friction_min, friction_max,
+                           torque_at_f_max, mean_radius, pairs):  # fmt: skip
     """Smallest torque while the sleeve returns.
 
     Source: Handbook, chapter 12.

@@ -67,16 +67,17 @@ def elasticities(clutch: Quantities, name: str = "accuracy_factor") -> dict[str,
         arrays[one][4 * place : 4 * place + 4] *= np.exp(shares)
     with np.errstate(all="ignore"):
         values = np.log(np.broadcast_to(Quantities(laws, given | arrays)[name], 4 * len(varied) + 1))
-    found = {one: _slopes(*values[4 * at : 4 * at + 4], values[-1]) for at, one in enumerate(varied)}
+    found = {one: _slopes(values[4 * at : 4 * at + 4].tolist(), float(values[-1])) for at, one in enumerate(varied)}
     return {_KEYS[one]: found[one] for one in varied} | {
         _KEYS[one]: Elasticity(0.0, 0.0) for one in _KEYS if one in needs and one in given and not given[one]
     }
 
 
-def _slopes(below: float, lower: float, upper: float, above: float, here: float) -> Elasticity:
+def _slopes(beside: list[float], here: float) -> Elasticity:
     """Slopes of five values, by all of them or on each side of a kink by three."""
+    below, lower, upper, above = beside
     left, right = (3 * here - 4 * lower + below) / (2 * STEP), (4 * upper - 3 * here - above) / (2 * STEP)
     if abs(left - right) > _KINK * max(1.0, abs(left), abs(right)):
-        return Elasticity(float(left), float(right))
+        return Elasticity(left, right)
     slope = (8 * (upper - lower) - (above - below)) / (12 * STEP)
-    return Elasticity(float(slope), float(slope))
+    return Elasticity(slope, slope)

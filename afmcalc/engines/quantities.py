@@ -43,7 +43,7 @@ class Step(NamedTuple):
 class Laws:
     """Laws by the quantity they give, and cases: what is known before anything is calculated."""
 
-    def __init__(self, *parts: ModuleType | Mapping[str, Law], cases: Mapping[str, Case] | None = None) -> None:
+    def __init__(self, *parts: ModuleType | Mapping[str, Any], cases: Mapping[str, Case] | None = None) -> None:
         """Join the laws and ``CASES`` of several parts; a later one replaces an earlier one of the same name."""
         self.laws: dict[str, Law] = {}
         self.cases: dict[str, Case] = {}
@@ -174,7 +174,7 @@ class Quantities:
         """What would have to be given before a quantity can be calculated; empty where it can be."""
         return self.laws.missing(name, self._names)
 
-    def at(self, case: str = "", **values: Any) -> "Quantities":
+    def at(self, case: str = "", /, **values: Any) -> "Quantities":
         """The same clutch in a case, or with other values of some quantities.
 
         What is set last counts: it displaces values set before of quantities that follow from it. A case sets all that

@@ -23,20 +23,20 @@ from ..laws import (
 )
 from ..laws.arrays import is_array
 from ..messages import say
-from .quantities import Case, Law, Laws, Quantities
+from .quantities import Case, Laws, Quantities
 
 if TYPE_CHECKING:
     from ..spec.models import Spec
 
-Part: TypeAlias = ModuleType | Mapping[str, Law]
+Part: TypeAlias = ModuleType | Mapping[str, Any]
 
-_EVERY: tuple[Part, ...] = (life, control_unit, accuracy, adjustment, pressure, machine, pack)
+_EVERY: tuple[Part, ...] = (life, accuracy, adjustment, pressure, machine, pack)
 _DIRECT: tuple[Part, ...] = (*_EVERY, direct, adjustment.DIRECT)
 VARIANTS: dict[str, tuple[Part, ...]] = {
     "conventional": (*_DIRECT, direct.CONVENTIONAL),
-    "differentiated": (*_DIRECT, direct.DIFFERENTIATED),
-    "all-driving": (*_DIRECT, direct.ALL_DRIVING),
-    "indirect": (*_EVERY, indirect),
+    "differentiated": (*_DIRECT, control_unit, direct.DIFFERENTIATED),
+    "all-driving": (*_DIRECT, control_unit, direct.ALL_DRIVING),
+    "indirect": (*_EVERY, control_unit, indirect),
 }
 """Laws of a variant; a later part replaces what an earlier one has of the same name."""
 
@@ -63,7 +63,7 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
     """Return the laws of a variant that is set by a method, with what the keys that are given choose among them."""
     unlike_materials = "friction_driving_min" in keys
     slips, slips_from_mean = {"friction": "friction_slips"}, life.FORECAST_OF_SLIPS
-    parts = [*VARIANTS[variant], METHODS[method]]
+    parts: list[Part] = [*VARIANTS[variant], METHODS[method]]
     if unlike_materials:
         parts += [unlike, _METHODS_UNLIKE[method]]
         slips = unlike.OF_SLIPS

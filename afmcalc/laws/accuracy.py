@@ -46,15 +46,8 @@ def conventional_accuracy_factor(
     return largest / (bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min)
 
 
-def accuracy_factor_of_path(
-    bypass_pairs,
-    controlled_pairs,
-    gain,
-    friction_driving_min,
-    friction_driven_min,
-    friction_driving_max,
-    friction_driven_max,
-):
+def accuracy_factor_of_path(bypass_pairs, controlled_pairs, gain, friction_driving_min, friction_driven_min,
+                            friction_driving_max, friction_driven_max):  # fmt: skip
     """Accuracy factor along the common path, K_т = T(f_1max, f_2max)/T(f_1min, f_2min).
 
     Source: F11 (14); with one material S19 and S22 (18).

@@ -110,7 +110,8 @@ def beside(along: Any, value: Any) -> Any:
     """Values along a first axis, and one more."""
     import numpy as np
 
-    return np.concatenate([along, np.broadcast_to(value, along.shape[1:])[None]])
+    shape = np.broadcast_shapes(along.shape[1:], np.shape(value))
+    return np.concatenate([np.broadcast_to(along, (len(along), *shape)), np.broadcast_to(value, shape)[None]])
 
 
 def mean_along(values: Any) -> Any:

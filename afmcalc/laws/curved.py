@@ -179,13 +179,8 @@ def is_locked(friction, net_gain_returning, friction_max, net_gain, gain_slope, 
     return friction * (net_gain_returning + steeper) >= friction_max * (net_gain + steeper) * (1 - 1e-12)
 
 
-def stays_off(
-    sleeve_stiffness_at_returning,
-    slope_feedback,
-    closing_force,
-    normal_force_at_f_max,
-    tangent_stiffness_squared_at_returning,
-):
+def stays_off(sleeve_stiffness_at_returning, slope_feedback, closing_force, normal_force_at_f_max,
+              tangent_stiffness_squared_at_returning):  # fmt: skip
     """Whether a sleeve that has jumped off its stop has not yet jumped back.
 
     Source: Handbook, chapter 12: D_κ₊ < w F_п1, and a balance off the stop exists, k_t² ≥ 0.

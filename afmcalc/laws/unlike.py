@@ -40,14 +40,8 @@ def torque_max(torque_at_f_min, torque_at_f_mean, torque_at_f_max):
     return larger(torque_at_f_min, torque_at_f_mean, torque_at_f_max)
 
 
-def friction_of_torque_min(
-    torque_at_f_min,
-    torque_at_f_mean,
-    torque_at_f_max,
-    friction_driving_min,
-    friction_driving_mean,
-    friction_driving_max,
-):
+def friction_of_torque_min(torque_at_f_min, torque_at_f_mean, torque_at_f_max, friction_driving_min,
+                           friction_driving_mean, friction_driving_max):  # fmt: skip
     """Friction f_1 where the torque is smallest.
 
     Source: As ``torque_min``; of equal torques the first.
@@ -57,14 +51,8 @@ def friction_of_torque_min(
     return place_of_smallest(torques, (friction_driving_min, friction_driving_mean, friction_driving_max))
 
 
-def friction_of_torque_max(
-    torque_at_f_min,
-    torque_at_f_mean,
-    torque_at_f_max,
-    friction_driving_min,
-    friction_driving_mean,
-    friction_driving_max,
-):
+def friction_of_torque_max(torque_at_f_min, torque_at_f_mean, torque_at_f_max, friction_driving_min,
+                           friction_driving_mean, friction_driving_max):  # fmt: skip
     """Friction f_1 where the torque is largest.
 
     Source: As ``torque_max``; of equal torques the last.
@@ -113,15 +101,8 @@ def friction_ratio_min(friction_driven_min, friction_driving_min):
     return friction_driven_min / friction_driving_min
 
 
-def accuracy_factor_by_ratios(
-    bypass_pairs,
-    controlled_pairs,
-    gain,
-    friction_ratio_max,
-    friction_ratio_min,
-    friction_driving_min,
-    friction_driving_max,
-):
+def accuracy_factor_by_ratios(bypass_pairs, controlled_pairs, gain, friction_ratio_max, friction_ratio_min,
+                              friction_driving_min, friction_driving_max):  # fmt: skip
     """Accuracy factor in ratios, n = f_2max/f_1max, p = f_2min/f_1min, m = f_1max/f_1min.
 
     Source: F11 (17) with (15), (16).
@@ -135,15 +116,8 @@ def accuracy_factor_by_ratios(
     return growth * largest * at_min / (least * at_max)
 
 
-def slope_in_ratio_max(
-    bypass_pairs,
-    controlled_pairs,
-    gain,
-    friction_ratio_max,
-    friction_ratio_min,
-    friction_driving_min,
-    friction_driving_max,
-):
+def slope_in_ratio_max(bypass_pairs, controlled_pairs, gain, friction_ratio_max, friction_ratio_min,
+                       friction_driving_min, friction_driving_max):  # fmt: skip
     """Slope ∂K_т/∂n; its sign is that of 1 − z_1 C f_1max for every n.
 
     Source: F11 (18), mended (M2: printed with the factor z_1 − C f_1max).
@@ -157,15 +131,8 @@ def slope_in_ratio_max(
     return controlled_pairs * growth * at_min * sign / (least * at_max**2)
 
 
-def slope_in_ratio_min(
-    bypass_pairs,
-    controlled_pairs,
-    gain,
-    friction_ratio_max,
-    friction_ratio_min,
-    friction_driving_min,
-    friction_driving_max,
-):
+def slope_in_ratio_min(bypass_pairs, controlled_pairs, gain, friction_ratio_max, friction_ratio_min,
+                       friction_driving_min, friction_driving_max):  # fmt: skip
     """Slope ∂K_т/∂p; its sign is that of z_1 C f_1min − 1 for every p.
 
     Source: F11 (22), mended (M3: printed with the factor C f_1min − z_1).
@@ -206,14 +173,8 @@ def friction_driven_slips(friction_driven_min, friction_driven_mean, friction_dr
     return friction_driven_min + below * rising + above * further
 
 
-def bend_of_path(
-    friction_driving_min,
-    friction_driving_mean,
-    friction_driving_max,
-    friction_driven_min,
-    friction_driven_mean,
-    friction_driven_max,
-):
+def bend_of_path(friction_driving_min, friction_driving_mean, friction_driving_max, friction_driven_min,
+                 friction_driven_mean, friction_driven_max):  # fmt: skip
     """Share of the common path at which both frictions have their means.
 
     Source: Handbook, chapter 4.
