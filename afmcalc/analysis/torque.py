@@ -112,8 +112,9 @@ def _point(clutch: Quantities, friction: float, friction_driven: float | None, *
     if not unlike:
         there = clutch.at(friction=friction)
         return answer(FrictionPoint, there, friction_driving=None, friction_driven=None)
-    both: dict[str, Any] = {"friction_driving": friction, "friction_driven": friction if friction_driven is None else friction_driven}
-    return answer(FrictionPoint, clutch.at(**both), friction=None)
+    driven = friction if friction_driven is None else friction_driven
+    there = clutch.at(friction_driving=friction, friction_driven=driven)
+    return answer(FrictionPoint, there, friction=None)
 
 
 def pairs_asked(clutch: Wired, friction: Iterable[Pair]) -> list[Pair]:

@@ -273,14 +273,35 @@ TERMS = {
 """Name of a quantity → what it is called."""
 
 CASES = {
-    "f_min": "f_min", "f_mean": "f_cp", "f_max": "f_max", "setting": "f_set", "rest": "f = 0", "leaving": "f_L",
-    "leaving_in_range": "f_L", "leaving_from_mean": "f_L", "unlocking": "f_u", "returning": "returning",
-    "by_min": "set at f_min", "by_mean": "set at f_cp", "overload": "T_н at f_min", "unprotected": "unprotected side",
-    "forecast": "from f_cp", "f_min_max": "f_1min, f_2max", "f_max_min": "f_1max, f_2min", "low": "low", "high": "high",
-    "slips": "each slip", "each_slip": "each slip", "along_wall": "along the wall",
-    "worst_case": "f_1, f_2 independent", "peak": "breakaway peaks", "hysteresis": "under a load that lasts", "expected": "expected", "actual": "actual",
+    "f_min": "f_min",
+    "f_mean": "f_cp",
+    "f_max": "f_max",
+    "setting": "f_set",
+    "rest": "f = 0",
+    "leaving": "f_L",
+    "leaving_in_range": "f_L",
+    "leaving_from_mean": "f_L",
+    "unlocking": "f_u",
+    "returning": "returning",
+    "by_min": "set at f_min",
+    "by_mean": "set at f_cp",
+    "overload": "T_н at f_min",
+    "unprotected": "unprotected side",
+    "forecast": "from f_cp",
+    "f_min_max": "f_1min, f_2max",
+    "f_max_min": "f_1max, f_2min",
+    "low": "low",
+    "high": "high",
+    "slips": "each slip",
+    "each_slip": "each slip",
+    "along_wall": "along the wall",
+    "worst_case": "f_1, f_2 independent",
+    "peak": "breakaway peaks",
+    "hysteresis": "under a load that lasts",
+    "expected": "expected",
+    "actual": "actual",
     "equilibrium": "equilibrium",
-}  # fmt: skip
+}
 """Case → how an explanation calls it."""
 
 
