@@ -6,7 +6,7 @@ from .quantities import Quantities
 from .selection import DISCS, NAMES
 
 STEP = 2.0**-13
-"""Of ln p; by five points the error is of its fourth power, on one side of its second."""
+"""Of ln p; by five points the error is of its fourth power, on one side of its third."""
 _KINK = 1e-5
 """Difference of the slopes on both sides above which there is a kink."""
 _KEYS = {
@@ -60,23 +60,24 @@ def elasticities(clutch: Quantities, name: str = "accuracy_factor") -> dict[str,
         given["bypass_pairs"] = clutch["bypass_pairs"]
     needs = laws.needs(name, frozenset(given))
     varied = [one for one in _KEYS if one in needs and given.get(one)]
-    shares = np.array([-2, -1, 1, 2]) * STEP
+    shares = np.array([-3, -2, -1, 1, 2, 3]) * STEP
     arrays: dict[str, Any] = {}
     for place, one in enumerate(varied):
-        arrays[one] = np.full(4 * len(varied) + 1, float(given[one]))
-        arrays[one][4 * place : 4 * place + 4] *= np.exp(shares)
+        arrays[one] = np.full(6 * len(varied) + 1, float(given[one]))
+        arrays[one][6 * place : 6 * place + 6] *= np.exp(shares)
     with np.errstate(all="ignore"):
-        values = np.log(np.broadcast_to(Quantities(laws, given | arrays)[name], 4 * len(varied) + 1))
-    found = {one: _slopes(values[4 * at : 4 * at + 4].tolist(), float(values[-1])) for at, one in enumerate(varied)}
+        values = np.log(np.broadcast_to(Quantities(laws, given | arrays)[name], 6 * len(varied) + 1))
+    found = {one: _slopes(values[6 * at : 6 * at + 6].tolist(), float(values[-1])) for at, one in enumerate(varied)}
     return {_KEYS[one]: found[one] for one in varied} | {
         _KEYS[one]: Elasticity(0.0, 0.0) for one in _KEYS if one in needs and one in given and not given[one]
     }
 
 
 def _slopes(beside: list[float], here: float) -> Elasticity:
-    """Slopes of five values, by all of them or on each side of a kink by three."""
-    below, lower, upper, above = beside
-    left, right = (3 * here - 4 * lower + below) / (2 * STEP), (4 * upper - 3 * here - above) / (2 * STEP)
+    """Slopes of seven values: by the five in the middle, or on each side of a kink by four."""
+    lowest, below, lower, upper, above, highest = beside
+    left = (11 * here - 18 * lower + 9 * below - 2 * lowest) / (6 * STEP)
+    right = (18 * upper - 11 * here - 9 * above + 2 * highest) / (6 * STEP)
     if abs(left - right) > _KINK * max(1.0, abs(left), abs(right)):
         return Elasticity(left, right)
     slope = (8 * (upper - lower) - (above - below)) / (12 * STEP)

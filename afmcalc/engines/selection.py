@@ -65,7 +65,8 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
     slips, slips_from_mean = {"friction": "friction_slips"}, life.FORECAST_OF_SLIPS
     parts: list[Part] = [*VARIANTS[variant], METHODS[method]]
     if unlike_materials:
-        parts += (unlike, _METHODS_UNLIKE[method])
+        parts.append(unlike)
+        parts.append(_METHODS_UNLIKE[method])
         slips = unlike.OF_SLIPS
         slips_from_mean = {"torque_high": "torque_max_from_mean", **unlike.OF_SLIPS_FROM_MEAN}
     else:

@@ -123,7 +123,7 @@ def _accuracy(q, clutch, found, discs):
         sides = (0.0, 0.0) if new is None else new
         side = min(sides, key=lambda value: abs(value - slope))
         kink = "elasticity at a kink" if sides[0] != sides[1] else "elasticity"
-        found.same(kink, side, slope, scale=1.0, close=CLOSE_SLOPE if sides[0] == sides[1] else 1e-6)
+        found.same(kink, side, slope, scale=1.0, close=CLOSE_SLOPE)
     for path, new in own.items():
         if path not in old.sensitivity:
             found.same("elasticity", new.slope, 0.0, scale=1.0, close=CLOSE_SLOPE)
