@@ -1,7 +1,7 @@
 """Results are values: frozen, typed, SI, with symbol, unit and description on every field."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 from pydantic import BaseModel, ConfigDict, Field, InstanceOf, PrivateAttr, WithJsonSchema
@@ -9,7 +9,6 @@ from pydantic.fields import FieldInfo
 
 from .errors import AfmcalcError
 from .findings import Finding
-from .laws.terms import term_of
 
 if TYPE_CHECKING:
     import pandas
@@ -19,17 +18,6 @@ class Result(BaseModel):
     """Base of every result; all formats are read off its fields."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False, extra="forbid", defer_build=True)
-
-    @classmethod
-    def __pydantic_init_subclass__(cls, **options: Any) -> None:
-        """Give each field that is ``asked`` symbol, unit and meaning of its quantity."""
-        for name, field in cls.model_fields.items():
-            if (shown := shown_as(field)).asked:
-                term = term_of(shown.quantity or name)
-                field.json_schema_extra = replace(
-                    shown, unit=term.unit, symbol=term.symbol, quantity=shown.quantity or name
-                )
-                field.description = field.description or term.meaning
 
     def words(self, name: str) -> str | None:
         """Return what people are told instead of a field's value; None: the value; "": nothing."""
@@ -97,21 +85,6 @@ def quantity(unit: str, symbol: str | None, description: str, *, optional: bool 
     if optional:
         return Field(default=None, description=description, json_schema_extra=about)
     return Field(description=description, json_schema_extra=about)
-
-
-def asked(quantity: str = "", description: str = "", *, optional: bool = False, **shown: Any) -> Any:
-    """Declare a field that has the value of a quantity: symbol, unit and meaning are those of ``laws.terms``.
-
-    Args:
-        quantity: name of the quantity, where it is not that of the field.
-        description: what it is, where the result has other words for it than the terms.
-        optional: leave the field null (and out of tables) where the quantity does not follow from what is given.
-        shown: the rest, as ``Shown``.
-    """
-    about = Shown(asked=True, quantity=quantity, **shown)
-    if optional:
-        return Field(default=None, description=description or None, json_schema_extra=about)
-    return Field(description=description or None, json_schema_extra=about)
 
 
 def described(description: str, **shown: Any) -> Any:

@@ -1,14 +1,48 @@
 """An analysis is a list of quantities: the fields of its result ask a clutch for them, each by its own name."""
 
+from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple, TypeVar, get_args
 
+from pydantic import Field
+
 from ..engines.quantities import Quantities
-from ..result import Result, Triple, shown_as
+from ..laws.terms import term_of
+from ..result import Result, Shown, Triple, shown_as
 
 R = TypeVar("R", bound=Result)
 ENDS = ("f_min", "f_mean", "f_max")
 """Cases of a ``Triple``."""
+
+
+class Asking(Result):
+    """Base of a result with fields that are ``asked``."""
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **options: Any) -> None:
+        """Give each field that is ``asked`` symbol, unit and meaning of its quantity."""
+        for name, field in cls.model_fields.items():
+            if (shown := shown_as(field)).asked:
+                term = term_of(shown.quantity or name)
+                field.json_schema_extra = replace(
+                    shown, unit=term.unit, symbol=term.symbol, quantity=shown.quantity or name
+                )
+                field.description = field.description or term.meaning
+
+
+def asked(quantity: str = "", description: str = "", *, optional: bool = False, **shown: Any) -> Any:
+    """Declare a field that has the value of a quantity: symbol, unit and meaning are those of ``laws.terms``.
+
+    Args:
+        quantity: name of the quantity, where it is not that of the field.
+        description: what it is, where the result has other words for it than the terms.
+        optional: leave the field null (and out of tables) where the quantity does not follow from what is given.
+        shown: the rest, as ``Shown``.
+    """
+    about = Shown(asked=True, quantity=quantity, **shown)
+    if optional:
+        return Field(default=None, description=description or None, json_schema_extra=about)
+    return Field(description=description or None, json_schema_extra=about)
 
 
 class _Question(NamedTuple):

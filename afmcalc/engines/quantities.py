@@ -27,7 +27,7 @@ class MissingError(LookupError):
     """A quantity that there is no law of, or that needs what is not given."""
 
 
-class Step(NamedTuple):
+class NotedStep(NamedTuple):
     """A law that was applied."""
 
     name: str
@@ -122,7 +122,7 @@ class Quantities:
         """Begin with what is given; ``noted``: keep the steps."""
         self.laws, self.given = laws, dict(given)
         self.case = ""
-        self.steps: list[Step] | None = [] if noted else None
+        self.steps: list[NotedStep] | None = [] if noted else None
         self._root, self._names = self, frozenset(self.given)
         self._kept = dict(self.given)
         self._own: dict[str, Any] = {}  # what a case, or ``at``, gives other values
@@ -249,7 +249,9 @@ class Quantities:
             raise MissingError(self._unknown(name)) from None
         value = law(**values)
         if self.steps is not None:
-            self.steps.append(Step(name, self.case, law, {one: self.stands_for(one) for one in values}, values, value))
+            self.steps.append(
+                NotedStep(name, self.case, law, {one: self.stands_for(one) for one in values}, values, value)
+            )
         return value
 
     def stands_for(self, name: str) -> str:

@@ -40,8 +40,8 @@ VARIANTS: dict[str, tuple[Part, ...]] = {
 }
 """Laws of a variant; a later part replaces what an earlier one has of the same name."""
 
-METHODS = {"min-friction": pack.SET_AT_MIN, "mean-friction": pack.SET_AT_MEAN}
-_METHODS_UNLIKE = {"min-friction": unlike.SET_AT_MIN, "mean-friction": unlike.SET_AT_MEAN}
+METHODS: dict[str, Part] = {"min-friction": pack.SET_AT_MIN, "mean-friction": pack.SET_AT_MEAN}
+_METHODS_UNLIKE: dict[str, Part] = {"min-friction": unlike.SET_AT_MIN, "mean-friction": unlike.SET_AT_MEAN}
 
 KEYS: dict[str, tuple[Part, ...]] = {
     "wall_angle": (pack.WALL_ANGLE_GIVEN,),

@@ -6,7 +6,7 @@ A unit is "1" of a pure number, empty of what is no quantity: a yes or no, a spr
 from typing import NamedTuple
 
 
-class Term(NamedTuple):
+class QuantityTerm(NamedTuple):
     """What a quantity is called."""
 
     symbol: str
@@ -265,7 +265,7 @@ web | e | m | web between neighbouring pockets at the face
 yield_strength | σ_т | Pa | yield strength of the shaft in tension
 """  # noqa: E501
 TERMS = {
-    name: Term(symbol, unit, meaning)
+    name: QuantityTerm(symbol, unit, meaning)
     for name, symbol, unit, meaning in (
         [part.strip() for part in row.split("|")] for row in _TABLE.strip().splitlines()
     )
@@ -305,10 +305,10 @@ CASES = {
 """Case → how an explanation calls it."""
 
 
-def term_of(name: str) -> Term:
+def term_of(name: str) -> QuantityTerm:
     """Return what a quantity is called; one in a case such as ``torque_at_f_max`` as T(f_max)."""
     if name in TERMS:
         return TERMS[name]
     quantity, _, case = name.rpartition("_at_")
     own = term_of(quantity)
-    return Term(f"{own.symbol}({CASES[case]})", own.unit, own.meaning)
+    return QuantityTerm(f"{own.symbol}({CASES[case]})", own.unit, own.meaning)

@@ -15,7 +15,7 @@ from afmcalc.analysis.life import life
 from afmcalc.analysis.limits import ring_pressures
 from afmcalc.analysis.overload import overload
 from afmcalc.analysis.synthesize import synthesize
-from afmcalc.analysis.torque_traced import torque
+from afmcalc.analysis.torque import traced
 from afmcalc.engines import build
 from afmcalc.engines.elasticity import elasticities
 from afmcalc.engines.selection import quantities_of
@@ -77,7 +77,7 @@ def compare(data: dict[str, Any], found: Comparison) -> bool:
 
 
 def _torque(q, clutch, found):
-    old, _ = torque(clutch, [(0.17, None)] if not clutch.spec.friction.unlike else [(0.17, 0.4)])
+    old, _ = traced(clutch, [(0.17, None)] if not clutch.spec.friction.unlike else [(0.17, 0.4)])
     names = "closing_force gain reduced_gain nominal_torque machine_torque accuracy_factor control_force gain_slope motor_torque "
     for name in (names + "torque_asked_for starting_torque").split():
         found.same(name, q[name] if getattr(old, name) is not None else 0, getattr(old, name))
