@@ -9,7 +9,7 @@ from ..engines.selection import Wired
 from ..equations import calls, direct, indirect
 from ..errors import CalculationError
 from ..findings import Finding, finding
-from ..result import Answer, Triple, described
+from ..result import Answer, Triple, described, quantity
 from .asking import Asking, answer, asked
 from .clutch_findings import clutch_findings
 
@@ -69,7 +69,7 @@ class TorqueResult(Asking, Answer):
     motor_torque: float | None = asked(optional=True)
     torque_asked_for: float | None = asked(optional=True)
     starting_torque: float | None = asked(optional=True)
-    torque_range: TorqueExtremes = described("extremes")
+    torque_range: TorqueExtremes = quantity("", "", "extremes")
     scatter: float = asked()
     accuracy_factor: float = asked(description="accuracy factor T_max/T_min")
     points: list[FrictionPoint] | None = described("at the friction asked for", optional=True)
