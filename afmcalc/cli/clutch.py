@@ -1,5 +1,6 @@
 """Commands that calculate one clutch."""
 
+from contextlib import nullcontext
 from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
@@ -55,8 +56,8 @@ def torque(
     from ..render.document import with_details
 
     points = [friction_of(text) for text in friction or ()]
-    with with_details(details):
-        common.calculate(common.clutch(spec), friction=points)
+    with with_details(details) if details else nullcontext():
+        common.calculate(common.wired(spec), friction=points)
 
 
 @with_common

@@ -16,6 +16,7 @@ from . import parameters
 if TYPE_CHECKING:
     # not imported at run time: a direct clutch needs neither module
     from .indirect import IndirectClutch
+    from .quantities import Quantities
     from .springs import SetSpring, SpringDemand
 
 
@@ -90,6 +91,13 @@ class Clutch(ABC):
     def sleeve(self) -> "IndirectClutch | None":
         """The clutch itself if it is an indirect one, which has a thrust sleeve; None for a direct clutch."""
         return None
+
+    @cached_property
+    def quantities(self) -> "Quantities":
+        """The same clutch by its laws, for the analyses that ask by name."""
+        from .selection import quantities_of
+
+        return quantities_of(self.spec)
 
     # springs and setting
 

@@ -1,0 +1,85 @@
+"""An analysis is a list of quantities: the fields of its result ask a clutch for them, each by its own name."""
+
+from dataclasses import replace
+from functools import cache
+from typing import Any, NamedTuple, TypeVar, get_args
+
+from pydantic import Field
+
+from ..engines.quantities import Quantities
+from ..laws.terms import term_of
+from ..result import Result, Shown, Triple, shown_as
+
+R = TypeVar("R", bound=Result)
+ENDS = ("f_min", "f_mean", "f_max")
+"""Cases of a ``Triple``."""
+
+
+class Asking(Result):
+    """Base of a result with fields that are ``asked``."""
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **options: Any) -> None:
+        """Give each field that is ``asked`` symbol, unit and meaning of its quantity."""
+        for name, field in cls.model_fields.items():
+            if (shown := shown_as(field)).asked:
+                term = term_of(shown.quantity or name)
+                field.json_schema_extra = replace(
+                    shown, unit=term.unit, symbol=term.symbol, quantity=shown.quantity or name
+                )
+                field.description = field.description or term.meaning
+
+
+def asked(quantity: str = "", description: str = "", *, optional: bool = False, **shown: Any) -> Any:
+    """Declare a field that has the value of a quantity: symbol, unit and meaning are those of ``laws.terms``.
+
+    Args:
+        quantity: name of the quantity, where it is not that of the field.
+        description: what it is, where the result has other words for it than the terms.
+        optional: leave the field null (and out of tables) where the quantity does not follow from what is given.
+        shown: the rest, as ``Shown``.
+    """
+    about = Shown(asked=True, quantity=quantity, **shown)
+    if optional:
+        return Field(default=None, description=description or None, json_schema_extra=about)
+    return Field(description=description or None, json_schema_extra=about)
+
+
+class _Question(NamedTuple):
+    field: str
+    names: tuple[str, ...]
+    """One, or three of a ``Triple``."""
+    optional: bool
+
+
+@cache
+def _questions(kind: type[Result]) -> tuple[list[_Question], tuple[str, ...]]:
+    """What the fields of a result ask, and all of the names."""
+    questions = []
+    for field, info in kind.model_fields.items():
+        if (shown := shown_as(info)).asked:
+            over_range = Triple in (info.annotation, *get_args(info.annotation))
+            names = tuple(f"{shown.quantity}_at_{case}" for case in ENDS) if over_range else (shown.quantity,)
+            questions.append(_Question(field, names, optional=not info.is_required()))
+    return questions, tuple(name for question in questions for name in question.names)
+
+
+def answer(kind: type[R], clutch: Quantities, **values: Any) -> R:
+    """Return a result whose fields that are ``asked`` have the quantities of a clutch, or of a case of it.
+
+    Args:
+        kind: class of the result. A ``Triple`` is asked in the cases f_min, f_mean and f_max; an optional field is null
+            where the clutch has no such quantity (``clutch.missing(name)`` says why).
+        clutch: the quantities.
+        values: the fields that are not asked, and those of the others that are something else here.
+    """
+    questions, names = _questions(kind)
+    known = clutch.known(*names)
+    for field, names, optional in questions:
+        if field in values or (optional and names[0] not in known):
+            continue
+        found = [
+            known[name] if name in known else clutch[name] for name in names
+        ]  # a required one says what is missing
+        values[field] = Triple(min=found[0], mean=found[1], max=found[2]) if len(found) > 1 else found[0]
+    return kind(**values)

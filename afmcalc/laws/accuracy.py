@@ -1,0 +1,66 @@
+"""Accuracy: one quotient of torques in several cases, and what it would be without feedback (handbook, chapter 3)."""
+
+from .wiring import Same
+
+
+def scatter(torque_max, torque_min):
+    """Torque scatter band, ΔT = T_max − T_min.
+
+    Source: S19 (10), (11).
+    Validity: Any clutch.
+    """
+    return torque_max - torque_min
+
+
+def mid_torque(torque_max, torque_min):
+    """Torque at the middle of the scatter band, (T_min + T_max)/2.
+
+    Source: S19, conclusions.
+    Validity: Any variant.
+    """
+    return (torque_min + torque_max) / 2
+
+
+def accuracy_factor(torque_max, torque_min):
+    """Accuracy factor, K_т = T_max/T_min.
+
+    Source: F11 (14); S21 (15); S22 (18), (19).
+    Validity: Any clutch; torque_max and torque_min are those of the case.
+    """
+    return torque_max / torque_min
+
+
+accuracy_factor_worst_case = Same("accuracy_factor_at_worst_case")
+accuracy_factor_peak = Same("accuracy_factor_at_peak")
+
+
+def conventional_accuracy_factor(
+    bypass_pairs, controlled_pairs, friction_driving_min, friction_driven_min, friction_driving_max, friction_driven_max
+):
+    """Accuracy factor of an ordinary clutch in its place, K_т at C = 0; with one material f_max/f_min.
+
+    Source: F11 (14) at C = 0.
+    Validity: f_1 and f_2 move together (F11's working hypothesis).
+    """
+    largest = bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max
+    return largest / (bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min)
+
+
+def accuracy_factor_of_path(bypass_pairs, controlled_pairs, gain, friction_driving_min, friction_driven_min,
+                            friction_driving_max, friction_driven_max):  # fmt: skip
+    """Accuracy factor along the common path, K_т = T(f_1max, f_2max)/T(f_1min, f_2min).
+
+    Source: F11 (14); with one material S19 and S22 (18).
+    Validity: f_1 and f_2 move together (F11's working hypothesis). Below 1 where the torque falls with friction (unlike
+        materials, z_1 C f_1 > 1); the ratio largest/smallest torque is then 1/K_т.
+    """
+    largest = bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max
+    least = bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
+    feedback = controlled_pairs * gain
+    return largest * (1 + feedback * friction_driven_min) / (least * (1 + feedback * friction_driven_max))
+
+
+CASES = {
+    "worst_case": {"torque_max": "torque_max_worst_case", "torque_min": "torque_min_worst_case"},
+    "peak": {"torque_max": "breakaway_torque_at_f_max", "torque_min": "breakaway_torque_at_f_min"},
+}
