@@ -85,8 +85,8 @@ def told_once(findings: Iterable[Finding]) -> list[Finding]:
 
 
 FINDINGS: Mapping[str, str] = {
-    "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
-    "friction from f_min to f_max is taken as equally likely, and the life is that of the mean damage (Miner)",
+    "slips-averaged": "every slip swings the load from 0 to T(f) and back; every friction from f_min to f_max is taken as "
+    "equally likely, and the life is that of the mean damage (Miner)",
     "bad-spec": "{where}: {problem}",
     # torque, accuracy, overload, compare
     "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",

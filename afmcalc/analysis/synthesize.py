@@ -7,7 +7,6 @@ from typing import Any, ClassVar, Literal
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
-from ..equations.arrays import finite
 from ..equations.calls import unnoted
 from ..errors import given
 from ..findings import Finding, finding
@@ -67,10 +66,6 @@ class SynthesisResult(Answer):
     contact_pressure: float | None = quantity(
         "Pa", "p_0", "largest contact pressure of ball and wall (Hertz)", optional=True
     )
-    gain_at_least_contact_force: float | None = quantity(
-        "1", "C_Fn", "gain at which the same spring presses least on a ball; above it F_n grows", optional=True
-    )
-
     wall: list[WallPoint] | None = described(
         "curved wall from the stop to the face, from the ball's centre at the stop", optional=True
     )
@@ -141,7 +136,6 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         ball_pitch=pitch,
         web=None if pitch is None else law.web(pitch, width),
         **contact._asdict(),
-        gain_at_least_contact_force=least_contact_force_gain(clutch),
         **of_the_curve,
     )
     return result, [
@@ -168,22 +162,6 @@ def _unit(clutch: Clutch) -> ControlUnit:
 def _travel(clutch: Clutch) -> float:
     """x_max; a direct clutch has no sleeve, and its law no travel."""
     return float(clutch.sleeve.travel_max) if clutch.sleeve else 0.0
-
-
-def least_contact_force_gain(clutch: Clutch) -> float | None:
-    """Gain at which F_n at f_max is least (spring force kept); None if F_n only grows or only falls."""
-    import numpy as np
-
-    by_gain = clutch.ball_torque_by_gain()
-    if by_gain is None:
-        return None
-    (a0, a1), (b0, b1), start = by_gain
-    ratio = given(given(clutch.spec.control_unit).ball_circle_radius) / float(clutch.mean_radius)
-    cubic = law.least_contact_force_cubic(a0, a1, b0, b1, ratio)
-    with np.errstate(over="raise", divide="raise", invalid="raise"):
-        roots = np.roots([float(finite(each)) for each in cubic])
-    real = sorted(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root) and root.real > start)
-    return float(real[0]) if real else None
 
 
 def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:

@@ -64,16 +64,6 @@ def contact_force_of_the_balls() -> Steps:
     yield Refutation("M10: as printed", synthesis.contact_force(largest, n, r, cosine) - printed)
 
 
-def least_contact_force() -> Steps:
-    """The cubic is where F_n ∝ (a + bC)·√(1 + q²C²)/(a' + b'C) is stationary."""
-    a, b, a2, b2 = positive("a b a_2 b_2")
-    squared = ((a + b * C) / (a2 + b2 * C)) ** 2 * (1 + q**2 * C**2)
-    coefficients = synthesis.least_contact_force_cubic(a, b, a2, b2, q)
-    cubic = sum(coefficient * C ** (3 - power) for power, coefficient in enumerate(coefficients))
-    slope = sp.diff(squared, C)
-    yield "d(F_n²)/dC ∝ the cubic", slope - 2 * (a + b * C) * cubic / (a2 + b2 * C) ** 3
-
-
 def hertz_ball_on_flat() -> Steps:
     """Johnson (4.22)–(4.24): contact radius a and pressure p_0 at the allowable force give the allowable pressure."""
     e1, e2, nu1, nu2, pressure, ball, pi = positive("E_1 E_2 nu_1 nu_2 p_0 r_b pi")

@@ -529,7 +529,6 @@ class Fatigue(Block):
     mean_stress_sensitivity: Ratio | None = key("sensitivity to the mean stress (model amplitude)", "ψ_τ")
     ultimate_strength: Stress | None = key("ultimate strength in shear (model goodman)", "τ_u")
     base_cycles: Coefficient = required("base cycles of the S-N line", "N_0")
-    load_low: TorqueOrNone = key("least torque of a slip's load cycle (amplitude, goodman)", "T_low", default=0.0)
 
 
 class Envelope(RuledBlock):
