@@ -64,6 +64,7 @@ class Load(NamedTuple):
     """Smallest torque, N·m."""
     most: Values
     """Largest torque, N·m."""
+
     def times(self, factor: Values | None) -> "Load":
         """Return the load on the unprotected side; without a factor the load itself."""
         if factor is None:

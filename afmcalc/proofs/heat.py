@@ -97,28 +97,6 @@ def discs_in_their_splines() -> Steps:
         yield "without friction nothing is held", law(N, 0 * near, 0 * far) - N
 
 
-def cams_that_slide() -> Steps:
-    """The reaction of a wall with friction leans by ρ = arctan μ from its normal."""
-    angle = positive("alpha")
-    for sign, law in ((1, effects.tan_wall_angle_loading), (-1, effects.tan_wall_angle_unloading)):
-        # normal force 1 and friction μ along the wall, against the way the cam slides
-        around = sp.cos(angle) + sign * mu * sp.sin(angle)
-        along = sp.sin(angle) - sign * mu * sp.cos(angle)
-        yield "thrust over circumferential force", law(sp.tan(angle), mu) - along / around
-        yield "μ = 0: the law's own", law(sp.tan(angle), 0 * mu) - sp.tan(angle)
-
-
-def weight_with_a_vertical_axis() -> Steps:
-    """Each pair bears the discs between it and the spring: a spring heavier by their mean gives the same pack."""
-    number, disc, loaded = positive("k m_d N_1")
-    pressed = sp.summation(loaded + (number - 1) * disc * q, (number, 1, z))
-    torque = R * f * pressed
-    # the pressure disc: spring and its weight against pack and balls, F_p = T C/R
-    first = sp.solve(F + m * q - torque * C / R - loaded, loaded)[0]
-    added = effects.weight_on_pack(m, (z - 1) * disc, q)
-    yield "z − 1 discs between z pairs", torque.subs(loaded, first) - direct.torque(F + added, R, 0, z, C, f, f)
-
-
 def centrifugal_force_of_the_balls() -> Steps:
     """A ball thrown outward leans on both cones alike; each gives back the axial part of its normal force."""
     angle, ball = positive("alpha r_b")

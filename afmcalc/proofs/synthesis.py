@@ -8,7 +8,7 @@ from .symbols import *
 
 ALPHA = positive("alpha")
 BALL, GAP, EDGE = positive("r_b s y")
-T0, Q, SLOPE, SLEEVES = positive("t_0 q C_1 m")
+T0, Q, SLOPE = positive("t_0 q C_1")
 XI = positive("xi")
 K, T = positive("K T")
 
@@ -104,10 +104,10 @@ def surface_pressures() -> Steps:
 
 def curved_wall() -> Steps:
     """r dφ = tan α dx; the wall is an envelope of the ball, convex while the ball is smaller than ρ."""
-    steepening = wall.path_steepening(SLOPE, r, R, SLEEVES)
+    steepening = wall.path_steepening(SLOPE, r, R)
     path, tangent = wall.path(T0, Q, XI), wall.path_tangent(T0, Q, XI)
     yield "tan α = Y'", sp.diff(path, XI) - tangent
-    turned = SLEEVES * wall.path(synthesis.tan_wall_angle(C, r, R), steepening, x / SLEEVES)
+    turned = wall.path(synthesis.tan_wall_angle(C, r, R), steepening, x)
     yield "r dφ/dx = tan α of C_0 + C_1 x", direct.gain(R, r, sp.diff(turned, x)) - (C + SLOPE * x)
     secant = sp.sqrt(1 + tangent**2)
     sine, cosine = tangent / secant, 1 / secant
@@ -127,40 +127,12 @@ def curved_wall() -> Steps:
     yield Refutation("not at the radius of the ball", sp.diff(along, XI))
 
 
-def seat_of_the_ball() -> Steps:
-    """Curved wall at α against both walls of a seat at α_0: two forces bear the one."""
-    alpha, seat = positive("alpha alpha_0")
-    own = wall.seat_force(F, sp.sin(alpha + seat), sp.sin(seat), sp.cos(seat))
-    other = (own * sp.cos(seat) - F * sp.cos(alpha)) / sp.cos(seat)
-    along = (own + other) * sp.sin(seat) - F * sp.sin(alpha)
-    yield "along the axis, the other wall bearing the rest around", sp.expand_trig(along)
-    yield "at the stop one wall bears it all", own.subs(alpha, seat) - F
-    yield "and the other none", other.subs(alpha, seat)
-
-
 def curved_wall_contact() -> Steps:
-    """Johnson (4.5), (4.26), (4.27): pressure 3F/(2πab) on an ellipse, (ab)^{3/2} = 3 F R_e φ/(4 E_c)."""
-    rho, k, b, d, pressure, modulus, pi = positive("rho k B D p_0 E_c pi")
-    ratio = wall.hertz_curvature_ratio(rho, BALL)
-    across, along = 1 / (2 * BALL), (1 / BALL + 1 / (rho - BALL)) / 2
-    yield "A/B of ball and convex wall", ratio - along / across
-    relative = wall.hertz_relative_radius(BALL, q)
-    yield "R_e = 1/(2√(AB))", (2 * relative) ** 2 * (across * across * q) - 1
-    yield "A/B = 1 on a flat", sp.limit(ratio, rho, sp.oo) - 1
-    # (4.26a), (4.27) as printed, in E = K − e²D
-    e2 = 1 - k**2
-    first, second = b + d, b + d - e2 * d
-    printed = (second / k**2 - first) / (first - second)
-    yield "(4.26a)", wall.hertz_axes(k, b, d) - printed
-    factor = wall.hertz_ellipse_factor(k, b, d, pi)
-    cubed = 4 / (pi * e2) * k ** sp.Rational(3, 2) * sp.sqrt((second / k**2 - first) * (first - second))
-    yield "(4.27) squared", sp.nsimplify(factor**2) - sp.simplify(cubed**2)
-    circle = {k: 1, b: pi / 4, d: pi / 4}
-    yield "a circle: φ = 1", sp.nsimplify(factor.subs(circle)) - 1
-    yield "a circle: A/B = 1", wall.hertz_axes(k, b, d).subs(circle) - 1
-    force = synthesis.hertz_allowable_force(pressure, z * x, modulus, pi)
-    area_cubed = (3 * force * z * x / (4 * modulus)) ** 2
-    yield "p_0 = 3F/(2πab) at the allowable force", (3 * force / (2 * pi)) ** 3 - pressure**3 * area_cubed
+    """Johnson (4.5): a ball whose curvature is the mean of those of ball and convex wall along and across it."""
+    rho = positive("rho")
+    radius = wall.hertz_relative_radius(BALL, rho)
+    yield "1/R_e = A + B", 1 / radius - ((1 / BALL + 1 / (rho - BALL)) + 1 / BALL) / 2
+    yield "the ball itself on a flat", sp.limit(radius, rho, sp.oo) - BALL
 
 
 def inverses_of_the_accuracy() -> Steps:
