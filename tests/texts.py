@@ -166,7 +166,6 @@ def _help() -> Iterator[Key]:
     import typer
 
     from afmcalc.analysis.solve.solve import TARGETS
-    from afmcalc.analysis.sweep.grid import RATIOS
     from afmcalc.cli import help
     from afmcalc.cli.main import application
 
@@ -182,7 +181,6 @@ def _help() -> Iterator[Key]:
     sections = {*help.SECTIONS.values(), *help.APART.values(), help.FILES}
     yield from (("", text) for text in (*help.LABELS, help.OF_HELP, *help.SAID, *help.OURS.values(), *sections))
     yield from (("", target.description) for target in TARGETS.values())
-    yield from (("", ratio.description) for ratio in RATIOS.values())
     yield from (("", about) for _, about in help.names_of("plot"))
 
 

@@ -104,9 +104,8 @@ def _path(override: str, model: type[BaseModel]) -> str:
     *blocks, last = path.split(".")
     known = names_in(blocks, model)
     if last not in known:
-        hint = (
-            instead_of(path) or did_you_mean(last, known) or elsewhere(last, model) or did_you_mean(last, names(model))
-        )
+        hint = instead_of(path) or did_you_mean(last, known)
+        hint = hint or elsewhere(last, model) or did_you_mean(last, names(model))
         if known and not hint:
             hint = say("; known here: {names}", names=", ".join(known))
         raise AfmcalcError(
