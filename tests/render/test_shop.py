@@ -1,6 +1,5 @@
 """Drawings for the shop: the DXF read back, its contours held against the wall by distance; SVG and CSV alike."""
 
-import csv
 import io
 import math
 import os
@@ -21,12 +20,11 @@ from afmcalc.analysis.synthesize import synthesize
 from afmcalc.analysis.wall import CHORD, wall_of
 from afmcalc.engines import build
 from afmcalc.render.dxf import pocket as dxf
-from afmcalc.render.shop import LAYERS, profile, svg
+from afmcalc.render.shop import LAYERS, svg
 from afmcalc.spec import read_spec
 
 CLUTCHES = {
     "one": ("constant-torque", ()),
-    "both": ("constant-torque", ("control_unit.profiled=both", "control_unit.gain=2")),
     "straight": ("indirect", ()),
     "direct": ("default", ()),
 }
@@ -37,7 +35,7 @@ def drawn(request):
     name, overrides = CLUTCHES[request.param]
     clutch = build(read_spec(CONFIGS / f"{name}.toml", overrides))
     found, _ = synthesize(clutch)
-    return clutch, found, shop_drawing(clutch, found, cutter=0.6 * found.ball_diameter)
+    return clutch, found, shop_drawing(clutch, found)
 
 
 def read(drawing):
@@ -129,7 +127,7 @@ def test_dimensions_are_those_of_the_spec(drawn):
     rim, circle = 2 * (unit.ball_circle_radius + radius), unit.ball_circle_radius
     straight = 2 * (radius / math.sin(alpha) - found.face_gap / 2) * math.tan(alpha)
     lengths = [found.face_gap, cut, cut + relief, drawing.sleeve.depth, groove, found.pocket_width, 2 * radius]
-    lengths += [straight] if found.profiled == "one" else []
+    lengths += [straight] if found.wall is not None else []
     lengths += [2 * circle, rim, unit.hub_diameter or drawing.sleeve.bore, 2 * radius + relief]
     wanted = sorted([1e3 * length for length in lengths] + [math.degrees(2 * alpha), 360 / unit.balls])
     space = read(drawing).modelspace()
@@ -232,24 +230,6 @@ def test_section_in_true_millimetres(name, afmcalc, tmp_path):
     assert all(line.closed for line in space.query('LWPOLYLINE[layer=="OUTLINE"]'))
 
 
-def test_the_cutter_touches_and_does_not_cut_in(drawn):
-    """Its centre is its radius off the wall it cuts, no nearer to the other, and its edge not below the floor."""
-    clutch, found, drawing = drawn
-    radius = drawing.cutter_radius * 1e3
-    rows = list(csv.DictReader(io.StringIO(profile(drawing))))
-    cutter = np.array([[float(row["cutter_axial [mm]"]), float(row["cutter_around [mm]"])] for row in rows])
-    wall = np.array([[float(row["wall_axial [mm]"]), float(row["wall_around [mm]"])] for row in rows])
-    assert np.hypot(*(cutter - wall).T) == pytest.approx(radius, rel=1e-12)
-    floor = -(found.face_gap / 2 + found.pocket_depth_cut) * 1e3
-    assert (cutter[:, 0] - radius).min() == pytest.approx(floor, abs=1e-9)
-    pocket = np.array([point for each in drawing.contours if each.layer == "POCKET_1" for point in each.points]) * 1e3
-    dense = np.concatenate([np.linspace(a, b, 60) for a, b in zip(pocket, pocket[1:], strict=False)]) * [-1, 1]
-    for centre in cutter:
-        assert np.hypot(*(dense - centre).T).min() >= radius - CHORD * 1.1e3
-    assert float(rows[-1]["travel [mm]"]) >= found.travel_max * 1e3
-    assert float(rows[0]["travel [mm]"]) <= 0
-
-
 def test_svg_is_in_millimetres(drawn):
     _, found, drawing = drawn
     root = ElementTree.fromstring(svg(drawing))
@@ -268,34 +248,18 @@ def test_svg_is_in_millimetres(drawn):
         assert inside.all()
 
 
-def test_a_finer_chord(drawn):
-    clutch, found, drawing = drawn
-    finer = shop_drawing(clutch, found, chord=1e-8)
-    if found.profiled is None:
-        assert len(finer.profile) == 3
-    else:
-        assert len(finer.profile) > 5 * len(drawing.profile)
-        assert 10 < len(drawing.profile) < 30, "theory, section 12: 19 chords hold 1 µm over 2.5 mm"
-
-
 def test_from_the_command_line(afmcalc, tmp_path):
     spec = CONFIGS / "constant-torque.toml"
-    run = afmcalc("plot", "pocket", spec, "-o", tmp_path / "p.dxf", "--profile", tmp_path / "w.csv", "--cutter", "10mm")
+    run = afmcalc("plot", "pocket", spec, "-o", tmp_path / "p.dxf")
     assert (run.code, run.out) == (0, "")
     assert "wrote" in run.err
     assert not ezdxf.readfile(tmp_path / "p.dxf").audit().has_issues
-    assert (tmp_path / "w.csv").read_text().startswith("travel [mm],wall_angle [deg],path_axial [mm]")
     assert afmcalc("plot", "pocket", spec, "-o", tmp_path / "p.svg").code == 0
-    assert afmcalc("plot", "pocket", spec, "--profile", "-").out.count("\n") > 10
 
 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("pocket", "-o", "x.dxf", "--cutter", "30mm"), "takes one of up to 16 mm"),
-        (("pocket", "-o", "x.dxf", "--cutter", "10 kg"), "not a length"),
-        (("pocket", "-o", "x.dxf", "--chord", "0 mm"), "must be greater than 0"),
-        (("pocket", "-o", "x.png", "--profile", "w.csv"), "--profile goes with"),
         (("torque", "-o", "x.dxf"), "only plot pocket and plot section"),
         (("pocket", "-o", "x.dxf", "--set", "sleeve_depth=7.5mm"), "goes through a sleeve of 7.5 mm"),
         (("pocket", "-o", "x.dxf", "--set", "balls=16"), "the pockets cut into each other"),

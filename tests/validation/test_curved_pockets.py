@@ -135,8 +135,6 @@ def test_what_no_wall_does():
         clutch("control_unit.pocket=constant-torque", "control_spring.force=1.9 kN")
     with pytest.raises(SpecError, match="give the slope, or the pocket"):
         clutch("control_unit.pocket=constant-torque", "control_unit.gain_slope=3")
-    with pytest.raises(SpecError, match="is of a curved wall"):
-        clutch("control_unit.profiled=both")
 
 
 def test_the_steps_of_a_curved_pocket():

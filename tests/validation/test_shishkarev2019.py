@@ -135,27 +135,25 @@ def test_the_papers_rule_takes_the_band_as_one_cycle():
 
 @pytest.mark.parametrize("model", ["amplitude", "goodman"])
 @pytest.mark.parametrize("endurance", [1e6, 6e6])
-@pytest.mark.parametrize("low", [0.0, 40.0])
 @pytest.mark.parametrize("source", ["default.toml", "indirect.toml", "unlike-materials.toml"])
-def test_a_slip_at_a_time(model, endurance, low, source):
+def test_a_slip_at_a_time(model, endurance, source):
     """A slow walk through slips: each does its damage by its own swing, those below the endurance limit none."""
     key, value, equivalent = rule(model)
-    block = {**FATIGUE, key: value, "endurance_limit": endurance, "load_low": low}
+    block = {**FATIGUE, key: value, "endurance_limit": endurance}
     data = resolved(read_spec(CONFIGS / source, ["adjustment.method=mean-friction"]))
     clutch = build(make_spec({**data, "fatigue": block}))
     result, _ = life(clutch, model)
     own = clutch.friction
     for side, factor in (("protected", 1.0), ("unprotected", clutch.spec.drive.dynamic_factor)):
-        damage, slips = 0.0, 1_000
+        damage, slips = 0.0, 256
         for number in range(slips):
             share = (number + 0.5) / slips
             high = factor * clutch.torque(*(r.min + share * (r.max - r.min) for r in own))
-            ends = sorted((factor * low / 15e-6, high / 15e-6))
-            stress = equivalent((ends[1] - ends[0]) / 2, (ends[1] + ends[0]) / 2)
+            stress = equivalent(high / 15e-6 / 2, high / 15e-6 / 2)
             if stress > endurance:
                 damage += 1 / (1e7 * (endurance / stress) ** 6)
         found = getattr(result, side).mean_friction
-        assert found is None if damage == 0 else found == pytest.approx(slips / damage, rel=2e-3)
+        assert found is None if damage == 0 else found == pytest.approx(slips / damage, rel=1e-9)
 
 
 @pytest.mark.parametrize(("factor", "times"), [(2.84, 7.7), (1.5, 113), (1.25, 588)])
@@ -236,7 +234,7 @@ def test_the_narrower_band_is_not_advised_without_what_it_costs(afmcalc, margin,
 
 def test_a_threshold_below_any_clutch_is_none(afmcalc):
     result = afmcalc("adjust", "--set", "adjustment.margin=5", "--json").json["result"]
-    assert (result["pairs_threshold"], result["pairs_threshold_at_gain_limit"]) == (None, None)
+    assert result["pairs_threshold"] is None
     assert result["narrower"] == "min-friction"
 
 

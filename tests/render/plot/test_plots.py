@@ -88,7 +88,11 @@ def subject_of(kind, subject):
         return Answers(build(read_spec(CONFIGS / "indirect.toml", [f"closing_spring.disc={{{shape}}}"])))
     if subject == "effects":
         splines = ["spline_friction=0.1", "inner_spline_radius=0.075", "outer_spline_radius=0.125"]
-        neglected = [*(f"friction_group.{each}" for each in splines), "control_unit.wall_friction=0.1"]
+        neglected = [
+            *(f"friction_group.{each}" for each in splines),
+            "heat.lining=0.5 mm",
+            "closing_spring.stiffness=2e4",
+        ]
         return Answers(build(read_spec(CONFIGS / "default.toml", neglected)))
     light = ["drive.motor_inertia=0.2"] if subject == "drive" else []
     return Answers(build(read_spec(CONFIGS / f"{subject}.toml", light)))
@@ -223,8 +227,8 @@ def test_without_a_file_it_is_drawn_as_text(what, afmcalc):
         "tolerance": CONFIGS / "tolerance.toml",
         "simulate": CONFIGS / "drive.toml",
     }
-    sets = {"effects": "control_unit.wall_friction=0.1", "simulate": "drive.motor_inertia=0.2"}
-    more = ["--set", sets[what]] if what in sets else []
+    worn = ["--set", "heat.lining=0.5 mm", "--set", "closing_spring.stiffness=2e4"]
+    more = {"effects": worn, "simulate": ["--set", "drive.motor_inertia=0.2"]}.get(what, [])
     run = afmcalc("plot", what, own.get(what, CONFIGS / "all-driving.toml"), *more)
     assert run.code == 0
     assert "┤" in run.out
