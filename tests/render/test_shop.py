@@ -263,7 +263,6 @@ def test_from_the_command_line(afmcalc, tmp_path):
         (("torque", "-o", "x.dxf"), "only plot pocket and plot section"),
         (("pocket", "-o", "x.dxf", "--set", "sleeve_depth=7.5mm"), "goes through a sleeve of 7.5 mm"),
         (("pocket", "-o", "x.dxf", "--set", "balls=16"), "the pockets cut into each other"),
-        (("torque", "--profile", "w.csv"), "no use for --profile"),
         (("pocket", "-o", "x.dxf", "--set", "C=1"), "undercuts its curved wall"),
     ],
 )

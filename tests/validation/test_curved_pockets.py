@@ -82,7 +82,7 @@ def test_the_slope_from_a_wanted_accuracy():
 
 
 def test_life_where_the_torque_jumps():
-    """The mean damage over the friction, by brute force: T rises to f_set, jumps down, and falls."""
+    """The mean damage over the friction, by brute force, within 1 % by 256 frictions: T rises to f_set, jumps, falls."""
     steep = clutch(
         "control_unit.gain_slope=30", "adjustment.method=mean-friction", "closing_spring.force=75 kN",
         "closing_spring.stiffness=1500 N/mm", "control_spring.stiffness=750 N/mm", "fatigue.ultimate_strength=5 GPa",
@@ -98,7 +98,7 @@ def test_life_where_the_torque_jumps():
     damage = np.where(above, (stress / part.endurance_limit) ** part.exponent / part.base_cycles, 0.0).mean()
     by_method = life(steep, "goodman")[0]
     own = steep.spec.adjustment.method.replace("-", "_")
-    assert getattr(by_method.protected, own) == pytest.approx(1 / damage, rel=1e-4)
+    assert getattr(by_method.protected, own) == pytest.approx(1 / damage, rel=1e-2)
 
 
 @pytest.mark.parametrize("setting", ["as-made", "each-adjusted"])
