@@ -155,7 +155,6 @@ VARIANTS: dict[str, Variant] = {
             takes=(
                 "control_unit.gain_slope",
                 "control_unit.pocket",
-                "control_unit.profiled",
                 "control_unit.sleeve_mass",
                 "drive.hub_inertia",
             ),

@@ -42,13 +42,9 @@ class AdjustResult(Answer):
         "1", "F_п1/F_п2", "spring force set at f_min over that set at the mean friction, without margin", optional=True
     )
     scatter_ratio: float | None = quantity("1", "ΔT_2/ΔT_1", "band set at the mean friction over that set at f_min")
-    scatter_difference: float = quantity("N*m", "ΔT_2−ΔT_1", "band set at the mean friction less that set at f_min")
     narrower: Literal["min-friction", "mean-friction", "equal"] = described("method with the narrower band")
     pairs_threshold: float | None = quantity(
         "1", "z_lim", "number of pairs above which the band set at f_min is the narrower, S19 (12)", optional=True
-    )
-    pairs_threshold_at_gain_limit: float | None = quantity(
-        "1", "z_lim(C_max)", "z_lim at the gain limit C_max = 1/(z_1 f_max), S19 (13)", optional=True
     )
 
 
@@ -69,9 +65,6 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
         narrower = METHODS[0]
     elif ratio is not None and abs(ratio - 1) > 1e-12:
         narrower = METHODS[0] if ratio > 1 else METHODS[1]
-    rule = clutch.spec.kind.gain_limit
-    # a limit of the reduced gain follows the pairs asked for
-    limit = clutch.gain_limit if rule is not None and rule.reduced is None else None
     result = AdjustResult(
         nominal_torque=nominal,
         machine_torque=machine,
@@ -80,10 +73,8 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
         mean_friction=results[1],
         force_ratio=None if clutch.sleeve is not None else adjustment.force_ratio(*_per_force(first)[::-1]),
         scatter_ratio=ratio,
-        scatter_difference=bands[1] - bands[0],
         narrower=narrower,
-        pairs_threshold=_threshold(clutch, clutch.gain),
-        pairs_threshold_at_gain_limit=None if limit is None else _threshold(clutch, limit),
+        pairs_threshold=_threshold(clutch),
     )
     findings = clutch.findings()
     if narrower != "equal":
@@ -143,9 +134,9 @@ def _per_force(clutch: Clutch) -> list[Any]:
     return [clutch.torque_per_force(method) for method in METHODS]
 
 
-def _threshold(clutch: Clutch, gain: Any) -> float | None:
+def _threshold(clutch: Clutch) -> float | None:
     """z of S19 (12); None where it does not apply, or one method is narrower whatever the number of pairs."""
-    spec, friction, margin = clutch.spec, clutch.friction[0], clutch.spec.adjustment.margin
+    spec, friction, margin, gain = clutch.spec, clutch.friction[0], clutch.spec.adjustment.margin, clutch.gain
     if spec.kind.travels or spec.friction.unlike:
         return None
     if not (margin - 1) * gain > 0 or margin * friction.min >= friction.mean:

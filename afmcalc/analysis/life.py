@@ -72,7 +72,7 @@ class LifeResult(Answer):
 def life(
     clutch: Clutch, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = (), answers: Answers | None = None
 ) -> tuple[LifeResult, list[Finding]]:
-    """Calculate the cycles to failure: of the band as one cycle (the paper), or of slips from T_low to T(f) and back.
+    """Calculate the cycles to failure: of the band as one cycle (the paper), or of slips from 0 to T(f) and back.
 
     In a sweep an axis named dT varies the scatter band at fixed T_min.
 
@@ -91,9 +91,14 @@ def life(
 
     def of(side: str, *, from_mean: bool = False) -> MethodCycles:
         loads = {setting: load_of(one, from_mean=from_mean).times(sides[side]) for setting, one in clutches.items()}
+        numbers = {setting: _null(cycles(part, model, load)) for setting, load in loads.items()}
         return MethodCycles(
-            **{setting.replace("-", "_"): _null(cycles(part, model, load)) for setting, load in loads.items()},
-            unlimited=[setting for setting, load in loads.items() if _is_unlimited(part, _stress(part, model, load))],
+            **{setting.replace("-", "_"): number for setting, number in numbers.items()},
+            unlimited=[
+                setting
+                for setting, number in numbers.items()
+                if number is None or _is_unlimited(part, _stress(part, model, loads[setting]))
+            ],
         )
 
     load = load_of(clutch)
@@ -112,7 +117,7 @@ def life(
     )
     about = finding("mean-stress-rule", "info")
     if RULES[model].each_slip:
-        about = finding("slips-averaged", "info", value=part.load_low, path="fatigue.load_low")
+        about = finding("slips-averaged", "info")
     underrated: list[Finding] = []
     if asked_alone and clutch.spec.drive.dynamic_factor is not None and clutch.spec.drive.event is not None:
         # the dynamic factor given may be smaller than that of the event

@@ -217,9 +217,6 @@ def _of_synthesis(clutch: Clutch, unit: SynthesisResult) -> Iterator[_Limit]:
         name = term("contact force on one ball, by Hertz") if by_hertz else term("contact force on one ball")
         code = "contact-force-exceeded" if force > allowable else ""  # one limit may hold where the other does not
         yield _Limit(code, name, "F_n ≤ [F_n]", "N", force, allowable)
-    if unit.seat_force is not None and unit.seat_utilisation:
-        force, allowable = unit.seat_force, unit.seat_force / unit.seat_utilisation
-        yield _Limit("seat-force-exceeded", term("force of a seat on one ball"), "F_s ≤ [F_n]", "N", force, allowable)
 
 
 def _travel(event: SimulateResult) -> float:

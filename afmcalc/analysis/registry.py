@@ -238,7 +238,6 @@ ANALYSES: dict[str, Analysis] = {
             ),
             plot=Plot(
                 "pocket", "section through ball and pockets, to scale; .dxf and .svg for the shop", "clutch",
-                ("profile", "cutter", "chord"),
             ),
         ),
         Analysis(

@@ -1,8 +1,8 @@
 """Stress and life of a part under the load of a clutch, by one cycle over the whole torque band or slip by slip.
 
-The papers' rule takes T_min … T_max as one cycle, although a single slip loads the part from T_low to T(f) and back.
-The rules by amplitude take this cycle for each slip. They assume that friction is uniformly distributed over its range,
-and give the life at the mean damage (Miner; handbook, chapter 4).
+The papers' rule takes T_min … T_max as one cycle, although a single slip loads the part from 0 to T(f) and back. The
+rules by amplitude take this cycle for each slip. They assume that friction is uniformly distributed over its range, and
+give the life at the mean damage (Miner; handbook, chapter 4).
 """
 
 import math
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
-from ..equations.arrays import Values, finite, is_array, larger, smaller
+from ..equations.arrays import Values, finite, is_array
 from ..equations.calls import derived, unnoted
 from ..errors import given
 from ..spec.models import Fatigue, Spec
@@ -21,9 +21,8 @@ from .registry import StressRule
 if TYPE_CHECKING:
     from ..spec.requirements import Requirements
 
-_NODES = 32
-"""Gauss–Legendre nodes of a smooth piece of the damage."""
-_HALVINGS = 55
+_FRICTIONS = 256
+"""Frictions over which the damage is averaged: the middles of so many equal parts of the range."""
 
 
 class Rule(NamedTuple):
@@ -60,26 +59,18 @@ class Load(NamedTuple):
     """Torque of a clutch along its friction range."""
 
     torque: Callable[[Values], Values]
-    """Share (0…1) of the friction range → slip torque, N·m; monotone between the kinks."""
+    """Share (0…1) of the friction range → slip torque, N·m."""
     least: Values
     """Smallest torque, N·m."""
     most: Values
     """Largest torque, N·m."""
-    kinks: tuple[Values, ...] = ()
-    """Shares at which the torque has a kink or an extreme: where a sleeve leaves its stop, where the path bends."""
-    factor: Values | None = None
-    """Dynamic factor of the unprotected side, which the torques include; None on the protected side."""
-
-    def low(self, torque: Values) -> Values:
-        """Torque T_low on this side, from which a slip raises the load, N·m; the factor multiplies it too."""
-        return torque if self.factor is None else law.torque_unprotected(self.factor, torque)
 
     def times(self, factor: Values | None) -> "Load":
         """Return the load on the unprotected side; without a factor the load itself."""
         if factor is None:
             return self
         least, most = (law.torque_unprotected(factor, end) for end in (self.least, self.most))
-        return Load(lambda share: law.torque_unprotected(factor, self.torque(share)), least, most, self.kinks, factor)
+        return Load(lambda share: law.torque_unprotected(factor, self.torque(share)), least, most)
 
     def stretched(self, least: Values, from_band: Values, band: Values) -> "Load":
         """Return the curve scaled to another scatter band above ``least``; a straight line where the band was 0."""
@@ -89,13 +80,13 @@ class Load(NamedTuple):
         def moved(torque: Values) -> Values:
             return least + (torque - least) * (band / from_band)
 
-        return Load(lambda share: moved(self.torque(share)), moved(self.least), moved(self.most), self.kinks)
+        return Load(lambda share: moved(self.torque(share)), moved(self.least), moved(self.most))
 
 
 def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
     """Return the load of a clutch from f_min, or from the mean, to f_max; f_1 and f_2 move together."""
-    (least, *at_least), (most, *at_most) = clutch.extreme_torques("mean" if from_mean else "min")
-    first, start = clutch.friction[0], clutch.path_bend if from_mean else 0.0
+    (least, *_), (most, *_) = clutch.extreme_torques("mean" if from_mean else "min")
+    start = clutch.path_bend if from_mean else 0.0
 
     def torque(share: Values) -> Values:
         at = clutch.path(start + share * (1 - start))
@@ -104,12 +95,7 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
             at = one, two
         return clutch.torque(*at)
 
-    if clutch.sleeve is None:
-        return Load(torque, least, most, (clutch.path_bend,))
-    low = first.mean if from_mean else first.min
-    places = clutch.sleeve.leaving_friction, at_least[0], at_most[0]
-    kinks = tuple((at - low) / larger(first.max - low, 1e-300) for at in places)
-    return Load(torque, least, most, kinks)
+    return Load(torque, least, most)
 
 
 def dynamic_factor(clutch: Clutch, event: Callable[[], SimulateResult] | None = None) -> float:
@@ -128,8 +114,7 @@ def dynamic_factor(clutch: Clutch, event: Callable[[], SimulateResult] | None = 
 def damaging_stress(part: Fatigue, rule: StressRule, load: Load) -> Values:
     """Largest damaging stress, Pa: of the cycle over the band, or of the slip with the largest torque."""
     chosen = RULES[rule]
-    low = load.low(part.load_low) if chosen.each_slip else load.least
-    return _stress(part, chosen, low, load.most)
+    return _stress(part, chosen, 0.0 if chosen.each_slip else load.least, load.most)
 
 
 def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
@@ -142,8 +127,7 @@ def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
     if not is_array(broken) and broken:
         return 0.0
     if chosen.each_slip:
-        low = load.low(part.load_low)
-        number = _slips(part, lambda share: _stress(part, chosen, low, load.torque(share)), load.kinks)
+        number = _slips(part, lambda share: _stress(part, chosen, 0.0, load.torque(share)))
     else:
         number = _line(part, damaging_stress(part, rule, load))
     if not (number.all() if is_array(number) else number):
@@ -173,8 +157,8 @@ def is_static(part: Fatigue, load: Load) -> bool | Values:
 
 
 def _stress(part: Fatigue, rule: Rule, low: Values, high: Values) -> Values:
-    """Damaging stress of a swing between two torques."""
-    ends = (law.shear_stress(end, part.polar_section_modulus) for end in (smaller(low, high), larger(low, high)))
+    """Damaging stress of a swing from the smaller to the larger torque."""
+    ends = (law.shear_stress(end, part.polar_section_modulus) for end in (low, high))
     return finite(rule.stress(part, *ends))
 
 
@@ -189,50 +173,18 @@ def _line(part: Fatigue, stress: Values) -> Values:
         return np.where(np.asarray(stress) > 0, law.cycles(part.endurance_limit, stress, *line), np.nan)
 
 
-def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Values, ...]) -> Values:
-    """Slips to failure, 1/E[1/N] over the friction range; NaN where no slip comes above the endurance limit.
-
-    Between two kinks the stress is monotone and crosses the endurance limit once; only the part above it is integrated.
-    """
+def _slips(part: Fatigue, stress: Callable[[Values], Values]) -> Values:
+    """Slips to failure, 1/E[1/N] over the friction range; NaN where no slip comes above the endurance limit."""
     import numpy as np
 
     limit, line = part.endurance_limit, (part.exponent, part.base_cycles)
-    within = (np.clip(kink, 0.0, 1.0) for kink in kinks)
-    edges = np.sort(np.stack(np.broadcast_arrays(0.0, *within, 1.0)), axis=0)
-    damage, most = np.zeros(()), np.full((), -np.inf)
-    for left, right in zip(edges, edges[1:], strict=False):
-        if np.any(left != right):
-            with unnoted():
-                added, largest = _piece(stress, limit, line, left, right)
-            damage, most = damage + added, np.maximum(most, largest)
-    with np.errstate(all="ignore"):
-        number = np.where((most > limit) & (damage > 0), 1 / damage, np.nan)
-    if number.ndim:
-        return number
-    if np.isnan(number):
-        return math.nan
+    ends = stress(0.0), stress(1.0)
+    shares = (np.arange(_FRICTIONS) + 0.5) / _FRICTIONS
+    with unnoted(), np.errstate(all="ignore"):
+        of_slips = np.asarray(stress(shares.reshape(-1, *(1,) * np.broadcast(*ends, limit, *line).ndim)))
+        damage = np.where(of_slips > limit, 1 / law.cycles(limit, of_slips, *line), 0.0).mean(axis=0)
+    if damage.ndim:
+        with np.errstate(all="ignore"):
+            return np.where(damage > 0, 1 / damage, np.nan)
     # `explain` names the stresses at both ends of the range as the origin of the mean damage
-    mean = derived(float(damage), stress(0.0), stress(1.0))
-    return float(law.cycles_of_mean_damage(mean))
-
-
-def _piece(
-    stress: Callable[[Values], Values], limit: Values, line: tuple[Values, Values], left: Values, right: Values
-) -> tuple[Values, Values]:
-    """Damage of the slips between two shares, between which the stress is monotone, and the largest stress."""
-    import numpy as np
-
-    first, last, *_ = np.broadcast_arrays(stress(left), stress(right), limit, *line)
-    rising = last >= first
-    low, high = (np.broadcast_to(np.asarray(end, float), rising.shape) for end in (left, right))
-    for _ in range(_HALVINGS):
-        middle = (low + high) / 2
-        below = (stress(middle) > limit) == rising
-        low, high = np.where(below, low, middle), np.where(below, middle, high)
-    begin, end = np.where(rising, low, left), np.where(rising, right, high)
-    half = (end - begin) / 2
-    x, weights = np.polynomial.legendre.leggauss(_NODES)
-    at = begin + half * (1 + x.reshape(-1, *(1,) * half.ndim))
-    with np.errstate(all="ignore"):
-        rates = 1 / np.asarray(law.cycles(limit, stress(at), *line))
-        return half * np.tensordot(weights, np.broadcast_to(rates, at.shape), axes=1), np.maximum(first, last)
+    return float(law.cycles_of_mean_damage(derived(float(damage), *ends))) if damage > 0 else math.nan

@@ -2,12 +2,11 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar
 
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
-from ..equations.arrays import finite
 from ..equations.calls import unnoted
 from ..errors import given
 from ..findings import Finding, finding
@@ -31,7 +30,6 @@ class SynthesisResult(Answer):
     wall_angle: float = quantity("rad", "α", "wall angle of the pockets; of a curved wall at the stop")
     wall_angle_max: float | None = quantity("rad", "α_max", "wall angle at the largest travel", optional=True)
     gain_slope: float | None = quantity("1/m", "C_1", "how the gain grows with the sleeve's travel", optional=True)
-    profiled: Literal["one", "both"] | None = described("sleeves with the curved wall", optional=True)
     ball_circle_radius: float = quantity("m", "r", "radius of the ball circle")
     travel_max: float = quantity("m", "x_max", "largest travel of the sleeve")
     face_gap: float = quantity("m", "s", "gap between the faces")
@@ -55,10 +53,6 @@ class SynthesisResult(Answer):
         "N", "F_n,c", "normal force on one ball where the contact pressure is largest", optional=True
     )
     contact_force_allowable: float | None = quantity("N", "[F_n]", "allowable normal force on one ball")
-    seat_force: float | None = quantity(
-        "N", "F_s", "largest force of a wall that seats the ball in the other sleeve", optional=True
-    )
-    seat_utilisation: float | None = quantity("1", "F_s/[F_n]", "utilisation of the seat", optional=True)
     contact_basis: Basis | None = described("where the allowable force is from")
     contact_utilisation: float | None = quantity("1", "F_n/[F_n]", "utilisation of the contact")
     contact_force_hertz: float | None = quantity(
@@ -67,10 +61,6 @@ class SynthesisResult(Answer):
     contact_pressure: float | None = quantity(
         "Pa", "p_0", "largest contact pressure of ball and wall (Hertz)", optional=True
     )
-    gain_at_least_contact_force: float | None = quantity(
-        "1", "C_Fn", "gain at which the same spring presses least on a ball; above it F_n grows", optional=True
-    )
-
     wall: list[WallPoint] | None = described(
         "curved wall from the stop to the face, from the ball's centre at the stop", optional=True
     )
@@ -121,7 +111,6 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         of_the_curve = {
             "wall_angle_max": wall.angle_at(travel / wall.sleeves),
             "gain_slope": clutch.sleeve and clutch.sleeve.gain_slope,
-            "profiled": unit.profiled or "one",
             "undercut_radius": wall.undercut_radius,
             "wall": wall.points() if wall.can_be_cut else None,
         }
@@ -141,7 +130,6 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         ball_pitch=pitch,
         web=None if pitch is None else law.web(pitch, width),
         **contact._asdict(),
-        gain_at_least_contact_force=least_contact_force_gain(clutch),
         **of_the_curve,
     )
     return result, [
@@ -168,22 +156,6 @@ def _unit(clutch: Clutch) -> ControlUnit:
 def _travel(clutch: Clutch) -> float:
     """x_max; a direct clutch has no sleeve, and its law no travel."""
     return float(clutch.sleeve.travel_max) if clutch.sleeve else 0.0
-
-
-def least_contact_force_gain(clutch: Clutch) -> float | None:
-    """Gain at which F_n at f_max is least (spring force kept); None if F_n only grows or only falls."""
-    import numpy as np
-
-    by_gain = clutch.ball_torque_by_gain()
-    if by_gain is None:
-        return None
-    (a0, a1), (b0, b1), start = by_gain
-    ratio = given(given(clutch.spec.control_unit).ball_circle_radius) / float(clutch.mean_radius)
-    cubic = law.least_contact_force_cubic(a0, a1, b0, b1, ratio)
-    with np.errstate(over="raise", divide="raise", invalid="raise"):
-        roots = np.roots([float(finite(each)) for each in cubic])
-    real = sorted(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root) and root.real > start)
-    return float(real[0]) if real else None
 
 
 def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
@@ -232,10 +204,7 @@ def _curve_findings(clutch: Clutch, result: SynthesisResult, sizes: Sequence[flo
     limit = result.undercut_radius
     if limit is None:
         return
-    if result.profiled == "both":
-        yield finding("both-sleeves-unstable", "warning", value=2.0, path="control_unit.profiled")
-    else:
-        yield finding("ball-slides-in-seat", "info", path="control_unit.profiled")
+    yield finding("ball-slides-in-seat", "info", path="control_unit.gain_slope")
     if result.ball_diameter >= 2 * limit:
         path = "control_unit.ball_diameter" if result.ball_diameter_standard is None else "control_unit.gain_slope"
         needed, value, gain = 2 * result.ball_radius, result.ball_diameter, _gain_that_can_be_cut(clutch, sizes)
@@ -292,6 +261,3 @@ def _contact_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult
                 code, path = "contact-force-exceeded/hertz", "control_unit.contact"
             reached, allowed = result.contact_pressure, elastic.allowable_pressure
             yield finding(code, "error", value=force, limit=allowable, path=path, reached=reached, allowed=allowed)
-    if result.seat_force is not None and result.seat_utilisation is not None and result.seat_utilisation > 1:
-        force, path = result.seat_force, result.contact_path
-        yield finding("seat-force-exceeded", "error", value=force, limit=force / result.seat_utilisation, path=path)

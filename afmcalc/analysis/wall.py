@@ -24,7 +24,7 @@ from . import hertz
 DEFAULT_CLEARANCE = 0.002
 """s and y where the spec gives none, m: S21 takes 2…3 mm."""
 CHORD = 1e-6
-"""How far a chord may lie off the wall unless told, m."""
+"""How far a chord may lie off the wall, m."""
 CHORD_SHARE = 1e-5
 """The same of a ball above 200 mm, of its radius: a wall of some metres needs no more chords."""
 _WITHIN = 8
@@ -49,12 +49,15 @@ class Wall(NamedTuple):
     """tan α_0."""
     steepening: float
     """Y'', 1/m."""
-    sleeves: int
-    """m: 1 where the ball stays seated in the other sleeve, 2 with walls alike in both."""
     face_gap: float
     """s, m."""
     ball_radius: float
     """r_ш, m."""
+
+    @property
+    def sleeves(self) -> int:
+        """Sleeves that the ball moves in: one with a curved wall, seated in the other; two with straight walls."""
+        return 1 if self.steepening > 0 else 2
 
     @property
     def angle(self) -> float:
@@ -129,7 +132,7 @@ class Wall(NamedTuple):
 
     @property
     def chord(self) -> float:
-        """How far a chord may lie off the wall unless told, m."""
+        """How far a chord may lie off the wall, m."""
         return max(CHORD, CHORD_SHARE * self.ball_radius)
 
     @property
@@ -139,11 +142,9 @@ class Wall(NamedTuple):
         return 2 * self.at(self.mouth).wall_around
 
     @unnoted()
-    def points(self, chord: float | None = None) -> list[WallPoint]:
+    def points(self) -> list[WallPoint]:
         """Places from the stop to the mouth, so near that chords between them keep within ``chord`` of the wall."""
-        if chord is None:
-            chord = self.chord
-        end, enough = self.mouth, 1
+        end, enough, chord = self.mouth, 1, self.chord
         while self._farthest_off(end, enough) > chord:
             enough *= 2
         counts = range(enough // 2 + 1, enough + 1)
@@ -180,11 +181,8 @@ def wall_of(clutch: Clutch, face_gap: float, ball_radius: float = 0.0) -> Wall:
     circle = given(unit.ball_circle_radius)
     tangent = float(synthesis.tan_wall_angle(clutch.gain, circle, radius))
     slope = float(clutch.sleeve.gain_slope) if clutch.sleeve else 0.0
-    if slope == 0:
-        return Wall(tangent, 0.0, 2, face_gap, ball_radius)
-    sleeves = 2 if unit.profiled == "both" else 1
-    steepening = float(wall_law.path_steepening(slope, circle, radius, sleeves))
-    return Wall(tangent, steepening, sleeves, face_gap, ball_radius)
+    steepening = 0.0 if slope == 0 else float(wall_law.path_steepening(slope, circle, radius))
+    return Wall(tangent, steepening, face_gap, ball_radius)
 
 
 Basis = Literal["given", "hertz-ball-on-flat", "hertz-ball-on-curved-wall"]
@@ -207,9 +205,6 @@ class BallContact(NamedTuple):
     """F_n where the contact pressure is largest, if that is elsewhere, N."""
     contact_pressure: float | None = None
     """Largest contact pressure, Pa."""
-    seat_force: float | None = None
-    """F_s of the straight walls that seat the ball in the other sleeve, N."""
-    seat_utilisation: float | None = None
 
 
 def places_along(clutch: IndirectClutch, wall: Wall) -> tuple[list[float], list[float]]:
@@ -264,16 +259,8 @@ def contact_of(
     if critical is None:
         return contact
     pressure = None if borne is None else float(synthesis.hertz_pressure(elastic.allowable_pressure, critical, borne))
-    contact = contact._replace(
+    return contact._replace(
         contact_utilisation=allowable and used / allowable,
         contact_force_critical=None if worst == most else critical,
         contact_pressure=pressure,
     )
-    if wall.steepening == 0 or wall.sleeves == 2:
-        return contact
-    with unnoted():
-        stop = wall.angle
-        seat = float(np.max(wall_law.seat_force(forces, np.sin(np.add(angles, stop)), math.sin(stop), math.cos(stop))))
-        flat = None if by_hertz is None else float(hertz.allowable_force(elastic, ball))
-    bears = min((limit for limit in (given, flat) if limit is not None), default=None)
-    return contact._replace(seat_force=seat, seat_utilisation=bears and seat / bears)

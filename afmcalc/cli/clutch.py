@@ -22,8 +22,8 @@ SweepOption = Annotated[
         "--sweep",
         metavar="NAME[=RANGE]",
         autocompletion=completing("swept"),
-        help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta; of unlike materials n, p, "
-        "m) over start:stop:count or v1,v2,...; repeatable: several make a grid.",
+        help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta) "
+        "over start:stop:count or v1,v2,...; repeatable: several make a grid.",
     ),
 ]
 
@@ -68,7 +68,6 @@ def accuracy(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc accuracy --sweep C
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
-    afmcalc accuracy example:unlike-materials --sweep n=0.5:1.5:11
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
     clutch = common.clutch(spec)

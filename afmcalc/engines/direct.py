@@ -11,7 +11,7 @@ from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
 from . import parameters
-from .protocol import ByGain, Clutch, TorqueAt, extremes
+from .protocol import Clutch, TorqueAt, extremes
 
 
 @dataclass(frozen=True)
@@ -104,10 +104,6 @@ class DirectClutch(Clutch):
         first, second = self.friction
         peaks = (self.breakaway_torque(*ends) for ends in ((first.max, second.max), (first.min, second.min)))
         return accuracy.accuracy_factor_peak(*peaks)
-
-    def ball_torque_by_gain(self) -> ByGain:
-        """T_2 ∝ 1/(1 + z_2 f_2 C)."""
-        return ByGain((1.0, 0.0), (1.0, float(self.reduced_gain / self.gain) * self.friction[1].max), 0.0)
 
     def _law_findings(self) -> Iterator[Finding]:
         """Gain limits, idle feedback, a torque that falls with friction."""

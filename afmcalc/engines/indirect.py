@@ -13,7 +13,7 @@ from ..messages import say
 from ..spec.models import Method, Spec
 from . import parameters
 from .direct import both_frictions
-from .protocol import ByGain, Clutch, TorqueAt, extremes
+from .protocol import Clutch, TorqueAt, extremes
 from .springs import DiscCharacteristic, SetSpring
 
 if TYPE_CHECKING:
@@ -497,16 +497,6 @@ class IndirectClutch(Clutch):
             return indirect.nominal_torque_ratio(*at_setting)
         pressed = self.normal_force(self.friction_set)
         return indirect.nominal_torque_ratio_as_made(*at_setting, pressed, self.closing_force)
-
-    def ball_torque_by_gain(self) -> ByGain | None:
-        """T ∝ D(f_set)/D(f_max), with F_п2 as made 1/D(f_max); D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C."""
-        if not self.straight:
-            return None
-        springs, start = float(self.closing_stiffness + self.control_stiffness), float(self.gain_threshold)
-        weight = float(self.pairs * self.closing_stiffness)
-        slopes = [weight * float(friction) for friction in (self.friction_set, self.friction[0].max)]
-        at_set, at_max = (((springs - slope * start) / springs, slope / springs) for slope in slopes)
-        return ByGain(at_set if self.made_control_force is None else (1.0, 0.0), at_max, start)
 
     # findings
 

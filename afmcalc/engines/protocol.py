@@ -53,15 +53,6 @@ def _chosen(condition: Any, yes: TorqueAt, no: TorqueAt) -> TorqueAt:
     return tuple(chosen(condition, partial(yes.__getitem__, at), partial(no.__getitem__, at)) for at in places)
 
 
-class ByGain(NamedTuple):
-    """Ball torque at f_max and fixed spring force as a function of C: proportional to (a_0 + a_1 C)/(b_0 + b_1 C)."""
-
-    numerator: tuple[float, float]
-    denominator: tuple[float, float]
-    start: float
-    """Gain at which feedback begins."""
-
-
 @dataclass(frozen=True)
 class Clutch(ABC):
     """A clutch and its law; its numbers are floats or, in a sweep or a search, arrays."""
@@ -204,10 +195,6 @@ class Clutch(ABC):
     def breakaway_torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Upper bound P of the breakaway torque, N·m; arguments as ``torque``."""
         return self.torque(friction, friction_driven)
-
-    @abstractmethod
-    def ball_torque_by_gain(self) -> ByGain | None:
-        """How the torque on the balls at f_max depends on the gain; None where not by a ratio of linear functions."""
 
     # over the friction range
 

@@ -43,30 +43,6 @@ def next_force_opening(
 
 
 @equation
-def tan_wall_angle_loading(
-    tan_wall_angle: TanWallAngle, wall_friction: WallFriction
-) -> Annotated[Number, "tan(α − ρ)", "1"]:
-    """Tangent that a sliding cam's wall acts with while it is driven up, tan(α − ρ), tan ρ = μ.
-
-    Source: Handbook, chapter 13: wedge with friction.
-    Validity: tan α > μ; otherwise the cams lock.
-    """
-    return (tan_wall_angle - wall_friction) / (1 + tan_wall_angle * wall_friction)
-
-
-@equation
-def tan_wall_angle_unloading(
-    tan_wall_angle: TanWallAngle, wall_friction: WallFriction
-) -> Annotated[Number, "tan(α + ρ)", "1"]:
-    """Tangent that a sliding cam's wall acts with while it is driven back, tan(α + ρ), tan ρ = μ.
-
-    Source: Handbook, chapter 13: wedge with friction.
-    Validity: μ tan α < 1.
-    """
-    return (tan_wall_angle + wall_friction) / (1 - tan_wall_angle * wall_friction)
-
-
-@equation
 def ball_mass(density: Density, ball_radius: BallRadius, pi: Pi) -> BallMass:
     """Mass of a ball, ρ (4/3) π r_ш³.
 
@@ -89,18 +65,6 @@ def centrifugal_thrust(
     Validity: Pockets are cones; in grooves along the circle the balls lie against the rim, and ΔN = 0.
     """
     return balls * ball_mass * speed * speed * ball_circle_radius * tan_wall_angle / 2
-
-
-@equation
-def weight_on_pack(
-    pressure_disc_mass: PressureDiscMass, friction_discs_mass: FrictionDiscsMass, gravity: Gravity
-) -> Annotated[Number, "ΔN", "N"]:
-    """Weight that a pair bears with a vertical axis, in the mean of all pairs, g (m_н + m_д/2).
-
-    Source: S19, text of fig. 1 (the axis is horizontal there); handbook, chapter 13.
-    Validity: Splines without friction; exact where all pairs are controlled, else the mean of both groups.
-    """
-    return gravity * (pressure_disc_mass + friction_discs_mass / 2)
 
 
 @equation

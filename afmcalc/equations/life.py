@@ -100,7 +100,7 @@ def damage(
 def cycles_of_mean_damage(mean_damage: MeanDamage) -> Cycles:
     """Slips to failure from the mean damage of a slip, N_ц = 1/D_m.
 
-    Source: Miner: D_m is the mean of 1/N_ц(T_low, T(f)) over the friction of the slips (handbook, chapter 4).
+    Source: Miner: D_m is the mean of 1/N_ц(0, T(f)) over the friction of the slips (handbook, chapter 4).
     Validity: Linear damage; slips below the endurance limit do none.
     """
     return 1 / mean_damage

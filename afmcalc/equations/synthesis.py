@@ -122,29 +122,6 @@ def contact_force(
 
 
 @equation
-def least_contact_force_cubic(
-    numerator_constant: NumeratorConstant,
-    numerator_slope: NumeratorSlope,
-    denominator_constant: DenominatorConstant,
-    denominator_slope: DenominatorSlope,
-    radius_ratio: RadiusRatio,
-) -> Annotated[Number, "k", "1", "coefficients of q²C(a + bC)(a' + b'C) − (a b' − a' b)(1 + q²C²)"]:
-    """Coefficients, highest power first, of the cubic in C whose root makes the contact force least.
-
-    Source: Derivative of F_n ∝ (a + b C)·√(1 + q²C²)/(a' + b' C), q = r/R (handbook, chapter 5).
-    Validity: b' a > b a': the torque falls with C.
-    """
-    squared = radius_ratio * radius_ratio
-    fall = numerator_constant * denominator_slope - numerator_slope * denominator_constant
-    return (
-        squared * numerator_slope * denominator_slope,
-        squared * (numerator_constant * denominator_slope + numerator_slope * denominator_constant - fall),
-        squared * numerator_constant * denominator_constant,
-        -fall,
-    )
-
-
-@equation
 def hertz_contact_modulus(
     ball_modulus: BallModulus, ball_poisson: BallPoisson, wall_modulus: WallModulus, wall_poisson: WallPoisson
 ) -> ContactModulus:

@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 from conftest import CONFIGS, S21, WANTED
-from hypothesis import assume, given
+from hypothesis import given
 from hypothesis import strategies as st
 from strategies import indirect_specs
 
 from afmcalc.analysis import hertz
 from afmcalc.analysis.check import check
-from afmcalc.analysis.synthesize import least_contact_force_gain, synthesize
+from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError
 from afmcalc.spec import make_spec, read_spec
@@ -54,45 +54,6 @@ def test_the_balls_of_a_direct_clutch_carry_only_t_2():
     carried = clutch.release_force(0.8) * 0.05 / math.tan(result.wall_angle)
     assert result.contact_force * 6 * math.cos(result.wall_angle) * 0.05 == pytest.approx(carried)
     assert carried < clutch.torque(0.8)
-
-
-@pytest.mark.parametrize(
-    ("name", "overrides"),
-    [
-        ("indirect", ()),
-        ("indirect", ["control_spring.force=2640", "control_unit.key_friction=0.01"]),
-        ("all-driving", ()),
-        ("default", ()),
-    ],
-)
-def test_gain_of_least_contact_force(name, overrides):
-    """Against a scan of F_n over the gain at equal spring force, also with both forces as made."""
-    spec = read_spec(CONFIGS / f"{name}.toml", overrides)
-    least = least_contact_force_gain(build(spec))
-
-    def force(gain):
-        unit = spec.control_unit.model_copy(update={"gain": float(gain)})
-        return synthesize(build(spec.model_copy(update={"control_unit": unit})))[0].contact_force
-
-    start = build(spec).gain_threshold
-    scan = np.linspace(start + 1e-3, 3 * least, 200)
-    forces = [force(gain) for gain in scan]
-    assert scan[int(np.argmin(forces))] == pytest.approx(least, abs=2 * (scan[1] - scan[0]))
-    assert force(2 * least) > force(least)
-
-
-@given(indirect_specs())
-def test_gain_of_least_contact_force_is_stationary(spec):
-    clutch = build(spec)
-    least = least_contact_force_gain(clutch)
-    assume(least is not None)
-
-    def force(gain):
-        unit = spec.control_unit.model_copy(update={"gain": gain})
-        return synthesize(build(spec.model_copy(update={"control_unit": unit})))[0].contact_force
-
-    assume(least * (1 - 1e-3) > clutch.gain_threshold)
-    assert force(least) <= min(force(least * 0.999), force(least * 1.001)) * (1 + 1e-9)
 
 
 def test_hertz_in_place_of_a_given_force():

@@ -14,7 +14,7 @@ from ...engines.protocol import Clutch
 from ...equations import adjustment, direct, synthesis, wall
 from ...equations.effects import force_lost_by_wear
 from ...errors import given
-from ...spec.models import HARDENED_STEEL, Drive, bore_of
+from ...spec.models import Drive, bore_of
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
@@ -243,11 +243,6 @@ class Candidates:
         """Normal force on one ball per torque, 1/m."""
         return synthesis.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, self.cosine)
 
-    @property
-    def most_per_ball(self) -> Numbers:
-        """Largest force that any wall puts on a ball, per torque, 1/m."""
-        return self.force_per_ball
-
     @cached_property
     def ball_torque(self) -> Numbers:
         """Largest torque that passes the balls, N·m: it grows with f_2, whatever the gain; with a sleeve it is all."""
@@ -321,7 +316,7 @@ class Candidates:
         """Whether there is room for a standard ball that bears its force."""
         # of each listed ball first: they are fewer
         borne = np.asarray(hertz.allowable_force(given(self.need.bearing), self._listed / 2)) * (1 + SAME)
-        allowed = borne[self._places(mouths=True)] / self.most_per_ball
+        allowed = borne[self._places(mouths=True)] / self.force_per_ball
         return self.ball_torque <= np.where(self.tangent > 0, allowed, np.inf)
 
     @cached_property
@@ -398,34 +393,21 @@ class Candidates:
 class CurvedCandidates(Candidates):
     """Candidates with pockets whose curved wall holds the torque."""
 
-    @property
-    def sleeves(self) -> int:
-        """m, sleeves that the ball moves in."""
-        return 2 if self.need.fixed.profiled == "both" else 1
-
     @cached_property
     def steepening(self) -> Numbers:
         """Y'', 1/m."""
-        return wall.path_steepening(self.gain_slope, self.at.ball_circle_radius, self.at.mean_radius, self.sleeves)
+        return wall.path_steepening(self.gain_slope, self.at.ball_circle_radius, self.at.mean_radius)
 
     @cached_property
     def tangent_max(self) -> Numbers:
         """tan α at the largest travel."""
-        return wall.path_tangent(self.tangent, self.steepening, self.travel / self.sleeves)
+        return wall.path_tangent(self.tangent, self.steepening, self.travel)
 
     @cached_property
     def force_per_ball(self) -> Numbers:
         """Most at the largest travel: the torque is held and the wall is steepest."""
         cosine = 1 / np.sqrt(1 + self.tangent_max**2)
         return synthesis.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, cosine)
-
-    @property
-    def most_per_ball(self) -> Numbers:
-        """The seat in the other sleeve bears more than the curved wall."""
-        if self.sleeves == 2:
-            return self.force_per_ball
-        steepest, stop = np.arctan(self.tangent_max), np.arctan(self.tangent)
-        return wall.seat_force(self.force_per_ball, np.sin(steepest + stop), np.sin(stop), np.cos(stop))
 
     @property
     def ball_fits(self) -> Mask:
@@ -441,19 +423,14 @@ class CurvedCandidates(Candidates):
     def ball_reaching(self) -> Numbers:
         """Of the wall at the largest travel."""
         fixed, sine = self.need.fixed, np.sin(np.arctan(self.tangent_max))
-        reach = 2 * self.travel / self.sleeves
-        return 2 * synthesis.ball_radius(reach, fixed.face_gap, fixed.edge_clearance, sine)
+        return 2 * synthesis.ball_radius(2 * self.travel, fixed.face_gap, fixed.edge_clearance, sine)
 
     @cached_property
     def ball_borne(self) -> Numbers:
-        """Largest of what the stop, the largest travel and the flat seat ask for: between them less of it is used."""
+        """Larger of what the stop and the largest travel ask for: between them less of it is used."""
         if self.need.bearing is None:
             return np.zeros(1)
-        bent = [2 * path * np.interp(share, *_bearing()[0], right=np.inf) for path, share in self._shares]
-        if (contact := self.need.contact) is None:
-            return np.maximum(*bent)
-        seat = np.sqrt(self.ball_torque * self.most_per_ball / hertz.allowable_force(contact, 0.5))
-        return np.maximum(np.maximum(*bent), seat)
+        return np.maximum(*(2 * path * _bearing(share)[0] for path, share in self._shares))
 
     @property
     def _shares(self) -> Iterator[tuple[Numbers, Numbers]]:
@@ -471,7 +448,7 @@ class CurvedCandidates(Candidates):
         if self.need.bearing is not None:
             # nearly as large as the path is bent, a ball bears less again
             for path, share in self._shares:
-                diameter = np.where(diameter <= 2 * path * np.interp(-share, *_bearing()[1]), diameter, np.nan)
+                diameter = np.where(diameter <= 2 * path * _bearing(share)[1], diameter, np.nan)
         return diameter
 
     def _next_fitting(self, least: Numbers) -> Numbers:
@@ -493,16 +470,15 @@ class CurvedCandidates(Candidates):
         return 2 * wall.wall_around(around, radius, np.cos(angle))
 
 
-@cache
-def _bearing() -> tuple[tuple[Numbers, Numbers], tuple[Numbers, Numbers]]:
-    """Root of what balls bear on a path bent by 1, over a ball of radius 1 on a flat, and their radii.
+def _bearing(share: Numbers) -> tuple[Numbers, Numbers]:
+    """Least and largest radius of a ball that bears a force on a path bent by 1; infinite and NaN where none does.
 
-    Up to the ball that bears most, then, negative, beyond it: both ascend, for interpolation (1e-9).
+    ``share``: root of the force over what a ball of radius 1 bears on a flat, R_e: 2 r² − (2 + share) r + 2 share = 0.
     """
-    radii = np.linspace(0.0, 1.0, 8193)[1:-1]
-    root = np.sqrt(hertz.allowable_force(HARDENED_STEEL, radii, 1.0) / hertz.allowable_force(HARDENED_STEEL, 1.0))
-    top = int(np.argmax(root))
-    return (np.append(0.0, root[: top + 1]), np.append(0.0, radii[: top + 1])), (-root[top:], radii[top:])
+    half = 2 + share
+    with np.errstate(invalid="ignore"):
+        root = np.sqrt(half * half - 16 * share)
+    return np.where(np.isnan(root), np.inf, 4 * share / (half + root)), (half + root) / 4
 
 
 @cache

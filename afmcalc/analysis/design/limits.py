@@ -109,8 +109,8 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
         )
     if (force := limits.contact_force) is not None:
         yield Constraint(
-            "contact_force", lambda c: c.ball_torque * c.most_per_ball, force, "N", (1, 1),
-            test=lambda c: c.ball_torque <= force * OVER / c.most_per_ball,
+            "contact_force", lambda c: c.ball_torque * c.force_per_ball, force, "N", (1, 1),
+            test=lambda c: c.ball_torque <= force * OVER / c.force_per_ball,
         )  # fmt: skip
     if need.bearing is not None:
         straight = None if curved(need, variant) else lambda c: c.contact_pressure

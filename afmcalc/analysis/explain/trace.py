@@ -16,8 +16,6 @@ _LAWS = (*get_args(Law), "drive", "heat")
 """Modules of equations whose results are for the friction that their arguments are for."""
 _RETURNING = "indirect.net_gain_returning"
 _UNPROTECTED = "life.torque_unprotected"
-_AT_LIMIT = "C_max"
-"""Symbol of the gain limit, for equations that are evaluated at it instead of at the gain of the clutch."""
 _FRICTION = ("friction", "friction_driven", "friction_driving")
 """Arguments that say for which friction an equation is evaluated."""
 _OF_THE_CLUTCH = (
@@ -117,8 +115,6 @@ class Call(NamedTuple):
         friction, module = self._friction, self.equation.name.partition(".")[0]
         if self.equation.name in _OF_THE_CLUTCH or ".accuracy_factor" in self.equation.name:
             return Circumstance()
-        if "gain" in self.arguments and self.symbol("gain") == _AT_LIMIT:
-            return Circumstance(_AT_LIMIT)
         if module in _LAWS and friction and any(mark.origin == _RETURNING for mark in results):
             return Circumstance(friction, "returning")
         if module not in _LAWS and friction:

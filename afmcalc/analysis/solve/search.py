@@ -25,7 +25,6 @@ from ...messages import say
 from ...spec.edit import with_key
 from ...spec.keys import ALIASES, keys
 from ...variants import GainLimit
-from ..sweep.grid import RATIOS, current_ratio, ends_of_ratio
 
 SAME = 1e-9
 """Relative tolerance within which a wanted value counts as reached."""
@@ -54,11 +53,6 @@ class Domain(NamedTuple):
     """Text: what limits the domain at the high end."""
 
 
-def path_for(name: str) -> str:
-    """Return the spec path of a parameter, for a ratio of frictions that of the coefficient that moves."""
-    return RATIOS[name].path if name in RATIOS else ALIASES[name]
-
-
 def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
     """Return the values of a parameter that give a clutch and, unless ``beyond_limit``, keep the gain within its limit.
 
@@ -66,14 +60,10 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
         CalculationError: no value keeps the gain within its limit.
     """
     spec = clutch.spec
-    about = keys()[path_for(name)].about
+    about = keys()[ALIASES[name]].about
     assert about is not None
     low, low_taken = max(about.limits[0], 0.0), about.gt is None
     ends = [(math.inf, "")]
-    if name in RATIOS:
-        low, most = ends_of_ratio(spec, name)
-        low_taken = low > 0
-        ends.append((most, say("as large as the range of f_2 allows")))
     low = float(clutch.gain_threshold if name == "C" else spec.least_pairs if name == "z" else low)
     if name == "z1":
         ends.append((float(spec.friction_group.pairs - 1), say("one driven pair at least")))
@@ -103,8 +93,6 @@ def _gain_limit(clutch: Clutch, limit: GainLimit, name: str) -> float:
         return most
     if gain == 0:
         return math.inf
-    if name == "m":
-        return current_ratio(clutch.spec, name) * most / gain
     if name == "R" and angle_given(clutch.spec):
         return float(clutch.mean_radius) * most / gain
     pairs = float(limit.most(gain, clutch.friction[0].max))

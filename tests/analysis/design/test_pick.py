@@ -26,10 +26,10 @@ OBJECTIVES = [
 ]  # fmt: skip
 KINDS = ["direct", "indirect", "curved", "sprung", "sprung indirect", "unlike"]
 ONLY_WARN = {
-    "feedback-idle", "both-sleeves-unstable", "gain-above-limit", "reduced-gain-above-limit", "unusual",
+    "feedback-idle", "gain-above-limit", "reduced-gain-above-limit", "unusual",
     "below-nominal-torque", "returning-below-nominal",
 }  # fmt: skip
-"""What a file asks for itself: gain 0, walls in both sleeves, a gain beyond its limit, a torque set at the mean."""
+"""What a file asks for itself: gain 0, a gain beyond its limit, a torque set at the mean."""
 
 
 def grid(low, high, count):
@@ -85,7 +85,7 @@ def random_requirements(rng):
         if sleeve:
             data["fixed"]["control_room"] = {"inner_diameter": 0.05, "outer_diameter": 0.2}
     if kind == "curved":
-        data["fixed"] |= {"pocket": "constant-torque", "profiled": str(rng.choice(["one", "both"]))}
+        data["fixed"]["pocket"] = "constant-torque"
     return make_requirements(json.loads(json.dumps(without_none(data))))
 
 

@@ -1,13 +1,9 @@
-"""F11's ratios n, p and m of unlike materials, held against (17) written out here."""
+"""Slopes of K_т in F11's ratios n and p of unlike materials, held against (17) written out here."""
 
 import pytest
 
 from afmcalc.analysis.accuracy import accuracy
-from afmcalc.analysis.curves import accuracy_curve
-from afmcalc.analysis.solve.solve import NotAttainableError, solve
-from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.engines import build
-from afmcalc.errors import AfmcalcError
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import respecified
 
@@ -24,89 +20,6 @@ def factor(n=N, p=P, m=M, z1=1, z2=6, gain=1.25):
 @pytest.fixture(scope="module")
 def clutch():
     return build(read_spec(UNLIKE))
-
-
-def swept(clutch, *texts):
-    return accuracy(clutch, [parse_axis(text, clutch.spec) for text in texts])[0].sweep
-
-
-@pytest.mark.parametrize(
-    ("name", "values"), [("n", (0.5, 0.8, 1.5, 3)), ("p", (0.3, 1, 1.7)), ("m", (1.3, 3, 6, 7.5, 12))]
-)
-def test_one_ratio_moves_and_the_others_stay(clutch, name, values):
-    (series,) = swept(clutch, f"{name}={','.join(map(str, values))}")
-    assert series.values == list(values)
-    assert series.accuracy_factor == pytest.approx([factor(**{name: value}) for value in values], rel=1e-12)
-
-
-def test_which_friction_moves(clutch):
-    """T_min = F R (z_1 f_1min + z_2 f_2min)/(1 + z_2 C f_2min) does not follow n and m, T_max does not follow p."""
-
-    def torque(f1, f2):
-        return 2000 * 0.1 * (f1 + 6 * f2) / (1 + 7.5 * f2)
-
-    (n,), (p,), (m,) = (swept(clutch, text) for text in ("n=0.5,1.5", "p=0.5,1.5", "m=3,6"))
-    assert n.nominal_torque == m.nominal_torque == pytest.approx([torque(0.1, 0.12)] * 2)
-    assert p.nominal_torque == pytest.approx([torque(0.1, 0.05), torque(0.1, 0.15)])
-    assert n.torque_max == pytest.approx([torque(0.6, 0.3), torque(0.6, 0.9)])
-    assert p.torque_max == pytest.approx([torque(0.6, 0.6)] * 2)
-    assert m.torque_max == pytest.approx([torque(0.3, 0.3), torque(0.6, 0.6)])
-
-
-def test_a_grid_of_ratios(clutch):
-    series = swept(clutch, "n=0.8,1.5", "p=1,1.4", "m=4,6")
-    points = zip(*(one.values for one in series), strict=True)
-    assert series[0].accuracy_factor == pytest.approx([factor(*point) for point in points], rel=1e-12)
-
-
-def test_a_range_of_ones_own_stays_within_the_ranges_of_friction(clutch):
-    wide = build(respecified(clutch.spec, {"friction.driven.min": 0.4, "friction.driven.mean": 0.5}))
-    for name, low, high in (("n", 5 / 6, 2), ("p", 2, 5), ("m", 5, 12)):
-        values = parse_axis(name, wide.spec).values
-        assert (values[0], values[-1]) == pytest.approx((low, high))
-        swept(wide, name)
-
-
-def test_a_range_of_ones_own_goes_around_the_ratio_as_it_is_meant(clutch):
-    """0.6/0.1 is 5.999999999999999 in floats; the sweep goes from 3 to 12."""
-    (series,) = swept(clutch, "m")
-    assert (series.values[0], series.values[-1]) == (3.0, 12.0)
-
-
-def test_materials_of_the_catalogue_give_way(clutch):
-    gone = {"friction.driven.min": None, "friction.driven.max": None, "friction.driven.material": "moulded-dry"}
-    of_catalogue = build(respecified(clutch.spec, gone))
-    low, high = of_catalogue.friction[1].min, of_catalogue.friction[1].max
-    result, findings = accuracy(of_catalogue, [parse_axis("n=1", of_catalogue.spec)])
-    assert result.sweep[0].accuracy_factor == pytest.approx([factor(1, low / 0.1)])
-    assert high != 0.6
-    assert [one.path for one in findings if one.code == "sweep-replaces"] == ["friction.driven.material"]
-
-
-@pytest.mark.parametrize(("name", "wanted", "least"), [("n", 1.75, 0.2), ("p", 1.6, 0), ("m", 1.5, 1.2)])
-def test_solved_for(clutch, name, wanted, least):
-    result, solved, _ = solve(clutch, name, "accuracy_factor", wanted)
-    assert result.value > least
-    assert factor(**{name: result.value}) == pytest.approx(wanted, rel=1e-9)
-    assert solved.accuracy_factor == pytest.approx(wanted, rel=1e-9)
-    assert result.unit == "1"
-
-
-def test_the_ends_of_a_ratio(clutch):
-    """m ends at the gain limit, f_1max = 1/(z_1 C) = 0.8; p where f_2min is f_2max, 0.6."""
-    for name, wanted, end in (("m", 5, 8), ("p", 1.01, 6), ("n", 1.5, 0.2)):
-        with pytest.raises(NotAttainableError) as refused:
-            solve(clutch, name, "accuracy_factor", wanted)
-        assert refused.value.at == pytest.approx(end)
-        assert refused.value.best == pytest.approx(factor(**{name: end}))
-    assert solve(clutch, "m", "accuracy_factor", 1.9, beyond_limit=True)[0].value > 8
-
-
-def test_a_curve_over_a_ratio(clutch):
-    curve = accuracy_curve(clutch, "m")
-    assert curve.own == pytest.approx(M)
-    assert curve.series.accuracy_factor == pytest.approx([factor(m=m) for m in curve.series.values])
-    assert len(curve.series.values) == 201
 
 
 def test_slopes(clutch):
@@ -128,29 +41,3 @@ def test_no_slopes_where_the_largest_torque_is_not_at_the_largest_friction(clutc
     assert result.accuracy_factor == pytest.approx(1.104, abs=5e-4)
     assert result.slope_in_ratio_max is None
     assert result.slope_in_ratio_min is None
-
-
-@pytest.mark.parametrize("name", ["n", "p", "m"])
-def test_only_unlike_materials_have_ratios(name):
-    default = build(read_spec("example:default"))
-    with pytest.raises(AfmcalcError, match="is no key or symbol; . is a ratio of unlike materials") as swept_for:
-        parse_axis(name, default.spec)
-    with pytest.raises(AfmcalcError, match="cannot be solved for; . is a ratio of unlike materials"):
-        solve(default, name, "accuracy_factor", 1.5)
-    assert ("control_unit.balls?" in str(swept_for.value)) == (name == "n")
-    result, _ = accuracy(default)
-    assert result.slope_in_ratio_max is None
-
-
-@pytest.mark.parametrize("other", ["friction.driving.min", "friction.driven.max", "friction.driven.mean"])
-def test_a_ratio_beside_a_coefficient_is_refused(clutch, other):
-    with pytest.raises(AfmcalcError, match="cannot be swept together"):
-        swept(clutch, "m=4,5", f"{other}=0.11,0.3")
-
-
-def test_names_in_what_is_printed(afmcalc):
-    run = afmcalc("accuracy", UNLIKE, "--sweep", "n=0.5,1", "--format", "csv")
-    assert run.out.startswith("friction.driven.max/friction.driving.max [1],")
-    series = afmcalc("accuracy", UNLIKE, "--sweep", "n=0.5,1", "--json").json["result"]["sweep"][0]
-    assert series["parameter"] == "n"
-    assert "m           ratio f_1max/f_1min" in afmcalc("solve", "--help").out
