@@ -8,7 +8,7 @@ import pytest
 from sources import FILES, nodes
 
 LINE = (
-    *("equations", "ground", "variants", "spec", "engines"),
+    *("laws", "equations", "ground", "variants", "spec", "engines"),
     *("drive", "papers", "analysis", "render", "web", "cli", "door"),
 )
 """A room imports from itself and from rooms to its left."""
