@@ -204,7 +204,8 @@ def _curve_findings(clutch: Clutch, result: SynthesisResult, sizes: Sequence[flo
     limit = result.undercut_radius
     if limit is None:
         return
-    yield finding("ball-slides-in-seat", "info", path="control_unit.gain_slope")
+    key = "gain_slope" if given(clutch.spec.control_unit).pocket is None else "pocket"
+    yield finding("ball-slides-in-seat", "info", path=f"control_unit.{key}")
     if result.ball_diameter >= 2 * limit:
         path = "control_unit.ball_diameter" if result.ball_diameter_standard is None else "control_unit.gain_slope"
         needed, value, gain = 2 * result.ball_radius, result.ball_diameter, _gain_that_can_be_cut(clutch, sizes)
