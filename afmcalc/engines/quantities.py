@@ -166,10 +166,6 @@ class Quantities:
         """The quantities that are given or follow from what is; those at a friction are asked of a case."""
         return sorted(name for name in {*self.laws.laws, *self._names} if name in self)
 
-    def known(self, *names: str) -> dict[str, Any]:
-        """Return the values of those of some quantities that are given or follow from what is, by name."""
-        return {name: self[name] for name in names if name in self}
-
     def missing(self, name: str) -> list[str]:
         """What would have to be given before a quantity can be calculated; empty where it can be."""
         return self.laws.missing(name, self._names)

@@ -124,6 +124,18 @@ def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = Fals
     return Quantities(laws, found, noted=noted)
 
 
+def by_rule(clutch: "Wired", rule: str) -> Quantities:
+    """Return the quantities of a clutch with the laws of a rule for the damaging stress of a life."""
+    own = clutch.quantities
+    choose, variant, method, keys = own.laws.made_by or ()
+    chosen = keys - {*RULES} | ({rule} & {*RULES})
+    if chosen == keys:
+        return own
+    found = Quantities(choose(variant, method, chosen), own.given)
+    found.steps = own.steps
+    return found
+
+
 _NAMES = """\
 friction          min=friction_min mean=friction_mean max=friction_max
 friction.driving  min=friction_driving_min mean=friction_driving_mean max=friction_driving_max
@@ -139,7 +151,7 @@ machine           power=motor_power speed=motor_speed ratio=drive_ratio efficien
 machine           service_factor starting_torque_ratio
 shaft             diameter=shaft_diameter yield_strength
 drive             dynamic_factor
-fatigue           endurance_limit polar_section_modulus exponent base_cycles load_low mean_stress_sensitivity
+fatigue           endurance_limit polar_section_modulus exponent base_cycles mean_stress_sensitivity
 fatigue           ultimate_strength
 """
 NAMES: dict[str, dict[str, str]] = {}

@@ -146,7 +146,6 @@ key_friction | f_1 | 1 | friction coefficient at the key
 key_friction_force | F_тр | N | friction force of the key on the sleeve
 largest_driven_torque | T | N*m | torque that passes the balls
 load_factor | k | 1 | factor of the load: 1, or the dynamic factor
-load_low | T_low | N*m | least torque of a slip's load cycle (amplitude, goodman)
 load_rise | ΔT' | N*m | load rise until slip
 load_rise_max | ΔT_max | N*m | load rise until slip at f_min
 load_risen | T_н.маш + ΔT | N*m | load
