@@ -82,7 +82,7 @@ def _of_key(clutch: Quantities) -> Iterator[Finding]:
         yield finding("returning-covered", "info", value=returning, limit=nominal, path=key, machine=machine)
 
 
-def _of_materials(friction: Friction) -> Iterator[Finding]:
+def material_findings(friction: Friction) -> Iterator[Finding]:
     """Materials echoed with their source, as what they are read, and what counts where it may be one of several."""
     for block, of_group in friction.blocks.items():
         path, rows = f"{block}.material", of_group.materials
@@ -100,7 +100,7 @@ def _of_materials(friction: Friction) -> Iterator[Finding]:
 def _of_setting(spec: Spec, nominal: float, lowest: float) -> Iterator[Finding]:
     """Materials with their source; a wished torque that the ``nominal`` one misses, or that service falls below."""
     wished = spec.adjustment.nominal_torque
-    yield from _of_materials(spec.friction)
+    yield from material_findings(spec.friction)
     if wished is not None and abs(nominal - wished) > 1e-4 * wished:
         path = "adjustment.nominal_torque"
         yield finding("nominal-torque-missed", "warning", value=nominal, limit=wished, path=path)

@@ -3,11 +3,12 @@
 from collections.abc import Iterator
 from typing import Any
 
+from ..engines import Clutch
 from ..engines.layout import TOUCHES, PartName, SectionPart, inertia_of, length_of, overlaps, parts_of, sizes_of
-from ..engines.protocol import Clutch
 from ..findings import Finding, finding
 from ..messages import say, term
 from ..result import Answer, Result, described, quantity
+from .clutch_findings import clutch_findings
 
 
 class LayoutPart(Result):
@@ -58,7 +59,7 @@ def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
         driven_inertia=inertia_of(parts, "driven"),
         parts=[*rows_of(parts)],
     )
-    return result, [*clutch.findings(), *_findings(clutch, result, parts)]
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *_findings(clutch, result, parts)]
 
 
 def rows_of(parts: list[SectionPart]) -> Iterator[LayoutPart]:

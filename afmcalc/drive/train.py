@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from ..engines import Clutch
 from ..engines.layout import inertia_of, parts_of, sizes_of
-from ..engines.protocol import Clutch
 from ..equations import drive as law
 from ..equations.arrays import V, is_array
 from ..equations.calls import unnoted
@@ -114,7 +114,7 @@ def train_of(clutch: Clutch) -> Train:
             "afmcalc init --kind drive writes a spec that has it"
         )
         raise clutch.spec.refused("drive.event", message)
-    load: Number = clutch.running_torque if given.load_torque is None else given.load_torque
+    load: Number = clutch["running_torque"] if given.load_torque is None else given.load_torque
     motor, speed = given.motor, given.speed
     if motor is None:
         engine = Engine(load if given.motor_torque is None else given.motor_torque, None, 0.0)

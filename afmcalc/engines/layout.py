@@ -11,10 +11,11 @@ from functools import reduce
 from itertools import combinations, product
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from ..equations import drive, effects, springs, synthesis
+from ..equations import drive, effects, springs
 from ..equations.arrays import Values, larger, smaller
+from ..laws import control_unit
 from ..spec.models import DiscStack, Room, Spec, bore_of
-from .protocol import Clutch
+from .adapter import Clutch
 from .springs import STEEL, characteristic
 
 FACE_GAP = 0.002
@@ -165,7 +166,7 @@ def parts_of(size: Sizes) -> list[SectionPart]:
     behind = plate_at + plate
     there: Any = size.ball > 0
     reach = size.circle + size.ball / 2
-    cut = synthesis.pocket_depth_cut(size.ball / 2, gap) + plate if size.depth is None else size.depth
+    cut = control_unit.pocket_depth_cut(size.ball / 2, gap) + plate if size.depth is None else size.depth
     depth = cut * there
     # a sleeve is as wide as its balls, and goes under the pack
     rim = larger(smaller(reach, carrier) * there, hub)

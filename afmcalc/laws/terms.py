@@ -47,6 +47,7 @@ base_cycles | N_0 | 1 | base cycles of the S-N line
 bend_of_path | s_cp | 1 | share of the common path at which both frictions have their means
 breakaway_torque | P | N*m | breakaway torque, upper bound
 bypass_pairs | z_1 | 1 | pairs that bypass the control unit
+can_hold_torque |  |  | whether there is a wall that holds the torque
 circumferential_force | F_o | N | circumferential force on all the balls
 closing_disc |  |  | disc springs of the closing spring
 closing_force | F_п | N | closing-spring force as set
@@ -178,6 +179,7 @@ normal_force_moving | N | N | normal force on the pairs
 normal_force_moving_back | N | N | normal force while the sleeve moves back
 normal_force_returning | N | N | normal force, friction falling under load
 normal_force_seated | N | N | normal force on the pairs
+no_slope | C_1 | 1/m | growth of the gain with travel where no wall holds the torque
 nothing | 0 | 1 | nothing
 onset_torque | T_1(0) | N*m | torque that the bypass pairs carry alone, before the balls take a share
 optimal_reduced_gain | (zC)_opt | 1 | reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum

@@ -8,8 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 from typing import NamedTuple, TypeVar
 
-from ...engines import build
-from ...engines.protocol import Clutch
+from ...engines import Clutch, build
 from ...equations.arrays import Floats, Values
 from ...errors import AfmcalcError, SpecError
 from ...findings import Finding, finding
