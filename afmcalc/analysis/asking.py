@@ -25,19 +25,19 @@ class Asking(Result):
             if (shown := shown_as(field)).asked:
                 term = term_of(shown.quantity or name)
                 field.json_schema_extra = replace(
-                    shown, unit=term.unit, symbol=term.symbol, quantity=shown.quantity or name
+                    shown, unit=term.unit, symbol=shown.symbol or term.symbol, quantity=shown.quantity or name
                 )
                 field.description = field.description or term.meaning
 
 
 def asked(quantity: str = "", description: str = "", *, optional: bool = False, **shown: Any) -> Any:
-    """Declare a field that has the value of a quantity: symbol, unit and meaning are those of ``laws.terms``.
+    """Declare a field that has the value of a quantity: unit, symbol and meaning are those of ``laws.terms``.
 
     Args:
         quantity: name of the quantity, where it is not that of the field.
         description: what it is, where the result has other words for it than the terms.
         optional: leave the field null (and out of tables) where the quantity does not follow from what is given.
-        shown: the rest, as ``Shown``.
+        shown: the rest, as ``Shown``; a ``symbol`` where the result has another one than the terms.
     """
     about = Shown(asked=True, quantity=quantity, **shown)
     if optional:
@@ -53,15 +53,15 @@ class _Question(NamedTuple):
 
 
 @cache
-def _questions(kind: type[Result]) -> tuple[list[_Question], tuple[str, ...]]:
-    """What the fields of a result ask, and all of the names."""
+def _questions(kind: type[Result]) -> list[_Question]:
+    """What the fields of a result ask."""
     questions = []
     for field, info in kind.model_fields.items():
         if (shown := shown_as(info)).asked:
             over_range = Triple in (info.annotation, *get_args(info.annotation))
             names = tuple(f"{shown.quantity}_at_{case}" for case in ENDS) if over_range else (shown.quantity,)
             questions.append(_Question(field, names, optional=not info.is_required()))
-    return questions, tuple(name for question in questions for name in question.names)
+    return questions
 
 
 def answer(kind: type[R], clutch: Quantities, **values: Any) -> R:
@@ -73,13 +73,15 @@ def answer(kind: type[R], clutch: Quantities, **values: Any) -> R:
         clutch: the quantities.
         values: the fields that are not asked, and those of the others that are something else here.
     """
-    questions, names = _questions(kind)
-    known = clutch.known(*names)
-    for field, names, optional in questions:
-        if field in values or (optional and names[0] not in known):
+    for field, names, optional in _questions(kind):
+        if field in values or (optional and names[0] not in clutch):
             continue
-        found = [
-            known[name] if name in known else clutch[name] for name in names
-        ]  # a required one says what is missing
+        found = [clutch[name] for name in names]  # of a required one this says what is missing
         values[field] = Triple(min=found[0], mean=found[1], max=found[2]) if len(found) > 1 else found[0]
     return kind(**values)
+
+
+def asked_by(kind: type[Result], clutch: Quantities) -> dict[str, str]:
+    """Return what the fields of a result, of a sweep say, ask of a clutch: field → quantity, of those that it has."""
+    names = {question.field: question.names[0] for question in _questions(kind)}
+    return {field: name for field, name in names.items() if name in clutch}

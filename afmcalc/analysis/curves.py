@@ -12,12 +12,12 @@ from ..errors import AfmcalcError, CalculationError, given
 from ..result import Result, described, quantity
 from ..spec.keys import is_whole
 from ..spec.models import Method
-from .accuracy import AccuracySweep, sweep_outputs
+from .accuracy import AccuracySweep
 from .adjust import METHODS, AdjustResult, set_by
 from .answers import Answers
+from .asking import asked_by
 from .life import LifeResult, LifeSweep, band_axis, life_sweep
-from .overload import OF_TRIP, Actuation, OverloadSweep, refuse
-from .overload import SWEEP_OUTPUTS as OVERLOAD_OUTPUTS
+from .overload import OverloadSweep, refuse
 from .registry import StressRule
 from .sweep.axes import current_value, find_key, parse_axis
 from .sweep.grid import Axis, S, series
@@ -139,7 +139,7 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
     limit = clutch.gain_limit if axis.key.path == "control_unit.gain" else None
     return AccuracyCurve(
         **_of(clutch),
-        series=_over(axis, AccuracySweep, clutch, sweep_outputs(clutch)),
+        series=_over(axis, AccuracySweep, clutch, asked_by(AccuracySweep, clutch.quantities)),
         about="reduced gain" if axis.name == "zC" else axis.key.description,
         symbol="zC" if axis.name == "zC" else axis.key.symbol or "",
         unit=axis.key.unit or "1",
@@ -216,7 +216,7 @@ def _of(clutch: Clutch) -> dict[str, Any]:
 
 def _over(axis: Axis, kind: type[S], clutch: Clutch, outputs: Mapping[str, Callable[[Clutch], Any]]) -> S:
     """Sweep over one axis."""
-    return given(series(kind, clutch, [axis], outputs))[0]
+    return given(series(kind, clutch.spec, [axis], outputs))[0]
 
 
 def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -364,7 +364,7 @@ def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] |
     }
     if clutch.bypass_pairs and clutch.spec.kind.controlled:
         outputs["peak_torque_bypass"] = bypass_peaks
-    rows = series(SimulateSweep, clutch, sweeps, outputs, open_at=("peak_torque_bypass",))
+    rows = series(SimulateSweep, clutch.spec, sweeps, outputs, open_at=("peak_torque_bypass",))
     count = sum(int(np.count_nonzero(~peaks.passed)) for _, peaks in asked)
     return rows, [finding("sweep-not-settled", "warning", value=count, path="drive.cut_off")] if count else []
 

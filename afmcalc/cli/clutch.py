@@ -70,7 +70,7 @@ def accuracy(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
-    clutch = common.clutch(spec)
+    clutch = common.wired(spec)
     common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch))
 
 
@@ -82,7 +82,7 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
     afmcalc adjust clutch.toml
     afmcalc adjust clutch.toml --set beta=1.1 --json
     """  # noqa: D301
-    common.calculate(common.clutch(spec))
+    common.calculate(common.wired(spec))
 
 
 @with_common
@@ -105,7 +105,7 @@ def overload(
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
-    clutch = common.clutch(spec)
+    clutch = common.wired(spec)
     points = [friction_of(text) for text in friction or ()]
     common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch), friction=points)
 
@@ -160,7 +160,7 @@ def life(
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
-    clutch = common.clutch(spec)
+    clutch = common.wired(spec)
     common.calculate(clutch, curve, model=model, sweeps=axes_of(sweep, clutch, band=True))
 
 

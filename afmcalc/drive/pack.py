@@ -259,7 +259,8 @@ class Sleeve(Pack):
     def least(self) -> Values:
         """Slip torque while the sleeve moves back from its largest travel, N·m."""
         own = self.law
-        fixed = own.known("friction_mean", "gain_slope")  # they may follow from f_max, which is not meant here
+        # they may follow from f_max, which is not meant here
+        fixed = {name: own[name] for name in ("friction_mean", "gain_slope") if name in own}
         return own.at(friction=self.friction, friction_max=_FAR, **fixed)["torque_returning"]
 
     @property

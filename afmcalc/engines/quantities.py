@@ -168,11 +168,7 @@ class Quantities:
 
     def get(self, name: str, default: Any = None) -> Any:
         """Return a quantity, or ``default`` where it is not given and does not follow from what is."""
-        return self[name] if name in self else default
-
-    def known(self, *names: str) -> dict[str, Any]:
-        """Return the values of those of some quantities that are given or follow from what is, by name."""
-        return {name: self[name] for name in names if name in self}
+        return self[name] if name in self else default  # noqa: SIM401
 
     def missing(self, name: str) -> list[str]:
         """What would have to be given before a quantity can be calculated; empty where it can be."""

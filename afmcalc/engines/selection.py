@@ -124,6 +124,18 @@ def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = Fals
     return Quantities(laws, found, noted=noted)
 
 
+def by_rule(clutch: "Wired", rule: str) -> Quantities:
+    """Return the quantities of a clutch with the laws of a rule for the damaging stress of a life."""
+    own = clutch.quantities
+    choose, variant, method, keys = own.laws.made_by or ()
+    chosen = keys - {*RULES} | ({rule} & {*RULES})
+    if chosen == keys:
+        return own
+    found = Quantities(choose(variant, method, chosen), own.given)
+    found.steps = own.steps
+    return found
+
+
 _NAMES = """\
 friction          min=friction_min mean=friction_mean max=friction_max
 friction.driving  min=friction_driving_min mean=friction_driving_mean max=friction_driving_max
@@ -182,7 +194,8 @@ def _materials(spec: "Spec") -> Iterator[tuple[str, float]]:
 
 def as_set(clutch: Quantities, **values: Any) -> Quantities:
     """Return the same clutch with other values of some quantities; its springs and pockets stay as they are."""
-    laws, kept = clutch.laws, clutch.known("closing_force", "gain_slope")
+    laws = clutch.laws
+    kept = {name: clutch[name] for name in ("closing_force", "gain_slope") if name in clutch}
     if "control_force" in clutch:
         kept["control_force_made"] = clutch["control_force"]
         assert laws.made_by is not None

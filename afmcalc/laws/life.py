@@ -1,7 +1,7 @@
 """Fatigue life of a part that the load of the clutch swings (S19 (14)–(20); handbook, chapter 4).
 
 The case ``unprotected`` multiplies the load by the dynamic factor; ``forecast`` takes it from the mean friction on. By
-the papers' rule the whole band is one cycle; by the rules of amplitude each slip is one, T_low → T(f) → T_low, and the
+the papers' rule the whole band is one cycle; by the rules of amplitude each slip is one, 0 → T(f) → 0, and the
 damage is the mean of 256 slips over the range (Miner).
 """
 
@@ -12,7 +12,6 @@ from .wiring import Either, Same
 
 load_factor = 1.0
 dynamic_factor = 1.0
-load_low = 0.0
 ultimate_strength = math.inf
 mean_stress_sensitivity = 0.0
 torque_low, torque_high = Same("torque_min"), Same("torque_max")
@@ -154,7 +153,7 @@ def mean_damage(counted_damage_at_each_slip):
 def cycles_of_mean_damage(mean_damage):
     """Slips to failure from the mean damage of a slip, N_ц = 1/D_m.
 
-    Source: Miner: D_m is the mean of 1/N_ц(T_low, T(f)) over the friction of the slips (handbook, chapter 4).
+    Source: Miner: D_m is the mean of 1/N_ц(0, T(f)) over the friction of the slips (handbook, chapter 4).
     Validity: Linear damage; slips below the endurance limit do none.
     """
     return quotient(1.0, mean_damage)
@@ -180,7 +179,7 @@ def friction_slips_from_mean(friction_mean, friction_max):
 
 def _each_slip(damaging_stress):
     return {
-        "torque_low": Same("load_low"),
+        "torque_low": 0.0,
         "damaging_stress": damaging_stress,
         "cycles": Either("is_broken", "nothing", "cycles_of_mean_damage"),
     }

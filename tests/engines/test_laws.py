@@ -72,7 +72,6 @@ ALTERNATIVES = {
     *(
         "allowable_pressure",
         "dynamic_factor",
-        "load_low",
         "ultimate_strength",
         "mean_stress_sensitivity",
         "service_factor",

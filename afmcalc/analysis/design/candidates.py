@@ -18,7 +18,7 @@ from ...spec.models import Drive, bore_of
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
-from ..slips import Load, life_of, with_modulus
+from ..life import life_of
 from .space import SAME, Axes, Mask, Numbers, Places, balls, curved
 
 _NEWTON_STEPS = 12
@@ -205,11 +205,9 @@ class Candidates:
 
         Where an event gives the dynamic factor, of the protected side alone: the other is known when it is simulated.
         """
-        part, drive = with_modulus(self.need), self.need.drive or Drive()
         ends = (self.closing_force * each for each in self.torques_per_force)
         least, most = (np.where(np.isfinite(torque), torque, np.nan) for torque in ends)
-        load = Load(lambda share: np.where(share > 0, most, least), least, most)
-        return np.minimum(life_of(part, load), life_of(part, load.times(drive.dynamic_factor)))
+        return life_of(self.need, least, most)
 
     @cached_property
     def torque_after_wear(self) -> Numbers:

@@ -23,8 +23,8 @@ MOST_POINTS = 200_000
 _BLOCK = 16_000
 """Points calculated at a time: as many as an array may have that the allocator keeps (128 KiB); a larger one it gives
 back to the system each time, and fetching its pages anew takes longer than all the arithmetic."""
-Output = Callable[[Clutch], Values]
-"""What is asked of the clutch at every point."""
+Output = str | Callable[[Clutch], Values]
+"""What is asked of the clutch at every point: a quantity, or a function of it."""
 
 
 class Axis(NamedTuple):
@@ -74,17 +74,18 @@ S = TypeVar("S", bound=Series)
 
 def series(
     kind: type[S],
-    clutch: Clutch,
+    spec: Spec,
     axes: Sequence[Axis],
     outputs: Mapping[str, Output],
     open_at: Sequence[str] = (),
+    block: int = _BLOCK,
 ) -> list[S] | None:
     """Sweep ``outputs`` over the grid of ``axes``, one series per axis, NaN in ``open_at`` None; None without axes."""
     if not axes:
         return None
     points = grid(axes)
     values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
-    answers = {name: array.tolist() for name, array in evaluate(clutch.spec, values, outputs).items()}
+    answers = {name: array.tolist() for name, array in evaluate(spec, values, outputs, block).items()}
     answers |= {
         name: [None if value != value else value for value in answers[name]] for name in open_at if name in answers
     }
@@ -94,8 +95,10 @@ def series(
     ]
 
 
-def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Output]) -> dict[str, Floats]:
-    """Evaluate functions of the clutch with arrays, SI, in place of the numbers at some paths of its spec.
+def evaluate(
+    spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Output], block: int = _BLOCK
+) -> dict[str, Floats]:
+    """Evaluate quantities or functions of the clutch with arrays, SI, in place of the numbers at some paths of its spec.
 
     Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand
     for all their elements: those are validated, then the arrays go through the same engine as numbers do.
@@ -126,9 +129,9 @@ def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Out
     # stretches of a flat sweep whose intermediate arrays stay in the processor's cache; else the whole
     flat = len(shape) == 1 and all(array.shape == shape for array in arrays.values())
     with np.errstate(all="ignore"):
-        for block in [slice(start, start + _BLOCK) for start in range(0, shape[0], _BLOCK)] if flat else [...]:
-            swept = edit.with_values(valid, {path: array[block] for path, array in arrays.items()})
+        for part in [slice(start, start + block) for start in range(0, shape[0], block)] if flat else [...]:
+            swept = edit.with_values(valid, {path: array[part] for path, array in arrays.items()})
             clutch = build(swept)
-            for name, function in outputs.items():
-                answers[name][block] = function(clutch)
+            for name, output in outputs.items():
+                answers[name][part] = clutch.quantities[output] if isinstance(output, str) else output(clutch)
     return answers

@@ -18,7 +18,8 @@ from ...spec import Spec
 from ...spec.edit import value_at, with_key, with_values
 from ...spec.keys import scatter_at
 from ...spec.tolerance import FRICTION, Distribution, Tolerance, percentage
-from ..slips import dynamic_factor
+from ..answers import Answers
+from ..life import dynamic_factor
 
 Array: TypeAlias = NDArray[np.float64]
 _NEVER = 1e-20
@@ -331,7 +332,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     spec = clutch.spec
     if spec.fatigue is not None:
         # the life of every sample takes that of the nominal clutch
-        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(clutch)})
+        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec, Answers(clutch))})
     if as_made:
         spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
     if clutch.sleeve is not None:

@@ -15,7 +15,6 @@ from ...equations import life as law
 from ...equations.arrays import Values
 from ...errors import given
 from ...spec.tolerance import FRICTION, Tolerance
-from ..slips import with_modulus
 from .model import Array, Input, Model, normal_probability, normal_score
 from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, QuantileRow
 
@@ -133,9 +132,8 @@ def life_of(model: Model, clutch: Clutch, slips: list[Slip]) -> Values:
 
 def damage_of(clutch: Clutch, torque: Values) -> Values:
     """Damage of one slip on the protected side, by the paper's S–N line."""
-    part = with_modulus(clutch.spec)
-    stress = law.shear_stress(torque, part.polar_section_modulus)
-    return law.damage(part.endurance_limit, stress, part.exponent, part.base_cycles)
+    own = clutch.quantities
+    return own.at(damaging_stress=own.at(torque=torque)["shear_stress"])["damage"]
 
 
 def unprotected(clutch: Clutch, life: Values) -> Values:
