@@ -283,13 +283,13 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
 
 def weakened(clutch: Clutch, loss: Values) -> Clutch:
     """The clutch with less force on its pack at rest, N."""
-    name = "control_force_made" if clutch.sleeve else "closing_force"
+    name = "control_force_made" if clutch.spec.kind.travels else "closing_force"
     return clutch.held(**{name: clutch.pack_force_at_rest - loss})
 
 
 def with_pairs(clutch: Clutch, bypass: Values, controlled: Values) -> Clutch:
     """The clutch with pairs that count in part, its springs as they are set."""
-    return clutch.held(pairs=bypass + controlled, bypass_pairs=0.0 if clutch.sleeve else bypass)
+    return clutch.held(pairs=bypass + controlled, bypass_pairs=0.0 if clutch.spec.kind.travels else bypass)
 
 
 SOURCES: Mapping[EffectName, EffectSource] = {

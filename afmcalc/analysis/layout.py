@@ -55,7 +55,7 @@ def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
         outer_diameter=2 * parts[0].boxes[0].outer,
         mass=sum(body.mass for part in parts for body in part.bodies),
         driving_inertia=inertia_of(parts, "driving"),
-        hub_inertia=inertia_of(parts, "hub") if clutch.sleeve else None,
+        hub_inertia=inertia_of(parts, "hub") if clutch.spec.kind.travels else None,
         driven_inertia=inertia_of(parts, "driven"),
         parts=[*rows_of(parts)],
     )

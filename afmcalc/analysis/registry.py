@@ -62,7 +62,7 @@ class Analysis(NamedTuple):
     """Class of its result, in ``home``."""
     group: str
     """Commands that belong together: what a command takes."""
-    applies: Callable[["Clutch"], bool] = lambda clutch: True
+    applies: Callable[[Any], bool] = lambda clutch: True
     """Whether a clutch can be asked."""
     options: tuple[str, ...] = ()
     """Its arguments beside the clutch, of those that ``Answers`` has."""

@@ -305,7 +305,7 @@ def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
 def _has_key(clutch: Clutch) -> bool:
     """Whether the sleeve slides on a key that rubs."""
     unit = clutch.spec.control_unit
-    return clutch.sleeve is not None and unit is not None and bool(unit.key_friction)
+    return clutch.spec.kind.travels and unit is not None and bool(unit.key_friction)
 
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:

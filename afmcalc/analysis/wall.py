@@ -5,7 +5,6 @@ from bisect import bisect_left
 from typing import NamedTuple
 
 from ..engines.selection import Wired
-from ..laws import control_unit
 from ..laws import curved_wall as law
 from ..result import Result, quantity
 
@@ -72,12 +71,8 @@ class Wall(NamedTuple):
 
     def clearance(self, travel: float) -> float:
         """How far below the face the ball touches where it does least, m: at the largest travel, or at the stop."""
-        angles = (law.wall_angle_max(self.tangent, self.steepening, depth) for depth in (0.0, travel / self.sleeves))
-        at_stop, at_end = map(math.sin, angles)
-        left = control_unit.edge_clearance_standard
-        most = 2 * travel / self.sleeves
-        return float(min(left(self.ball_radius, 0.0, self.face_gap, at_stop),
-                         left(self.ball_radius, most, self.face_gap, at_end)))
+        points = (self.at(depth) for depth in (0.0, travel / self.sleeves))
+        return min(-point.wall_axial for point in points) - self.face_gap / 2
 
     @property
     def mouth(self) -> float:

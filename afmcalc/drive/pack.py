@@ -377,7 +377,7 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
         CalculationError: a sleeve that would be off its stop without load.
     """
     bypass, controlled, gain = (clutch[name] for name in ("bypass_pairs", "controlled_pairs", "gain"))
-    if not clutch.sleeve:
+    if not clutch.spec.kind.travels:
         return _discs(clutch, clutch["closing_force"], bypass, controlled, gain, driving, driven)
     net, control, closing = (clutch[name] for name in ("net_gain", "control_force", "closing_force"))
     if not is_array(net) and not net:

@@ -91,7 +91,7 @@ class Train:
 def inertias_of(clutch: Clutch) -> tuple[Number, Number]:
     """J_2 and J_h, kg·m²: as given, else of the layout, which the rules then see to; a direct clutch has no J_h."""
     driven: Number = clutch.spec.drive.driven_inertia
-    hub: Number = clutch.spec.drive.hub_inertia if clutch.sleeve else 0.0
+    hub: Number = clutch.spec.drive.hub_inertia if clutch.spec.kind.travels else 0.0
     if driven is None or hub is None:
         parts = parts_of(sizes_of(clutch))
         driven = inertia_of(parts, "driven") if driven is None else driven

@@ -32,11 +32,6 @@ class Clutch:
         """Return a quantity, also in a case."""
         return self.quantities[name]
 
-    @property
-    def sleeve(self) -> "Clutch | None":
-        """The clutch itself if it has a thrust sleeve, which only an indirect one has."""
-        return self if self.spec.kind.travels else None
-
     @cached_property
     def friction(self) -> tuple[Range, Range]:
         """Ranges of f_1 and f_2, twice the same with one material."""
@@ -68,7 +63,7 @@ class Clutch:
         if friction_driven is not None and friction_driven is not friction:
             second = _checked(friction_driven)
         same = first is second or first == second
-        if self.spec.friction.unlike or (not self.sleeve and first is not second):
+        if self.spec.friction.unlike or (not self.spec.kind.travels and first is not second):
             return self.quantities.at(friction_driving=first, friction_driven=second)
         if not (bool(same.all()) if is_array(same) else same):
             raise ValueError(say("an indirect clutch has one friction for all pairs"))
@@ -93,8 +88,8 @@ class Clutch:
         """The spring that extends as the pack wears: of an indirect clutch the control one, as the stop moves along."""
         from .springs import SetSpring
 
-        name, spring = "control" if self.sleeve else "closing", self.spec.closing_spring
-        coil = None if self.sleeve else spring.coil
+        name, spring = "control" if self.spec.kind.travels else "closing", self.spec.closing_spring
+        coil = None if self.spec.kind.travels else spring.coil
         stiffness = self.quantities.get(f"{name}_stiffness", coil and coil.rate)
         return SetSpring(self["pack_force_at_rest"], stiffness, self.quantities.given.get(f"{name}_disc"))
 
@@ -116,7 +111,7 @@ class Clutch:
         from .springs import spring_demands
 
         control = None
-        if self.sleeve:
+        if self.spec.kind.travels:
             control, travel = float(self["control_force"]), max(travel, float(self["travel_max"]))
         return spring_demands(self.spec, float(self["closing_force"]), control, travel)
 

@@ -119,14 +119,14 @@ class Sizes(NamedTuple):
 def sizes_of(clutch: Clutch) -> Sizes:
     """Return the sizes of a clutch whose spec has an envelope, the sleeve with room to travel."""
     spec: Any = clutch.spec
-    room, group, unit, sleeve = spec.envelope, spec.friction_group, spec.control_unit, clutch.sleeve
+    room, group, unit, travels = spec.envelope, spec.friction_group, spec.control_unit, spec.kind.travels
     hub = room.hub_diameter if unit is None or unit.hub_diameter is None else unit.hub_diameter
     size = Sizes(
-        spec.kind.travels, group.pairs, group.inner_radius, group.outer_radius, bore_of(spec) / 2, hub / 2,
+        travels, group.pairs, group.inner_radius, group.outer_radius, bore_of(spec) / 2, hub / 2,
         room.disc_thickness, room.plate_thickness, room.housing_wall,
-        travel=sleeve.travel_max if sleeve else 0.0,
-        closing=_spring(spec, "closing", clutch.closing_force),
-        control=_spring(spec, "control", sleeve.control_force) if sleeve else SpringSize(),
+        travel=clutch["travel_max"] if travels else 0.0,
+        closing=_spring(spec, "closing", clutch["closing_force"]),
+        control=_spring(spec, "control", clutch["control_force"]) if travels else SpringSize(),
     )  # fmt: skip
     if unit is None or unit.ball_diameter is None or unit.ball_circle_radius is None:
         return size

@@ -14,7 +14,7 @@ from ...equations import wall
 from ...equations.effects import force_lost_by_wear
 from ...errors import given
 from ...laws import adjustment, control_unit, curved_wall, direct, pack, pressure
-from ...spec.models import Drive, bore_of
+from ...spec.models import bore_of
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz

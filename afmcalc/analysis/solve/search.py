@@ -268,7 +268,7 @@ def closed_inverse(clutch: Clutch, name: str, target: str, now: float, wanted: f
     follows = unit is not None and unit.pocket is not None
     if name == "F" and target in (_PROPORTIONAL if straight or follows else _AT_SETTING):
         return adjustment.closing_force(wanted, 1.0, now / float(clutch.closing_force))
-    if not clutch.sleeve:
+    if not clutch.spec.kind.travels:
         if target == "accuracy_factor":
             return _for_accuracy(clutch, name, wanted)
         # with the spring set for a nominal torque, the torques no longer follow the law at fixed force

@@ -53,9 +53,9 @@ def _engine(name: str, unit: str, about: str, better: Literal["low", "high"], *s
     """Return a quantity of the engines, called as theirs, as a target."""
 
     def value(clutch: Clutch) -> Values:
-        if clutch.sleeve is None and name in ("control_force", "travel_max"):
+        if not clutch.spec.kind.travels and name in ("control_force", "travel_max"):
             raise AfmcalcError("{name} is only of an indirect clutch: a direct one has no sleeve", name=name)
-        lasting = clutch.sleeve is not None or name != "accuracy_factor_hysteresis"
+        lasting = clutch.spec.kind.travels or name != "accuracy_factor_hysteresis"
         return getattr(clutch, name if lasting else "accuracy_factor")
 
     return name, Target(unit, about, value, better, symbols)

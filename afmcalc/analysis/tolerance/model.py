@@ -335,7 +335,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
         spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec, Answers(clutch))})
     if as_made:
         spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
-    if clutch.sleeve is not None:
+    if clutch.spec.kind.travels:
         spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
     if "gain_slope" in clutch.quantities:
         # pockets are cut once, for the nominal clutch
