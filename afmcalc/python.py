@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from . import __version__, engines
 from .analysis.registry import ANALYSES, SpringKind, SpringOrder, StressRule
-from .engines.protocol import Clutch as Engine
+from .engines import Clutch as Engine
 from .equations.arrays import Floats
 from .errors import BEYOND_NUMBERS, VARIABLE, CalculationError, chosen_language
 from .findings import Finding

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
-from .equations import direct
 from .equations.arrays import Values
+from .laws import direct
 
 Law = Literal["direct", "indirect"]
 Paths: TypeAlias = tuple[str, ...]
@@ -95,7 +95,7 @@ class Variant:
 
 
 BREAKAWAY_LIMIT = GainLimit(
-    most=direct.gain_limit_differentiated,
+    most=direct.DIFFERENTIATED["gain_limit"],
     code="gain-above-limit",
     quantity="feedback gain",
     symbol="C ≤ 1/(z_1 f_1max)",
@@ -104,12 +104,12 @@ BREAKAWAY_LIMIT = GainLimit(
 """Above it the bypass pairs alone carry more than the regulated torque (F11, after (20), S22 (24))."""
 
 REDUCED_LIMIT = GainLimit(
-    most=lambda pairs, friction_max: direct.gain_limit_all_driving(pairs),
+    most=lambda pairs, friction_max: direct.ALL_DRIVING["gain_limit"](pairs),
     code="reduced-gain-above-limit",
     quantity="reduced gain",
-    symbol=f"zC ≤ {direct.RECOMMENDED_REDUCED_GAIN}",
-    rule=f"zC = {direct.RECOMMENDED_REDUCED_GAIN}",
-    reduced=direct.RECOMMENDED_REDUCED_GAIN,
+    symbol="zC ≤ 5",
+    rule="zC = 5",
+    reduced=5,
 )
 """Recommended by S22."""
 

@@ -4,7 +4,7 @@ from contextlib import nullcontext
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ..engines.protocol import Clutch
+from ..engines import Clutch
 from ..equations.calls import unnoted
 from ..findings import Finding
 from ..result import Result

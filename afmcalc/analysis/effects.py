@@ -2,18 +2,18 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Literal, NamedTuple
 
-from ..engines.protocol import Clutch
+from ..engines import Clutch
 from ..equations import effects as law
-from ..equations import synthesis
 from ..equations.arrays import Values
 from ..errors import CalculationError, Problem, SpecError
 from ..findings import Finding, finding
+from ..laws import pack
 from ..messages import say, term
 from ..result import Answer, Result, Triple, described, quantity
 from ..spec.edit import value_at
+from .clutch_findings import clutch_findings
 
 EffectName = Literal["spline-friction", "centrifugal", "wear"]
 NOTICEABLE = 0.05
@@ -119,7 +119,7 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
         effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
     )
     remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
-    return result, [*clutch.findings(), *remarks, *_findings(clutch, result)]
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks, *_findings(clutch, result)]
 
 
 def effects_curve(clutch: Clutch) -> EffectsCurve:
@@ -263,7 +263,7 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
 
 def _centrifugal(clutch: Clutch, speed: float, balls: int, diameter: float, circle: float) -> Bracket:
     """Conical pockets, as they are and with the force of balls thrown outward."""
-    tangent = synthesis.tan_wall_angle(clutch.gain, circle, clutch.mean_radius)
+    tangent = pack.tan_wall_angle(clutch.gain, circle, clutch.mean_radius)
     mass = law.ball_mass(STEEL, diameter / 2, math.pi)
     return _weaker(clutch, float(law.centrifugal_thrust(balls, mass, speed, circle, tangent)), "drive.speed")
 
@@ -283,22 +283,13 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
 
 def weakened(clutch: Clutch, loss: Values) -> Clutch:
     """The clutch with less force on its pack at rest, N."""
-    if clutch.sleeve is None:
-        return replace(clutch, closing_force=clutch.closing_force - loss)
-    return replace(clutch.sleeve, made_control_force=clutch.sleeve.control_force - loss)
-
-
-def _springs_held(clutch: Clutch) -> Clutch:
-    """The clutch with its control spring, if it has one, as made: no change of the law sets it again."""
-    sleeve = clutch.sleeve
-    return clutch if sleeve is None else replace(sleeve, made_control_force=sleeve.control_force)
+    name = "control_force_made" if clutch.spec.kind.travels else "closing_force"
+    return clutch.held(**{name: clutch.pack_force_at_rest - loss})
 
 
 def with_pairs(clutch: Clutch, bypass: Values, controlled: Values) -> Clutch:
     """The clutch with pairs that count in part, its springs as they are set."""
-    if clutch.sleeve is not None:
-        bypass, controlled = 0.0, bypass + controlled
-    return replace(_springs_held(clutch), bypass_pairs=bypass, controlled_pairs=controlled)
+    return clutch.held(pairs=bypass + controlled, bypass_pairs=0.0 if clutch.spec.kind.travels else bypass)
 
 
 SOURCES: Mapping[EffectName, EffectSource] = {

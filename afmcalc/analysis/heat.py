@@ -18,7 +18,7 @@ from ..drive.heat import (
     run_down,
 )
 from ..drive.result import EnergySource, HeatResult
-from ..engines.protocol import Clutch
+from ..engines import Clutch
 from ..equations import heat as law
 from ..equations.arrays import Values
 from ..equations.calls import derived, unnoted
@@ -31,6 +31,7 @@ from ..spec.catalogues import Material, friction_materials
 from ..spec.models import Heat, missing_of
 from ..units import ZEROS
 from .answers import Answers
+from .clutch_findings import clutch_findings
 from .registry import ANALYSES
 
 _NAMES = {"min": "f_min", "mean": term("f_cp", "symbol"), "max": "f_max"}
@@ -235,7 +236,7 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
         trips_to_wear_out=worn_out,
         **_setting(clutch, own),
     )
-    return result, [*clutch.findings(), *remarks(clutch, own, result, slips)]
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks(clutch, own, result, slips)]
 
 
 def _each(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:

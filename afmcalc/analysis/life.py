@@ -29,7 +29,7 @@ from .registry import StressRule
 from .sweep.grid import Axis, replaced, series
 
 if TYPE_CHECKING:
-    from ..engines.protocol import Clutch
+    from ..engines import Clutch
     from ..spec.requirements import Requirements
 
 Setting = Literal["as-set", Method]
@@ -152,8 +152,8 @@ def _require(spec: Spec, model: StressRule) -> None:
 def _by_setting(own: Quantities, *cases: str) -> MethodCycles:
     """Cycles of a side, springs as they are and set by both methods."""
     numbers, unlimited = dict[str, float | None](), list[Setting]()
-    settings: dict[Setting, str] = {"as-set": "", **METHODS}
-    for setting, case in settings.items():
+    settings: list[tuple[Setting, str]] = [("as-set", ""), *METHODS.items()]
+    for setting, case in settings:
         load = own.at(case)
         for each in cases:
             load = load.at(each)

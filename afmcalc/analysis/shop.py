@@ -8,8 +8,8 @@ first sleeve has the curved wall, if there is one, and the second seats the ball
 import math
 from typing import NamedTuple, TypeAlias
 
+from ..engines import Clutch
 from ..engines.layout import parts_of, sizes_of
-from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..messages import say
 from ..spec import Spec

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..engines.protocol import Clutch
+from ..engines import Clutch
 from ..equations import heat as law
 from ..equations.arrays import Floats, Values
 from ..equations.calls import unnoted
@@ -180,7 +180,7 @@ def motor_torque(clutch: Clutch) -> Values:
     """M_1, N·m: as given, else the load before the trip, else that of the machine."""
     drive = clutch.spec.drive
     given = drive.load_torque if drive.motor_torque is None else drive.motor_torque
-    return clutch.running_torque if given is None else given
+    return clutch["running_torque"] if given is None else given
 
 
 def run_down(drive: Drive, torque: Values, motor: Values) -> HeatedSlip:

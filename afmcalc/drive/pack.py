@@ -12,15 +12,14 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from ..engines import parameters
-from ..engines.direct import DirectClutch
-from ..engines.indirect import IndirectClutch
-from ..engines.protocol import Clutch
-from ..engines.springs import root
-from ..equations import adjustment, direct, drive, pocket, sleeve
+from ..engines import Clutch
+from ..engines.quantities import Quantities
+from ..engines.springs import SetSpring, root
+from ..equations import drive, sleeve
 from ..equations.arrays import Values, is_array, larger, smaller
 from ..equations.terms import Number
 from ..errors import CalculationError
+from ..laws import adjustment, curved, direct, indirect
 
 _IDLE = 1e-9
 """Replaces κ = 0 in an array, so that nothing is divided by 0; the clutch still acts as an ordinary one."""
@@ -69,7 +68,7 @@ class Pack(ABC):
 
     def carried(self, normal_force: Number, ratio: Number) -> Number:
         """Torque at which a normal force slips, friction times ``ratio``."""
-        return direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
+        return indirect.torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
 
     def pressed_at_stop(self, torque: Number, net_gain: float) -> Number:
         """Normal force at the stop for a gain κ or κ₊, N."""
@@ -193,7 +192,7 @@ class DirectPack(Pack):
 class Sleeve(Pack):
     """Discs, springs, key and balls of an indirect clutch at one friction; numbers, or arrays in a sweep."""
 
-    law: IndirectClutch
+    law: Quantities
     friction: Number
     mass: Number = 0.0
     static_ratio: Number = 1.0
@@ -206,21 +205,35 @@ class Sleeve(Pack):
 
     travels = True
     lag = 0.0
+    closing_spring: ClassVar[SetSpring]
+    control_spring: ClassVar[SetSpring]
+    stop_gain: ClassVar[Number]
+    """C at the stop."""
+    gain_slope: ClassVar[Number]
+    """C_1, 1/m; 0 of a straight wall."""
 
     def __post_init__(self) -> None:
         """Ask the law once for what does not change."""
-        law, returning = self.law, self.law.net_gain_returning
-        net = larger(law.net_gain, _IDLE) if is_array(law.net_gain) else law.net_gain
+        law, returning = self.law, self.law["net_gain_returning"]
+        net = larger(law["net_gain"], _IDLE) if is_array(law["net_gain"]) else law["net_gain"]
+        springs = {
+            name: SetSpring(law[f"{name}_force"], law[f"{name}_stiffness"], law.given.get(f"{name}_disc"))
+            for name in ("closing", "control")
+        }
+        straight = all(spring.disc is None for spring in springs.values())
         vars(self).update(
-            mean_radius=law.mean_radius,
-            friction_pairs=law.pairs * self.friction,
-            closing_force=law.closing_force,
-            least_force=law.closing_force,
-            resting_force=law.control_force,
+            mean_radius=law["mean_radius"],
+            friction_pairs=law["pairs"] * self.friction,
+            closing_force=law["closing_force"],
+            least_force=law["closing_force"],
+            resting_force=law["control_force"],
             net_gain=net,
             net_gain_returning=returning,
-            straight_springs=None if law.curved else (law.closing_stiffness, law.control_stiffness),
+            stop_gain=law["gain"],
+            gain_slope=law.get("gain_slope", 0.0),
+            straight_springs=tuple(spring.straight_stiffness for spring in springs.values()) if straight else None,
             stop_gains={0: (net, returning), 1: (net, net), -1: (returning, returning)}[self.branch],
+            **{f"{name}_spring": spring for name, spring in springs.items()},
         )
 
     @cached_property
@@ -231,21 +244,24 @@ class Sleeve(Pack):
     @cached_property
     def farthest(self) -> Number:
         """Travel at which the closing spring is slack, m."""
-        return self.law.closing_spring.deflection
+        return self.closing_spring.deflection
 
     @property
     def farthest_turn(self) -> Number:
         """Turn of the balls at the travel ``farthest``, rad."""
-        return sleeve.turn(self.farthest, self.mean_radius, self.law.gain, self.law.gain_slope)
+        return sleeve.turn(self.farthest, self.mean_radius, self.stop_gain, self.gain_slope)
 
     def torque(self, ratio: Number) -> Number:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
-        return self.law.torque(ratio * self.friction)
+        return self.law.at(friction=ratio * self.friction)["torque"]
 
     @property
     def least(self) -> Values:
         """Slip torque while the sleeve moves back from its largest travel, N·m."""
-        return self.law.torque_returning(self.friction, _FAR)
+        own = self.law
+        # they may follow from f_max, which is not meant here
+        fixed = {name: own[name] for name in ("friction_mean", "gain_slope") if name in own}
+        return own.at(friction=self.friction, friction_max=_FAR, **fixed)["torque_returning"]
 
     @property
     def growth(self) -> float:
@@ -267,18 +283,18 @@ class Sleeve(Pack):
 
     def steeper(self, net_gain: Number, travel: Number) -> Number:
         """C, κ or κ₊ at a travel, from its value at the stop."""
-        return pocket.gain_at(net_gain, self.law.gain_slope, travel)
+        return curved.gain_acting(net_gain, self.gain_slope, travel)
 
     def gain(self, travel: Number) -> Number:
         """C at a travel."""
-        return self.steeper(self.law.gain, travel)
+        return self.steeper(self.stop_gain, travel)
 
     def moment(self, travel: Number) -> Number:
         """S(x), N·m."""
         if self.straight_springs is not None:
             springs = self.closing_force, self.resting_force, *self.straight_springs
             return sleeve.spring_moment(self.mean_radius, *springs, travel)
-        control = self.law.control_spring.force(travel)
+        control = self.control_spring.force(travel)
         return sleeve.spring_moment(self.mean_radius, self._slackened(travel), control, 0.0, 0.0, 0.0)
 
     def work(self, travel: Number) -> Number:
@@ -291,24 +307,24 @@ class Sleeve(Pack):
         return larger(self._slackened(travel), 0.0)
 
     def _slackened(self, travel: Number) -> Number:
-        return self.law.closing_spring.force(-self._slackening(travel))
+        return self.closing_spring.force(-self._slackening(travel))
 
     def _slackening(self, travel: Number) -> Number:
         """How far the closing spring has lengthened, m: a slack disc spring no more."""
-        return travel if self.law.closing_disc is None else smaller(travel, self.farthest)
+        return travel if self.closing_spring.disc is None else smaller(travel, self.farthest)
 
     def _stiffnesses(self, travel: Number) -> tuple[Number, Number]:
         """c_1 and c_2 at a travel, N/m."""
-        closing, control = self.law.closing_spring, self.law.control_spring
+        closing, control = self.closing_spring, self.control_spring
         return closing.stiffness(-self._slackening(travel)), control.stiffness(travel)
 
     def travel(self, turn: Number) -> Number:
         """Travel of the sleeve for a turn of the balls in either direction, m."""
-        return sleeve.travel(abs(turn), self.mean_radius, self.law.gain, self.law.gain_slope)
+        return sleeve.travel(abs(turn), self.mean_radius, self.stop_gain, self.gain_slope)
 
     def turn_under(self, torque: float) -> Values:
         """Turn of the balls at rest after the torque has risen to ``torque``, rad; 0 up to T_н."""
-        if self.law.curved:
+        if self.straight_springs is None:
             travel = root(
                 lambda at: self.moment(at) - torque * self.net_gain,
                 lambda at: self.mean_radius * sum(self._stiffnesses(at)),
@@ -317,10 +333,10 @@ class Sleeve(Pack):
         else:
             lifted = torque * self.net_gain / self.mean_radius - (self.resting_force - self.closing_force)
             off = lifted > _ROUNDING * self.resting_force
-            stiffness = sum(self._stiffnesses(0.0)) - torque * self.law.gain_slope / self.mean_radius
+            stiffness = sum(self._stiffnesses(0.0)) - torque * self.gain_slope / self.mean_radius
             # at the stop the 1 prevents 0/0: there a constant-torque pocket has no stiffness
             travel = off * lifted / (stiffness + (1 - 1 * off))
-        return sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
+        return sleeve.turn(travel, self.mean_radius, self.stop_gain, self.gain_slope)
 
     def inertia(self, travel: Number, net_gain: Number) -> Number:
         """Moment of inertia that the sleeve's mass adds to the turn of the balls, kg·m²."""
@@ -335,7 +351,7 @@ class Sleeve(Pack):
         moment = self.moment(travel)
         if not is_array(self.mass) and not self.mass:
             return moment
-        slope, speed = self.law.gain_slope, self.speed(travel, rate)
+        slope, speed = self.gain_slope, self.speed(travel, rate)
         return moment - sleeve.centrifugal_moment(self.mass, self.mean_radius, self.gain(travel), slope, speed)
 
     def key_limits(self, travel: Number) -> tuple[Number, Number]:
@@ -348,7 +364,7 @@ class Sleeve(Pack):
 
     def torsional(self, travel: Number, net_gain: Number, torque: Number) -> Number:
         """Stiffness against a turn, N·m/rad."""
-        slope = self.law.gain_slope
+        slope = self.gain_slope
         return sleeve.torsional_stiffness(
             *self._stiffnesses(travel), self.mean_radius, net_gain, self.gain(travel), slope, torque
         )
@@ -360,39 +376,39 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
     Raises:
         CalculationError: a sleeve that would be off its stop without load.
     """
-    indirect = clutch.sleeve
-    if indirect is None:
-        return _discs(clutch, driving, driven)
-    if not is_array(indirect.net_gain) and not indirect.net_gain:
+    bypass, controlled, gain = (clutch[name] for name in ("bypass_pairs", "controlled_pairs", "gain"))
+    if not clutch.spec.kind.travels:
+        return _discs(clutch, clutch["closing_force"], bypass, controlled, gain, driving, driven)
+    net, control, closing = (clutch[name] for name in ("net_gain", "control_force", "closing_force"))
+    if not is_array(net) and not net:
         # κ = 0: the key's friction equals the feedback, and the clutch acts as an ordinary one
-        ordinary = DirectClutch(
-            indirect.closing_force, indirect.mean_radius, indirect.pairs, 0.0, 0.0, spec=indirect.spec
-        )
-        return _discs(ordinary, driving, driven)
-    control = indirect.control_force
-    below = np.asarray(control < clutch.closing_force)
+        return _discs(clutch, closing, clutch["pairs"], 0.0, 0.0, driving, driven)
+    below = np.asarray(control < closing)
     if below.any():
         raise CalculationError(
             "simulate: the control spring ({control:.5g N}) must press more than the closing spring "
             "({closing:.5g N}), else the sleeve is off its stop without load",
             control=np.broadcast_to(control, below.shape)[below].flat[0],
-            closing=np.broadcast_to(clutch.closing_force, below.shape)[below].flat[0],
+            closing=np.broadcast_to(closing, below.shape)[below].flat[0],
         )
-    return Sleeve(indirect, driving, _of_unit(clutch, "sleeve_mass"), *_static_and_lever(clutch))
+    return Sleeve(clutch.quantities, driving, _of_unit(clutch, "sleeve_mass"), *_static_and_lever(clutch))
 
 
 def ordinary_pack(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
     """Return the same discs without control unit, set for the same nominal torque."""
-    bypass = clutch.bypass_pairs
-    pack = clutch.mean_radius, bypass, clutch.spec.friction_group.pairs - bypass, 0.0
-    ordinary = DirectClutch(1.0, *pack, friction=clutch.friction, spec=clutch.spec)
-    force = adjustment.closing_force(clutch.nominal_torque, parameters.margin(clutch.spec), ordinary.torque_per_force())
-    return replace(_discs(replace(ordinary, closing_force=force), driving, driven), lag=0.0)
+    bypass = clutch["bypass_pairs"]
+    pack = bypass, clutch["pairs"] - bypass, 0.0
+    at_setting = clutch["friction_driving_set"], clutch["friction_driven_set"]
+    arm = direct.torque_per_force(clutch["mean_radius"], *pack, *at_setting)
+    force = adjustment.closing_force(clutch["nominal_torque"], clutch["margin_in_spring"], arm)
+    return replace(_discs(clutch, force, *pack, driving, driven), lag=0.0)
 
 
-def _discs(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
-    pack = clutch.closing_force, clutch.mean_radius, clutch.bypass_pairs, clutch.controlled_pairs, clutch.gain
+def _discs(
+    clutch: Clutch, force: Number, bypass: Number, controlled: Number, gain: Number, driving: Values, driven: Values
+) -> DirectPack:
     ratio, decay, lever = _static_and_lever(clutch)
+    pack = force, clutch["mean_radius"], bypass, controlled, gain
     return DirectPack(*pack, driving, driven, ratio, decay, _of_unit(clutch, "release_lag"), lever)
 
 
@@ -404,7 +420,7 @@ def _of_unit(clutch: Clutch, key: str) -> Any:
 
 def _static_and_lever(clutch: Clutch) -> tuple[Number, Number, Number]:
     """Static over sliding friction, R/v_s by which it decays with the slip, and r/R; 0 what is not known."""
-    friction, radius = clutch.spec.friction, clutch.mean_radius
+    friction, radius = clutch.spec.friction, clutch["mean_radius"]
     ratio = 1.0 if friction.static_ratio is None else friction.static_ratio
     decay = 0.0 if friction.stribeck_speed is None else radius / friction.stribeck_speed
     return ratio, decay, _of_unit(clutch, "ball_circle_radius") / radius

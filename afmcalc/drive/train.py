@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from ..engines import Clutch
 from ..engines.layout import inertia_of, parts_of, sizes_of
-from ..engines.protocol import Clutch
 from ..equations import drive as law
 from ..equations.arrays import V, is_array
 from ..equations.calls import unnoted
@@ -91,7 +91,7 @@ class Train:
 def inertias_of(clutch: Clutch) -> tuple[Number, Number]:
     """J_2 and J_h, kg·m²: as given, else of the layout, which the rules then see to; a direct clutch has no J_h."""
     driven: Number = clutch.spec.drive.driven_inertia
-    hub: Number = clutch.spec.drive.hub_inertia if clutch.sleeve else 0.0
+    hub: Number = clutch.spec.drive.hub_inertia if clutch.spec.kind.travels else 0.0
     if driven is None or hub is None:
         parts = parts_of(sizes_of(clutch))
         driven = inertia_of(parts, "driven") if driven is None else driven
@@ -114,7 +114,7 @@ def train_of(clutch: Clutch) -> Train:
             "afmcalc init --kind drive writes a spec that has it"
         )
         raise clutch.spec.refused("drive.event", message)
-    load: Number = clutch.running_torque if given.load_torque is None else given.load_torque
+    load: Number = clutch["running_torque"] if given.load_torque is None else given.load_torque
     motor, speed = given.motor, given.speed
     if motor is None:
         engine = Engine(load if given.motor_torque is None else given.motor_torque, None, 0.0)

@@ -4,9 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from ..equations import indirect, pocket, sleeve
 from ..equations.arrays import Floats, Values, chosen, quiet_division, smaller
-from ..equations.calls import derived
+from ..laws import curved
 from .springs import SetSpring, root
 
 _PLACES = 32
@@ -31,21 +30,15 @@ class Balance:
 
     def pressed(self, travel: Values) -> Values:
         """Normal force N, N."""
-        return self.closing.force(derived(-travel, travel))
+        return self.closing.force(-travel)
 
     def net_gain_at(self, travel: Values) -> Values:
         """κ where the sleeve is."""
-        return self.net_gain if self.straight else pocket.gain_at(self.net_gain, self.gain_slope, travel)
+        return self.net_gain if self.straight else curved.gain_acting(self.net_gain, self.gain_slope, travel)
 
     def normal_force(self, friction: Values, travel: Values) -> Values:
         """Normal force N that holds the sleeve at a travel, N: the control spring's, over the loop of the balls."""
-        control = self.control
-        force = (
-            sleeve.tensed_force(control.set_force, control.straight_stiffness, travel)
-            if control.disc is None
-            else control.force(travel)
-        )
-        return indirect.normal_force_balanced(force, self.pairs, self.net_gain_at(travel), friction)
+        return self.control.force(travel) / (1 + self.pairs * self.net_gain_at(travel) * friction)
 
     def _left(self, friction: Values) -> Callable[[Values], Values]:
         """What the control spring has more than closing spring and balls, N."""
@@ -57,7 +50,7 @@ class Balance:
             slope = self.control.stiffness(at) + self.closing.stiffness(-at) * loop
             if self.straight:
                 return slope
-            return slope - self.pressed(at) * pocket.slope_feedback(self.pairs, friction, self.gain_slope)
+            return slope - self.pressed(at) * curved.slope_feedback(self.pairs, friction, self.gain_slope)
 
         return slope
 
@@ -100,9 +93,8 @@ class Balance:
 
     def friction(self, travel: Values) -> Values:
         """Friction that holds the sleeve at a travel."""
-        forces = self.pressed(travel), self.control.force(travel)
         with quiet_division(travel):  # where the balls move nothing none does
-            return pocket.leaving_friction(*forces, self.pairs, self.net_gain_at(travel))
+            return (self.control.force(travel) / self.pressed(travel) - 1) / (self.pairs * self.net_gain_at(travel))
 
     def way(self, start: Values, end: Values) -> Floats:
         """Places that hold the sleeve on its way as friction changes, along a first axis.

@@ -166,6 +166,10 @@ class Quantities:
         """The quantities that are given or follow from what is; those at a friction are asked of a case."""
         return sorted(name for name in {*self.laws.laws, *self._names} if name in self)
 
+    def get(self, name: str, default: Any = None) -> Any:
+        """Return a quantity, or ``default`` where it is not given and does not follow from what is."""
+        return self[name] if name in self else default  # noqa: SIM401
+
     def missing(self, name: str) -> list[str]:
         """What would have to be given before a quantity can be calculated; empty where it can be."""
         return self.laws.missing(name, self._names)

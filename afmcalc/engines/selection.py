@@ -192,6 +192,18 @@ def _materials(spec: "Spec") -> Iterator[tuple[str, float]]:
         yield from ((names["min"], low), (names["max"], high))
 
 
+def as_set(clutch: Quantities, **values: Any) -> Quantities:
+    """Return the same clutch with other values of some quantities; its springs and pockets stay as they are."""
+    laws = clutch.laws
+    kept = {name: clutch[name] for name in ("closing_force", "gain_slope") if name in clutch}
+    if "control_force" in clutch:
+        kept["control_force_made"] = clutch["control_force"]
+        assert laws.made_by is not None
+        function, variant, method, keys = laws.made_by
+        laws = function(variant, method, keys | {"control_force_made"})
+    return Quantities(laws, clutch.given | kept | values)
+
+
 class Wired(Protocol):
     """What such an analysis takes: ``WiredClutch``, or until the last analysis is converted the old engine."""
 
@@ -221,14 +233,14 @@ class WiredClutch:
 
 
 def accepted(spec: "Spec", clutch: Quantities) -> Quantities:
-    """Return the quantities of a spec; refuse what its rules cannot see.
+    """Return the quantities of a spec; refuse what its rules cannot see, of numbers: arrays have NaN there.
 
     Raises:
         SpecError: a gain below the threshold 2 R f_1/d, at which the sleeve would leave its stop at zero torque; no
             wall that holds the torque.
     """
     unit = spec.control_unit
-    if not spec.kind.travels or unit is None:
+    if not spec.kind.travels or unit is None or is_array(clutch["net_gain"]):
         return clutch
     if clutch["net_gain"] < 0:
         message = say(
@@ -240,7 +252,8 @@ def accepted(spec: "Spec", clutch: Quantities) -> Quantities:
         if unit.wall_angle is not None:
             raise spec.refused("control_unit.wall_angle", message, f"(C = {gain})")
         raise spec.refused("control_unit.gain", message, gain)
-    if unit.pocket is not None and not clutch["friction_leaving"] > 0:
+    leaving = clutch["friction_leaving"]
+    if unit.pocket is not None and not is_array(leaving) and not leaving > 0:
         message = say(
             "no wall holds the torque: control_spring.force does not exceed the force of the closing spring, so "
             "that the sleeve never rests at its stop"

@@ -4,8 +4,10 @@ The gain grows with the travel of the sleeve, C(x) = C + C_1 x, and so does κ. 
 quadratic in x; of its roots the larger is stable, and the one a sleeve that leaves its stop comes to.
 """
 
+import math
+
 from .arrays import larger, place_of_largest, place_of_smallest, smaller
-from .wiring import Either, Same
+from .wiring import Either
 
 
 def gain_acting(gain, gain_slope, travel):
@@ -220,7 +222,20 @@ def torque_returning_min(torque_returning_at_f_min, torque_returning_at_unlockin
     return smaller(torque_returning_at_f_min, torque_returning_at_unlocking)
 
 
-CONSTANT_TORQUE = {"gain_slope": Same("constant_torque_slope")}
+def _is_held(friction_leaving):
+    """Whether the sleeve rests at its stop at some friction, f_L > 0.
+
+    Source: Handbook, chapter 12.
+    Validity: Any springs; where it never rests no wall holds the torque.
+    """
+    return friction_leaving > 0
+
+
+CONSTANT_TORQUE = {
+    "can_hold_torque": _is_held,
+    "no_slope": math.nan,
+    "gain_slope": Either("can_hold_torque", "constant_torque_slope", "no_slope"),
+}
 
 CASES = {
     "leaving_in_range": {"friction": "friction_leaving_in_range"},

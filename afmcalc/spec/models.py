@@ -1,6 +1,5 @@
 """What a clutch is, and what stands around it: the pydantic models of a spec (contract, Spec). SI inside."""
 
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import date
@@ -19,8 +18,9 @@ from pydantic import (
 )
 from pydantic_core import PydanticKnownError, core_schema
 
-from ..equations import machine, springs
+from ..equations import springs
 from ..errors import Problem, SpecError
+from ..laws import machine
 from ..messages import did_you_mean, say
 from ..variants import VARIANTS, Variant
 from . import rules
@@ -556,12 +556,12 @@ class Machine(Block):
     @property
     def motor_torque(self) -> Any:
         """Rated torque of the motor, N·m."""
-        return machine.rated_torque(self.power, self.speed)
+        return machine.motor_torque(self.power, self.speed)
 
     @property
     def torque_at_clutch(self) -> Any:
         """Rated torque of the motor at the clutch, N·m."""
-        return machine.torque_at_clutch(self.motor_torque, self.ratio, self.efficiency)
+        return machine.motor_torque_at_clutch(self.motor_torque, self.ratio, self.efficiency)
 
     @property
     def torque(self) -> Any:
@@ -584,7 +584,7 @@ class ProtectedShaft(Block):
     @property
     def section_modulus(self) -> Any:
         """Polar section modulus, m³."""
-        return machine.polar_section_modulus(self.diameter, math.pi)
+        return machine.polar_section_modulus(self.diameter)
 
     @property
     def shear_yield_strength(self) -> Any:

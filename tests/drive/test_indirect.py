@@ -120,13 +120,13 @@ def test_returning_it_slides_at_the_torque_of_the_law(friction, slope):
     lasting = {"motor_inertia": 1e12, "driven_inertia": 1e9, "speed": 5.0, "time": 0.0, "load": 150.0}
     drive = indirect(friction, law={"gain_slope": slope}, **lasting)
     own, before = drive.pack.law, friction * (1 + 2e-7)
-    expected, torque = (own.torque_returning(each, 0.8) for each in (friction, before))
+    expected, torque = (own.at(friction=each, friction_max=0.8)["torque_returning"] for each in (friction, before))
     travel = (2500 - torque / (0.8 * before)) / 2e4
     turn = law.turn(travel, 0.1, 1.0, slope)
     found = run(begun(drive, 5.0, 0.0, torque / 8000, 0.0, 0.0, turn, 2500.0), 0.2)
     assert found.last == pytest.approx(expected, rel=1e-6)
     # where friction has not fallen by κ₊/κ the key still holds it where 0.8 had put it
-    assert (found.state[TURN] < turn) == (travel < own.travel(0.8) * (1 - 1e-9))
+    assert (found.state[TURN] < turn) == (travel < own.at(friction=0.8)["travel"] * (1 - 1e-9))
 
 
 def test_the_stop_carries_what_the_springs_do_not():
@@ -141,7 +141,7 @@ def test_the_stop_carries_what_the_springs_do_not():
 def test_kappa_is_a_torsion_spring():
     """Small swings of the driven half about a sleeve off its stop have the frequency of k_T."""
     kT = law.torsional_stiffness(2e4, 1e4, 0.1, 1.0, 1.0, 0.0, 0.0)
-    free = {"key_friction": 0.0, "made_control_force": 2500.0}
+    free = {"key_friction": 0.0, "control_force_made": 2500.0}
     drive = indirect(0.3, law=free, motor_inertia=1e12, **FREE)
     found = run(begun(drive, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 2500.0), 0.5, recorded=True)
     pairs = zip(found.history, found.history[1:], strict=False)
@@ -202,7 +202,7 @@ def test_disc_springs(springs):
     low = 0.1
     drive = indirect(low, law=own, **lasting)
     springs_law, before = drive.pack.law, low * (1 + 2e-7)
-    expected, torque = (springs_law.torque_returning(each, 0.8) for each in (low, before))
+    expected, torque = (springs_law.at(friction=each, friction_max=0.8)["torque_returning"] for each in (low, before))
     pressed, closing = torque / (0.8 * before), springs[0]
     straight = closing is None
     travel = (2500 - pressed) / 2e4 if straight else closing.deflection(2500.0) - closing.deflection(pressed)

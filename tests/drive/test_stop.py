@@ -245,7 +245,7 @@ def test_the_energy_of_steps_closes():
         return moving / 2 + pack.work(pack.travel(lanes.turn))
 
     motor, works = shaft.driven, np.zeros((5, friction.size))
-    begun, gain = stored(), pack.law.gain
+    begun, gain = stored(), pack.stop_gain
     for number in range(1200):
         before = motor, lanes.slip, shaft.tool, lanes.rate, lanes.turn, shaft.driven - shaft.tool
         free = shaft.free(number, lanes.balls)

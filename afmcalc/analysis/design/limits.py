@@ -10,8 +10,8 @@ import numpy as np
 
 from ...engines.layout import PartName, length_of
 from ...engines.springs import QUASI_STATIC
-from ...equations import direct
 from ...errors import given
+from ...laws import pack
 from ...spec.models import Room
 from ...spec.requirements import Requirements
 from ...variants import Variant
@@ -104,9 +104,7 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
             test=lambda c: c.gain <= c.gain_limit * (1 + 1e-9),
         )  # fmt: skip
     if (reduced := limits.reduced_gain) is not None:
-        yield Constraint(
-            "reduced_gain", lambda c: direct.reduced_gain(c.controlled_pairs, c.gain), reduced, "1", (0, -1)
-        )
+        yield Constraint("reduced_gain", lambda c: pack.reduced_gain(c.controlled_pairs, c.gain), reduced, "1", (0, -1))
     if (force := limits.contact_force) is not None:
         yield Constraint(
             "contact_force", lambda c: c.ball_torque * c.force_per_ball, force, "N", (1, 1),

@@ -15,8 +15,7 @@ import numpy as np
 
 from ...drive.heat import least_rise, least_share, motor_torque, run_down
 from ...drive.peaks import slips_of
-from ...engines import build
-from ...engines.protocol import Clutch
+from ...engines import Clutch, build
 from ...equations import heat as law
 from ...equations.calls import unnoted
 from ...errors import given

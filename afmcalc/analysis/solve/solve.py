@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeGuard
 
 import numpy as np
 
-from ...engines import build
-from ...engines.protocol import Clutch
+from ...engines import Clutch, build
 from ...equations.arrays import Floats, Values
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
@@ -25,6 +24,7 @@ from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.rules import variants_of
 from ...units import ENGINEER
 from ..answers import Answers
+from ..clutch_findings import clutch_findings
 from ..registry import ANALYSES
 from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, looked, places, roots
 
@@ -53,9 +53,9 @@ def _engine(name: str, unit: str, about: str, better: Literal["low", "high"], *s
     """Return a quantity of the engines, called as theirs, as a target."""
 
     def value(clutch: Clutch) -> Values:
-        if clutch.sleeve is None and name in ("control_force", "travel_max"):
+        if not clutch.spec.kind.travels and name in ("control_force", "travel_max"):
             raise AfmcalcError("{name} is only of an indirect clutch: a direct one has no sleeve", name=name)
-        lasting = clutch.sleeve is not None or name != "accuracy_factor_hysteresis"
+        lasting = clutch.spec.kind.travels or name != "accuracy_factor_hysteresis"
         return getattr(clutch, name if lasting else "accuracy_factor")
 
     return name, Target(unit, about, value, better, symbols)
@@ -278,7 +278,7 @@ def solve(
         )
     if sought.analysis:
         remarks.append(finding("solve-looked", "info", path=path, target=target, name=name, **problem.seen))
-    return result, solved, [*solved.findings(), *remarks]
+    return result, solved, [*clutch_findings(solved.spec, solved.quantities), *remarks]
 
 
 @dataclass(frozen=True)

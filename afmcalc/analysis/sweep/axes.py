@@ -114,12 +114,11 @@ def default_range(key: Key, spec: Spec) -> Floats:
     """Return a sensible range: the gain from 0 to its limit, counts one by one, else half to twice the value."""
     current, pairs = current_value(spec, key.path), spec.friction_group.pairs
     if key.path == "control_unit.gain":
-        clutch = build(spec)
-        limit, start = clutch.gain_limit, float(clutch.gain_threshold)
-        return np.linspace(start, limit if limit is not None else max(2 * float(clutch.gain), start + 5.0), 26)
+        own = build(spec).quantities
+        start = float(own.get("gain_threshold", 0.0))
+        return np.linspace(start, own.get("gain_limit", max(2 * float(own["gain"]), start + 5.0)), 26)
     if key.path == "control_unit.gain_slope":
-        sleeve = build(spec).sleeve
-        return np.linspace(0.0, 2 * float(sleeve.constant_torque_slope) if sleeve else 0.0, 41)
+        return np.linspace(0.0, 2 * float(build(spec).constant_torque_slope) if spec.kind.travels else 0.0, 41)
     if key.path == "friction_group.driving_pairs":
         return _whole(1, max(pairs - 1, 1))
     if key.path == "friction_group.pairs":

@@ -9,8 +9,8 @@ from typing import Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engines import Clutch, build, parameters
-from ...equations import indirect
+from ...engines import Clutch, build
+from ...engines.selection import quantities_of
 from ...equations.arrays import Values
 from ...errors import CalculationError
 from ...messages import say
@@ -265,17 +265,12 @@ class Model:
     def possible(self, values: Sequence[Values]) -> NDArray[np.bool_]:
         """Which samples are a clutch: feedback overcomes the friction at the key, the faces have a width."""
         spec = self._spec(values)
-        group, unit = spec.friction_group, spec.control_unit
+        group = spec.friction_group
         possible: NDArray[np.bool_] = np.ones(np.shape(values[0]), np.bool_)
         if group.inner_radius is not None and group.outer_radius is not None:
             possible &= group.inner_radius < group.outer_radius
-        if spec.kind.law == "indirect" and unit is not None:
-            assert unit.key_friction is not None
-            assert unit.hub_diameter is not None
-            radius = parameters.mean_radius(spec)
-            possible &= (
-                indirect.net_gain(parameters.feedback_gain(spec), radius, unit.key_friction, unit.hub_diameter) > 0
-            )
+        if spec.kind.travels:
+            possible &= quantities_of(spec).net_gain > 0
         return possible
 
     def clutches_of(self, values: Sequence[Array]) -> Sequence[Array]:
@@ -340,9 +335,9 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
         spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec, Answers(clutch))})
     if as_made:
         spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
-    if clutch.sleeve is not None:
-        spec = with_values(spec, {_CONTROL_FORCE: float(clutch.sleeve.control_force) if as_made else None})
-    if clutch.sleeve is not None and clutch.sleeve.gain_slope:
+    if clutch.spec.kind.travels:
+        spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
+    if "gain_slope" in clutch.quantities:
         # pockets are cut once, for the nominal clutch
-        spec = with_key(spec, "control_unit.gain_slope", float(clutch.sleeve.gain_slope))
+        spec = with_key(spec, "control_unit.gain_slope", float(clutch.gain_slope))
     return spec

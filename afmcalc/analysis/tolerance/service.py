@@ -90,7 +90,7 @@ def service_of(model: Model) -> list[Slip]:
     frictions = [scattering for scattering in model.inputs if scattering.path in FRICTION]
     clutch, life, count = model.clutch(model.centers), math.inf, _LEAST
     # where the sleeve leaves its stop, the torque bends
-    bend = None if clutch.sleeve is None else float(clutch.sleeve.leaving_friction)
+    bend = None if not clutch.spec.kind.travels else float(clutch.friction_leaving)
     while True:
         slips = _slips(frictions, model.correlation, count, bend)
         last, life = life, float(life_of(model, clutch, slips))
@@ -169,8 +169,8 @@ class Exact:
         """Fields of the result that are figures of the torque: all without error."""
         model, clutch = self.model, self.model.clutch(self.model.centers)
         kinks = [kink for friction in model.inputs for kink in friction.kinks]
-        if clutch.sleeve is not None:
-            kinks += [friction.share_below(float(clutch.sleeve.leaving_friction)) for friction in model.inputs]
+        if clutch.spec.kind.travels:
+            kinks += [friction.share_below(float(clutch.friction_leaving)) for friction in model.inputs]
         u, weights = panels(kinks)
         torque = model.torque_along(u)
         mean = float((weights * torque).sum())
