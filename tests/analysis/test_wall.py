@@ -149,7 +149,7 @@ def borne(ball, rho):
     """Force at the allowable pressure where the path of the ball is bent by a radius."""
     radius = curved_wall.contact_radius_at_ball(ball, 1 / rho, 0.0)
     modulus = control_unit.contact_modulus(210e9, 0.3, 206e9, 0.28)
-    pressure = curved_wall.contact_pressure_at_ball(1.0, radius, modulus)
+    pressure = curved_wall.contact_pressure_at_ball(4e9, 1.0, radius, modulus)
     return curved_wall.contact_force_hertz(1.0, 4e9, pressure)
 
 
