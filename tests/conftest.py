@@ -7,10 +7,8 @@ import io
 import json
 import math
 import os
-import re
 import sys
 import time
-from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -98,10 +96,9 @@ def pytest_configure(config):
     """Derandomised examples, few of each, more where slow tests run; no refusal by the clock, every event kept."""
     if os.environ.get("AFMCALC_UPDATE"):
         config.option.markexpr = ""  # every stored output
-    exhaustive = not re.search(r"not (exhaustive|slow)", config.option.markexpr)
-    settings.register_profile("quick", deadline=None, derandomize=True, max_examples=8)
-    settings.register_profile("exhaustive", deadline=None, derandomize=True, max_examples=50)
-    settings.load_profile("exhaustive" if exhaustive else "quick")
+    settings.register_profile("default", deadline=None, derandomize=True, max_examples=8)
+    settings.register_profile("slow", deadline=None, derandomize=True, max_examples=50)
+    settings.load_profile("default" if "not slow" in config.option.markexpr else "slow")
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -134,33 +131,11 @@ def pytest_runtest_call(item):
     taken = time.process_time() - begun
     if (
         taken > LONGEST * settings.default.max_examples / 8  # more of them where slow tests run
-        and not any(map(item.get_closest_marker, ("slow", "tool", "exhaustive")))
+        and not any(map(item.get_closest_marker, ("slow", "tool")))
         and taken > LONGEST * max(1.0, _loop() / LOOP)
     ):
         pytest.fail(f"took {taken:.1f} s of process time: make it faster, or mark it slow or tool", pytrace=False)
     return result
-
-
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items):
-    """Of a test marked ``every(n)`` the first case and every n-th after it run by default; the others are exhaustive."""
-    cases = Counter()
-    for item in items:
-        if mark := item.get_closest_marker("every"):
-            test = item.path, item.originalname
-            if cases[test] % mark.args[0]:
-                item.add_marker(pytest.mark.exhaustive)
-            cases[test] += 1
-
-
-def several(few, many):
-    """How often a test asks its question, or of what: few by default, many where what is exhaustive runs."""
-    return many if settings.get_current_profile_name() == "exhaustive" else few
-
-
-def fewer(parts: int) -> settings:
-    """A part of the examples others take, for what is slow: half, a third."""
-    return settings(max_examples=settings.default.max_examples // parts)
 
 
 @pytest.hookimpl(wrapper=True)
@@ -174,7 +149,12 @@ def pytest_runtest_makereport(item):
     return report
 
 
-def pytest_collection_finish():
+def pytest_collection_finish(session):
+    """Import what many tests need, so that none of them is charged with it."""
+    if len(session.items) > 300:
+        import matplotlib.figure  # noqa: F401
+        import scipy.integrate  # noqa: F401
+        import sympy  # noqa: F401
     gc.freeze()  # what is imported by now stays
     gc.set_threshold(100_000)
     gc.enable()

@@ -1,6 +1,6 @@
 """Random solves against a dense scan that knows nothing of how solve searches.
 
-``python tests/solve_scan.py 1000`` tries 1,000 of every parameter; the suite tries 30, or 100.
+``python tests/solve_scan.py 1000`` tries 1,000 of every parameter; the suite tries 4, or 20.
 """
 
 import math
@@ -52,10 +52,7 @@ def random_spec(rng: np.random.Generator, name: str) -> dict[str, Any]:
         "variant": "differentiated" if variant == "unlike" else variant,
         "friction": {"driving": friction(), "driven": friction()} if variant == "unlike" else friction(),
         "friction_group": {"pairs": pairs, "mean_radius": radius},
-        "adjustment": {
-            "method": str(rng.choice(["min-friction", "mean-friction"])),
-            "margin": rng.uniform(1, 2),
-        },
+        "adjustment": {"method": str(rng.choice(["min-friction", "mean-friction"])), "margin": rng.uniform(1, 2)},
     }
     if variant in ("differentiated", "unlike") and (name == "z1" or rng.random() < 0.5):
         data["friction_group"]["driving_pairs"] = int(rng.integers(1, pairs))

@@ -45,7 +45,8 @@ WALK = {
                  ["compare", "--variants"], ["accuracy", "--sweep", "C=0.2:1:3"], ["solve", "accuracy_factor=1.01"],
                  ["check", "--set", "requirements.peak_torque=1", "--set", "requirements.cycles=1e9", "--set", "C=3"]],
     "papers": [["equations"], ["equations", "--misprints"], ["reproduce"], ["examples"], ["materials"]],
-    "steps": [["explain", name, f"example:{example}"] for name, example in zip(EXPLAINED, itertools.cycle(("default", "indirect")))],
+    "steps": [["explain", name, f"example:{example}"] for name, example in zip(EXPLAINED, itertools.cycle(("default", "indirect")))]
+    + [["explain", "torque", "example:default", "--format", "markdown"], ["accuracy", "--format", "markdown", "--sweep", "C=0,1"]],
     "plots": [["plot", name, "example:default"] for name, each in PLOTS.items() if each.takes == "clutch" and name != "springs"],
     "figures": [["plot", "paper", name] for name in FIGURES],
     "help": [["--help"], *([name, "--help"] for name in COMMANDS)],

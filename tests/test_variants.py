@@ -3,18 +3,7 @@
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.spec import make_spec
-from afmcalc.spec.parse import example_text
 from afmcalc.variants import BREAKAWAY_LIMIT, VARIANTS, Variant
-
-DATA = {
-    "variant": "two-bypass",
-    "friction": {"min": 0.1, "mean": 0.3, "max": 0.8},
-    "friction_group": {"pairs": 8, "mean_radius": 0.1},
-    "closing_spring": {"force": 2000.0},
-    "control_unit": {"gain": 0.4},
-    "adjustment": {"margin": 1.25},
-}
 
 
 def torque(f: float, gain: float = 0.4, pairs: int = 8) -> float:
@@ -61,9 +50,6 @@ def test_a_fifth_variant_is_checked_against_its_own_limit(spec, afmcalc):
     beyond = afmcalc("check", spec, "--set", "C=0.7", "--json").json["findings"]
     (found,) = [each for each in beyond if each["code"] == "gain-above-limit"]
     assert found["limit"] == pytest.approx(0.625)
-    # the two bypass pairs alone, under the full spring force
-    assert f"{2 * 0.8 * 0.1 * 2000:.5g} N·m" in found["message"]
-    assert f"{torque(0.8, 0.7):.5g} N·m" in found["message"]
 
 
 def test_a_fifth_variant_is_swept_and_solved(spec, afmcalc):
@@ -77,26 +63,20 @@ def test_a_fifth_variant_is_swept_and_solved(spec, afmcalc):
     solved = afmcalc("solve", "accuracy_factor=3", "--for", "C", spec, "--json").json["result"]
     assert torque(0.8, solved["value"]) / torque(0.1, solved["value"]) == pytest.approx(3)
     refused = afmcalc("solve", "accuracy_factor=1.1", "--for", "C", spec)
-    assert refused.code != 0
-    assert "the gain limit 1/(z_1 f_1max)" in refused.err
+    assert refused.code == 2
     pairs = afmcalc("solve", "accuracy_factor=3", "--for", "z", spec, "--json").json["result"]["value"]
-    assert (
-        torque(0.8, pairs=pairs) / torque(0.1, pairs=pairs)
-        <= 3
-        < torque(0.8, pairs=pairs - 1) / torque(0.1, pairs=pairs - 1)
-    )
+    ends = [torque(0.8, pairs=z) / torque(0.1, pairs=z) for z in (pairs, pairs - 1)]
+    assert ends[0] <= 3 < ends[1]
 
 
-def test_a_fifth_variant_is_compared_and_described(spec, afmcalc):
+def test_a_fifth_variant_is_compared_and_described(spec, afmcalc, undrawn):
     rows = afmcalc("compare", CONFIGS / "default.toml", "--variants", "--json").json["result"]["clutches"]
     assert {row["variant"] for row in rows} == {"conventional", "differentiated", "all-driving", "two-bypass"}
     own = afmcalc("compare", spec, spec, "--json").json["result"]["clutches"]
     assert own[0]["variant"] == "two-bypass"
     described = afmcalc("schema").json["properties"]["variant"]
     assert described["enum"] == list(VARIANTS)
-    wrong = afmcalc("torque", spec, "--set", "variant=two-bypas")
-    assert "must be one of conventional, differentiated, all-driving, indirect, two-bypass" in wrong.err
-    assert "did you mean 'two-bypass'?" in wrong.err
+    assert "did you mean 'two-bypass'?" in afmcalc("torque", spec, "--set", "variant=two-bypas").err
     page = spec.with_suffix(".html")
     assert afmcalc("report", spec, "-o", page).code == 0
     assert ">Accuracy<" in page.read_text(encoding="utf-8")
@@ -105,26 +85,15 @@ def test_a_fifth_variant_is_compared_and_described(spec, afmcalc):
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "path"),
     [
-        ("friction_group.pairs=2", "a two-bypass clutch needs at least 3: 2 driving pairs and 1 driven"),
-        ("friction_group.driving_pairs=3", "not for variant 'two-bypass'; only for differentiated"),
-        ("control_unit.hub_diameter=0.1", "not for variant 'two-bypass'; only for indirect"),
-        ("control_unit=", "required for variant 'two-bypass'"),
+        ("friction_group.pairs=2", "friction_group.pairs"),
+        ("friction_group.driving_pairs=3", "friction_group.driving_pairs"),
+        ("control_unit.hub_diameter=0.1", "control_unit.hub_diameter"),
+        ("control_unit=", "control_unit"),
     ],
 )
-def test_a_fifth_variant_has_its_own_keys(spec, afmcalc, change, said):
+def test_a_fifth_variant_has_its_own_keys(spec, afmcalc, change, path):
+    """Two pairs bypass and one is driven at least; what other variants have is refused, what it needs required."""
     run = afmcalc("torque", spec, "--set", change)
-    assert (run.code, said in run.err) == (2, True), run.err
-
-
-def test_the_default_of_driving_pairs_is_named():
-    with pytest.raises(Exception, match=r"needs at least 2: 1 driving pair \(the default\) and 1 driven"):
-        make_spec({**DATA, "variant": "differentiated", "friction_group": {"pairs": 1, "mean_radius": 0.1}})
-
-
-@pytest.mark.parametrize("record", VARIANTS.values(), ids=lambda record: record.name)
-def test_every_record_has_an_example_of_itself(record):
-    assert record.example is not None
-    assert f'variant = "{record.name}"' in example_text(record.example)
-    assert ("control_unit.hub_diameter" in record.keys) == record.travels
+    assert (run.code, f"{path}:" in run.err or f"{path} =" in run.err) == (2, True), run.err

@@ -83,6 +83,7 @@ def _listen(port: int) -> socket.socket:
         listening.bind(("127.0.0.1", port))
         listening.listen()
     except OSError as error:
+        listening.close()
         raise FileError("--port {port}: cannot be served: {why}", port=port, why=reason(error)) from None
     return listening
 

@@ -42,9 +42,9 @@ class Case(NamedTuple):
         return run_of(self, recorded)
 
 
-@functools.lru_cache(maxsize=8)
+@functools.lru_cache(maxsize=64)
 def run_of(case: Case, recorded: bool) -> "Trip":  # noqa: FBT001
-    """Simulate; the last are kept, as heat asks again what was simulated for the peaks."""
+    """Simulate; the last are cached, as heat and the requirements ask again what was simulated for the peaks."""
     from .trip import trip
 
     return trip(case.plant, case.horizon, recorded=recorded, given=case.given)

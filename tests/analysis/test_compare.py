@@ -17,19 +17,26 @@ def test_specs_side_by_side(afmcalc):
             assert row[key] == torque[key]
 
 
-def test_what_check_finds_is_counted_but_for_what_is_simulated(afmcalc):
-    """A pressure above the allowable, a ball that does not fit, a requirement missed; heat of an event is not asked."""
-    weak = ["friction.material=moulded-dry", "friction.min=", "friction.mean=", "friction.max=", "closing_spring.force=60 kN",
-            "requirements.accuracy_factor=1.1", "drive.event=", "requirements.temperature="]  # fmt: skip
+def test_what_check_finds_is_counted(afmcalc):
+    """A pressure above the allowable, a ball that does not fit, a requirement missed."""
+    weak = ["friction_group.mean_radius=", "friction_group.inner_radius=80 mm", "friction_group.outer_radius=120 mm",
+            "friction.material=moulded-dry", "friction.min=", "friction.mean=", "friction.max=",
+            "closing_spring.force=60 kN", "requirements.accuracy_factor=1.1"]  # fmt: skip
     sets = [part for each in weak for part in ("--set", each)]
-    result = afmcalc("check", CONFIGS / "drive.toml", *sets, "--json").json["result"]
+    result = afmcalc("check", *sets, "--json").json["result"]
     assert result["errors"] >= 3
-    run = afmcalc("compare", CONFIGS / "drive.toml", *sets, "--json").json
+    run = afmcalc("compare", CONFIGS / "default.toml", *sets, "--json").json
     (row,) = run["result"]["clutches"]
     assert (row["errors"], row["warnings"]) == (result["errors"], result["warnings"])
     assert {"peak-pressure-exceeded", "requirement-missed"} <= {each["code"] for each in run["findings"]}
-    simulated = afmcalc("compare", CONFIGS / "drive.toml", "--set", "requirements.temperature=22 degC", "--json").json
-    assert simulated["result"]["clutches"][0]["errors"] == 0
+
+
+@pytest.mark.slow
+def test_what_is_simulated_is_not_counted(afmcalc):
+    """Heat of an event is not asked: the requirement that it misses is no error here."""
+    missed = "requirements.temperature=20.5 degC"
+    run = afmcalc("compare", CONFIGS / "drive.toml", "--set", missed, "--json").json
+    assert run["result"]["clutches"][0]["errors"] == 0
 
 
 def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
@@ -63,51 +70,6 @@ def test_what_is_not_possible_is_said(afmcalc):
     assert [row["variant"] for row in run.json["result"]["clutches"]] == ["differentiated"] * 2
     notes = [f["message"] for f in run.json["findings"] if f["code"] == "variant-not-possible"]
     assert len(notes) == 3
-
-
-def test_bad_calls(afmcalc):
-    assert afmcalc("compare", CONFIGS / "default.toml", S21, "--variants").code == 2
-    assert afmcalc("compare", "none.toml").code == 3
-
-
-def test_findings_of_every_variant_compared_are_told(afmcalc):
-    run = afmcalc("compare", S21, "--variants", "--json").json
-    warned = {row["variant"] for row in run["result"]["clutches"] if row["warnings"]}
-    told = {f["message"].partition(":")[0] for f in run["findings"] if f["level"] == "warning"}
-    assert all(isinstance(row["errors"], int) for row in run["result"]["clutches"])
-    assert warned <= told
-
-
-def test_a_finding_of_several_clutches_is_printed_once(afmcalc):
-    """With the names and the values in one order; JSON has one of each clutch."""
-    clutches = [CONFIGS / f"{name}.toml" for name in ("envelope", "indirect")]
-    found = [each for each in afmcalc("compare", *clutches, "--json").json["findings"] if each["code"] == "hysteresis"]
-    assert [each["message"].partition(":")[0] for each in found] == ["Indirect clutch in its space", "Indirect clutch"]
-    for form in ("table", "markdown"):
-        (line,) = [
-            line for line in afmcalc("compare", *clutches, "--format", form).out.splitlines() if "hyster" in line
-        ]
-        assert "Indirect clutch in its space, Indirect clutch: the key's friction" in line
-        assert "by a factor of 1.069, 1.083," in line
-    lines = afmcalc("compare", CONFIGS / "indirect.toml", "--variants").out.splitlines()
-    (line,) = [line for line in lines if "contact-force-exceeded" in line]
-    assert line.startswith("error: differentiated, all-driving: the contact force 1.9605 kN, 2.1917 kN exceeds the")
-
-
-@pytest.mark.parametrize(
-    ("example", "change", "code", "values"),
-    [
-        # S21 (14): F_п1 (1 + z κ f_set), the nominal torque 248.87 N·m and 164.92 N·m kept
-        ("indirect", "control_spring.force=5500", "control-spring-re-set", "5.1789 kN and 5.6456 kN"),
-        # C_1* = (c_1 + c_2)/(z f_set F_п1); F_п1 = T_н/(z R f_set), 1.25 times as much at the mean friction
-        ("constant-torque", "name=x", "pockets-re-cut", "C_1 = 0.375 1/mm, at the mean friction 0.3 1/mm"),
-    ],
-)
-def test_adjust_says_what_it_sets_anew(example, change, code, values, afmcalc):
-    run = afmcalc("adjust", f"example:{example}", "--set", change, "--json").json
-    assert {each["code"]: each["message"] for each in run["findings"] if values in each["message"]}.keys() == {code}
-    plain = afmcalc("adjust", "example:indirect", "--json").json
-    assert not {"control-spring-re-set", "pockets-re-cut"} & {each["code"] for each in plain["findings"]}
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The command: what it tells of a spec, its findings and refusals, sweeps, tolerances, history, the spec it writes."""
+"""The command: findings, sweeps, tolerances, history, the spec it writes."""
 
 import csv
 import io
@@ -12,13 +12,10 @@ from drives import REFERENCE, VARIANTS, begun, clutch, light, merged, plant, run
 
 from afmcalc.analysis.simulate import dynamic_factors, simulate
 from afmcalc.analysis.sweep.axes import parse_axis
-from afmcalc.analysis.tolerance.study import DRIVES, REPLICATES, tolerance
+from afmcalc.analysis.tolerance.study import DRIVES, tolerance
 from afmcalc.drive.cases import case_of, outcome_of
 from afmcalc.engines import build
-from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.equations import drive as law
-from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.models import DiscStack
 
 FATIGUE = {"endurance_limit": 4e8, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
 INDIRECT = {
@@ -28,43 +25,13 @@ INDIRECT = {
     "control_unit": {"gain": 1.0, "hub_diameter": 0.05, "key_friction": 0.15},
     "drive": {"hub_inertia": 0.02, "event": {"duration": 0.05}},
 }
-DISC = {
-    "outer_diameter": 0.04, "inner_diameter": 0.0204, "thickness": 1.5e-3, "free_height": 2.65e-3, "parallel": 2,
-    "series": 20,
-}  # fmt: skip
-"""Discs B 40 of DIN EN 16983."""
-_STACK = DiscCharacteristic(DiscStack.model_validate(DISC))
-SPRUNG = merged(INDIRECT, {"closing_spring": {"stiffness": _STACK.stiffness(_STACK.deflection(2500)), "disc": DISC}})
 
 
 def codes(own, **options):
     return {found.code: found for found in simulate(own, **options)[1]}
 
 
-def test_what_is_told_of_the_reference_drive():
-    result, findings = simulate(light())
-    assert result.inertia_torque == pytest.approx(15 * math.sqrt(8000 * 0.05))
-    assert result.load_torque == 150
-    assert result.energy_residual < 1e-6
-    for end in ("min", "mean", "max"):
-        peak, sliding = getattr(result.peak_torque, end), getattr(result.sliding_torque, end)
-        assert getattr(result.dynamic_factor, end) == peak / sliding
-        assert getattr(result.peak_over_machine, end) == peak / 150
-    assert result.travel_max is None
-    assert result.trip_torque is None
-    told = {found.code: found for found in findings}
-    assert told["inertia-torque"].value == result.inertia_torque
-    assert told["judder"].limit == pytest.approx(law.shaft_damping(0.03, 8000, 0.05))
-    assert {found.level for found in findings} == {"info"}
-
-
-def test_friction_asked_for():
-    result, findings = simulate(light(), [(0.3, None), (0.9, None)])
-    assert result.points is not None
-    assert result.points[0].peak_torque == result.peak_torque.mean
-    assert [found.code for found in findings][-1] == "friction-outside-range"
-
-
+@pytest.mark.slow
 def test_motor_too_strong_for_the_clutch():
     told = codes(light(drive={"motor_torque": 210.0}))
     assert (told["motor-never-stops"].level, told["motor-never-stops"].path) == ("error", "drive.cut_off")
@@ -75,50 +42,9 @@ def test_motor_too_strong_for_the_clutch():
     assert result.slip_energy.min > 200 * 15 * 0.3
 
 
-def test_kloss_motor_runs_at_the_speed_of_its_load():
-    motor = {"breakdown_torque": 180.0, "breakdown_slip": 0.2, "synchronous_speed": 16.0}
-    drive = {"motor_torque": None, "motor": motor, "event": {"duration": 0.02}}
-    own = light(drive={**drive, "speed": None})
-    speed = case_of(own, 0.8).plant.train.speed
-    slip = 1 - speed / 16
-    assert 2 * 180 / (slip / 0.2 + 0.2 / slip) == pytest.approx(150)
-    assert "drive-not-in-balance" not in codes(own)
-    assert codes(light(drive=drive))["drive-not-in-balance"].path == "drive.speed"
-
-
-def test_dynamic_factor_that_life_assumes():
-    result, findings = simulate(light(fatigue=FATIGUE, drive={"dynamic_factor": 1.5}))
-    (told,) = (found for found in findings if found.code == "dynamic-factor-exceeded")
-    assert told.value == max(getattr(result.dynamic_factor, end) for end in ("min", "mean", "max"))
-    assert "dynamic-factor-exceeded" not in codes(light(fatigue=FATIGUE, drive={"dynamic_factor": 2.0}))
-
-
-def test_slip_that_outlasts_what_is_simulated():
-    own = light(drive={"event": {"duration": 0.015}})
-    result, findings = simulate(own)
-    assert result.slip_time.min is None
-    assert result.slip_energy.max is None
-    assert {found.code for found in findings if found.level == "warning"} == {"slip-outlasts-duration"}
-
-
-def test_a_clutch_that_slips_before_the_event():
-    assert codes(light(drive={"load_torque": 250.0, "motor_torque": 250.0}))["slips-before-event"].level == "error"
-
-
-def test_indirect_clutch():
-    own = light(**INDIRECT)
-    result, _ = simulate(own)
-    assert result.travel_max is not None
-    assert result.sliding_torque.max == pytest.approx(own.torque(0.8))
-    # its hub swings with the driven half of an ordinary clutch
-    assert result.peak_torque_conventional.max > outcome_of(light(), 0.8).ordinary_peak
-
-
-SWEPT = VARIANTS | {"indirect": INDIRECT, "indirect with disc springs": SPRUNG}
-
-
-@pytest.mark.every(3)
-@pytest.mark.parametrize("changes", SWEPT.values(), ids=SWEPT)
+@pytest.mark.parametrize(
+    "changes", [VARIANTS["conventional"], *(pytest.param(each, marks=pytest.mark.slow) for each in (INDIRECT,))]
+)
 def test_sweep_is_what_single_runs_give(changes):
     own = light(**changes)
     axis = parse_axis("drive.shaft_stiffness=5000,8000,12000", own.spec)
@@ -131,6 +57,7 @@ def test_sweep_is_what_single_runs_give(changes):
         assert sweep[0].inertia_torque[number] == pytest.approx(15 * math.sqrt(stiffness * behind))
 
 
+@pytest.mark.slow
 def test_peaks_over_tolerances():
     """Samples of the peak against single runs at their quantiles: the peak rises with friction alone."""
     spread = {"friction": {"distribution": "uniform"}}
@@ -148,24 +75,6 @@ def test_peaks_over_tolerances():
     assert result.probability_peak_above == pytest.approx(share, abs=0.03)
 
 
-def test_peaks_of_a_clutch_with_disc_springs_over_tolerances(monkeypatch):
-    """Of hardly any scatter: the event's own peak."""
-    monkeypatch.setattr("afmcalc.analysis.tolerance.study.DRIVES", 2 * REPLICATES)
-    own = light(
-        **SPRUNG, tolerance={"fields": {"drive.shaft_stiffness": {"distribution": "normal", "spread": "0.01 %"}}}
-    )
-    result, _ = tolerance(own)
-    assert result.peak_torque_mean == pytest.approx(outcome_of(own, own.spec.friction.range.mean).trip.peak, rel=2e-3)
-
-
-def test_drive_keys_scatter():
-    fields = {"drive.shaft_stiffness": {"distribution": "normal", "spread": "10 %"}}
-    own = light(tolerance={"fields": fields, "samples": 1000, "sobol_base": 64})
-    result, _ = tolerance(own)
-    assert result.peak_torque_deviation > 0
-    assert result.standard_deviation == pytest.approx(0, abs=1e-9)
-
-
 @pytest.mark.parametrize(("share", "grows"), [(0.9, True), (1.1, False)])
 def test_v6_judder(share, grows):
     """A slow slip on a falling characteristic: swings grow where the shaft damps less than the friction drives."""
@@ -180,30 +89,6 @@ def test_v6_judder(share, grows):
     early = max(abs(row.torque_shaft - torque) for row in found.history if row.time < 0.03)
     assert (late > early) == grows
     assert found.slip_time == pytest.approx(0.2), "and slips all the time"
-
-
-REFUSED = {
-    "drive.shaft_stiffness=0": "greater than 0",
-    "drive.motor_inertia=": "drive.motor_inertia: required beside drive.event",
-    "drive.event.stop_time=-1 ms": "at least 0",
-    "drive.speed=0": "greater than 0",
-    "drive.speed=": "drive.speed: required beside drive.event",
-    "drive.hub_inertia=1": "only for indirect",
-    "drive.event.kind=brake": "must be one of stop, load",
-    "drive.event.torque=1": "only for an event of kind load",
-    "drive.tool_inertia=1": "only with an event of kind load",
-    "friction.stribeck_speed=": "required beside friction.static_ratio",
-    "friction.static_ratio=0.9": "at least 1",
-    "drive.event=": "drive.event: required by simulate",
-    "drive.speed=10 Hz": "unknown unit",
-}
-
-
-@pytest.mark.parametrize("change", REFUSED)
-def test_refused(change, afmcalc):
-    ended = afmcalc("simulate", CONFIGS / "drive.toml", "--set", change)
-    assert (ended.code, ended.out) == (2, "")
-    assert REFUSED[change] in ended.err
 
 
 def test_the_command(afmcalc, tmp_path):
@@ -234,6 +119,7 @@ def test_check_holds_the_peak_against_the_requirement(afmcalc):
     assert row["value"] == pytest.approx(afmcalc("simulate", *light).json["result"]["peak_torque"]["max"])
 
 
+@pytest.mark.slow
 def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcalc):
     """Which are, before the balls take over, an ordinary clutch of one pair."""
     own = [
@@ -271,13 +157,11 @@ def test_a_load_that_is_carried_but_for_rounding_is_carried():
     assert "slips-before-event" in codes(light(drive={"load_torque": carried * (1 + 1e-6)}))
 
 
-@pytest.mark.every(2)
-@pytest.mark.parametrize("friction", [0.1, 0.8])
-def test_a_slow_stop_loads_the_shaft_by_its_deceleration_whatever_the_stiffness(friction):
+def test_a_slow_stop_loads_the_shaft_by_its_deceleration_whatever_the_stiffness():
     """V4 to its end: T + J_2 a + √(J_2 a [J_2 a + 2 (T − T_0)]), 292.45 N·m at f_min, at four stiffnesses alike."""
     slow = {"motor_inertia": 1e6, "damping_ratio": 0.0, "event": {"stop_time": 0.025, "duration": 0.1}}
-    peaks = []
-    for stiffness in (8e3, 16e3, 32e3, 64e3):
+    peaks, friction = [], 0.1
+    for stiffness in (8e3, 32e3):
         own = clutch(friction={"static_ratio": 1.0}, drive={**slow, "shaft_stiffness": stiffness})
         found = outcome_of(own, friction)
         torque, steady = found.case.plant.sliding, 0.05 * 15 / 0.025
@@ -287,10 +171,10 @@ def test_a_slow_stop_loads_the_shaft_by_its_deceleration_whatever_the_stiffness(
         assert said.value == pytest.approx(30 + math.sqrt(30 * (30 + 2 * (375 - 150))))
         assert "a softer shaft does not lower it" in said.message
         assert "only a softer shaft" not in said.message
-    if friction == 0.1:
-        assert peaks == pytest.approx([292.45] * 4, abs=5e-3)
+    assert peaks == pytest.approx([292.45] * 2, abs=5e-3)
 
 
+@pytest.mark.slow
 def test_a_sudden_stop_loads_the_shaft_by_the_speed_of_all_behind_the_discs():
     """ω_0 √(k (J_2 + J_h)) bounds what is beyond the clutch's own peak, and J_2 alone does not."""
     sudden = {"motor_inertia": 1e4, "damping_ratio": 0.0, "event": {"stop_time": 0.0, "duration": 0.1}}
@@ -304,35 +188,3 @@ def test_a_sudden_stop_loads_the_shaft_by_the_speed_of_all_behind_the_discs():
     found, held = outcome_of(direct, 0.1), outcome_of(sleeved, 0.1)
     assert found.trip.peak - found.case.plant.sliding == pytest.approx(bound, rel=1e-3)
     assert bound / math.sqrt(2) < held.trip.peak - held.case.plant.sliding < bound
-
-
-KEYED = {
-    "drive": {
-        "speed": 30, "motor_inertia": 1.5, "driven_inertia": 0.01, "hub_inertia": 0.004, "shaft_stiffness": 4000,
-        "damping_ratio": 0.03, "event": {"kind": "stop", "stop_time": 0.01},
-    }
-}  # fmt: skip
-
-
-@pytest.mark.every(2)
-@pytest.mark.parametrize("cut_off", [None, 0.5])
-def test_the_motor_is_compared_with_the_torque_that_the_clutch_slips_with(cut_off):
-    """The key holds the sleeve back: the pack slips with less than the table's T, and both numbers are told as such."""
-    data = resolved(read_spec(CONFIGS / "indirect.toml", ["control_unit.key_friction=0.1"]))
-    data |= merged({}, KEYED)
-    if cut_off:
-        data["drive"] |= {"cut_off": cut_off}
-    own = build(make_spec(data))
-    result, findings = simulate(own)
-    told = {each.code: each for each in findings}
-    said = told["motor-stops-at-cut-off" if cut_off else "motor-never-stops"]
-    # seated, f_min: T falls from z R f F_п2/(1 + zκf) towards z R f F_п2/(1 + zκ₊f), which is F_п2 = F_п1 (1 + zκf_cp)
-    kappa, returning, force = 0.6, 1.4, 2000 * (1 + 8 * 0.6 * 0.3)
-    high, low = (8 * 0.1 * 0.1 * force / (1 + 8 * gain * 0.1) for gain in (kappa, returning))
-    assert result.sliding_torque.min == pytest.approx(high)
-    assert low <= said.value < high
-    assert said.limit == pytest.approx(480 / 1.75)
-    assert f"{high:.5g} N·m only as friction rises" in said.message
-    carried = told["ordinary-slips-before-event"]
-    assert (carried.value, carried.limit) == (pytest.approx(480 / 3), pytest.approx(480 / 1.75))
-    assert told["ordinary-carries-hub"].value == pytest.approx(0.014)

@@ -5,13 +5,11 @@ from functools import cache
 
 import numpy as np
 import pytest
-from conftest import fewer
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.springs.candidates import candidates, held
-from afmcalc.analysis.springs.springs import option_of, ranked
-from afmcalc.engines.springs import DiscCharacteristic, SpringDemand
+from afmcalc.analysis.springs.candidates import held
+from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.spec.catalogues import discs
 from afmcalc.spec.models import DiscStack, Room
 
@@ -80,32 +78,13 @@ def test_the_forces_a_room_allows(across, length):
     ]
 
 
-@fewer(2)
-@given(
-    st.sampled_from(["disc", "coil", "any"]),
-    st.sampled_from([(0.04, 0.06), (0.06, 0.1)]),
-    st.one_of(st.none(), st.floats(0.01, 0.1)),
-    st.floats(np.log(300), np.log(5e4)).map(np.exp),
-    st.one_of(st.none(), st.floats(np.log(5e4), np.log(5e6)).map(np.exp)),
-    st.tuples(st.floats(0, 3e-3), st.floats(0, 3e-3)),
-    st.booleans(),
-)
-def test_what_there_is_for_many_is_what_there_is_for_one(kind, across, length, force, stiffness, service, moves):
-    """As the parts that the springs command looks through, each held to every rule."""
-    room = Room(inner_diameter=across[0], outer_diameter=across[1], length=length)
-    relaxes, compresses = service if stiffness else (service[0], 0.0)
-    stroke = max(relaxes, compresses) if moves and stiffness else None
-    demand = SpringDemand("closing", force, stiffness, relaxes, room, None, None, compresses, stroke=stroke)
-    parts = [part for part, misses in candidates(demand, kind) if not misses]
-    options = [option_of(demand, part) for part in parts]
-    assert len(ranked(demand, kind)) == len(options)
-    as_array = {"stiffness": stiffness, "stroke": stroke}
-    told = {name: value and np.array([value]) for name, value in as_array.items()}
-    service_of = {"relaxes": relaxes, "compresses": compresses}
-    assert held(kind, discs(), room, np.array([force]), **told, **service_of).item() == bool(options)
-    if options and stiffness is None:
-        # the least that is lost of the force, by the parts one by one
-        kept = max(option.force_least or 0.0 for option in options) / force
-        for share in (kept - 1e-6, kept + 1e-6):
-            found = held(kind, discs(), room, np.array([force]), keeps=share, **service_of).item()
-            assert found == (share < kept)
+@pytest.mark.parametrize("share", [0.92, 0.95, 1.05])
+def test_a_stiffness_may_be_a_tenth_off(share):
+    """Of one or two packs, none of which is as stiff as asked."""
+    room, kept = Room(inner_diameter=0.0405, outer_diameter=0.0801, length=None), []
+    for (cone, own), part, number in itertools.product(packs(0.0405, 0.0801)[::6], (0.3, 0.5, 0.7), (1, 2)):
+        force, stiffness = float(own.force(part * cone)), float(own.stiffness(part * cone)) / number * share
+        found = held("disc", discs(), room, np.array([force]), np.array([stiffness])).item()
+        assert found == (by_trying(room, force, stiffness, relaxes=True) > 0) or not found
+        kept.append(found)
+    assert all(kept)

@@ -1,10 +1,8 @@
 """Torques of the groups, forces on balls, key and stop, the load up to slip: balances and the papers' formulas."""
 
-import json
 import math
 
 import pytest
-from conftest import CONFIGS
 
 from afmcalc.analysis.adjust import adjust
 from afmcalc.analysis.overload import overload
@@ -44,7 +42,7 @@ def test_first_torque_of_the_bypass_pairs():
         assert torque(example(name))[0].onset_torque is None
 
 
-@pytest.mark.parametrize("friction", [0.05, 0.1, 0.2, 0.3, 0.45, 0.8])
+@pytest.mark.parametrize("friction", [0.1, 0.3, 0.8])
 def test_forces_on_the_sleeve_are_in_balance(friction):
     """S21 (6): closing spring, balls, key, stop and control spring."""
     clutch = example("indirect")
@@ -52,17 +50,8 @@ def test_forces_on_the_sleeve_are_in_balance(friction):
     pushed = clutch.closing_force - clutch.closing_stiffness * point.travel + point.release_force
     held = clutch.control_force + clutch.control_stiffness * point.travel
     assert pushed + point.stop_reaction - held - point.key_friction_force == pytest.approx(0, abs=1e-9 * held)
-    assert point.stop_reaction >= 0
-    assert point.stop_reaction * point.travel == 0
+    assert point.stop_reaction >= 0 == point.stop_reaction * point.travel
     assert point.key_friction_force == pytest.approx(2 * point.torque * 0.01 / 0.05)
-
-
-def test_details_are_asked_for(afmcalc):
-    spec = str(CONFIGS / "default.toml")
-    assert "T_1(0)" not in afmcalc("torque", spec, "--friction", "0.3").out
-    assert afmcalc("torque", spec, "--friction", "0.3", "--details").out.count("T_1(0)") == 3  # meaning, table, points
-    assert "T_1(0)" not in afmcalc("torque", spec).out
-    assert json.loads(afmcalc("torque", spec, "--json").out)["result"]["onset_torque"]["min"] == pytest.approx(20)
 
 
 def test_the_load_rises_until_slip():

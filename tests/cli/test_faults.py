@@ -23,29 +23,20 @@ PROGRAM = f"{sys.executable} -m afmcalc"
 ENVIRONMENT = {**os.environ, "PYTHONPATH": str(ROOT), "PYTHONWARNINGS": ""}
 
 
-def shell(command, **environment):
-    return subprocess.run(
-        ["bash", "-c", command.replace("afmcalc ", f"{PROGRAM} ")],
-        capture_output=True, text=True, env={**ENVIRONMENT, **environment}, check=False,
+def shell(line, folder):
+    return subprocess.Popen(
+        ["bash", "-c", line.replace("afmcalc ", f"{PROGRAM} ")],
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT, cwd=folder,
     )  # fmt: skip
 
 
-WRITERS = {
-    "x.json": ["torque", SPEC, "--format", "json"],
-    "x.toml": ["init"],
-    "y.toml": ["synthesize", SPEC],
-    "x.svg": ["plot", "accuracy", SPEC],
-}
-
-
-@pytest.mark.every(2)
-@pytest.mark.parametrize("name", WRITERS)
+@pytest.mark.parametrize("name", ["x.json", "x.toml"])
 def test_a_full_disk_leaves_nothing_behind(name, afmcalc, tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "dont_write_bytecode", True)  # Python keeps bytecode that it could not write whole
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))
     try:
-        run = afmcalc(*WRITERS[name], "-o", tmp_path / name)
+        run = afmcalc(*WRITE[name], tmp_path / name)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
     assert run.code == 3
@@ -53,47 +44,28 @@ def test_a_full_disk_leaves_nothing_behind(name, afmcalc, tmp_path, monkeypatch)
     assert not os.listdir(tmp_path)
 
 
-def test_a_full_device_is_said():
-    run = shell(f"afmcalc torque {SPEC} >/dev/full")
-    assert (run.returncode, run.stderr) == (3, "error: standard output: cannot be written: No space left on device\n")
+STREAMS = """
+afmcalc torque {spec} >/dev/full
+afmcalc --help | true
+afmcalc accuracy {spec} --sweep C=0:1:5000 --format csv | head -1 >/dev/null
+afmcalc check {spec} --set fatigue= --strict --set C=2 | true
+afmcalc torque {spec} >&-
+mkdir gone; cd gone; rmdir ../gone; afmcalc torque {spec} -o x.json
+afmcalc torque {spec} -o y.json >&- 2>&-
+"""
+FULL = "error: standard output: cannot be written: No space left on device"
+ENDS = [(3, FULL), (0, ""), (0, ""), (1, ""), (3, "error: standard output: cannot be written: it is closed")]
+ENDS += [(3, "error: x.json: cannot be written: the working directory {}/gone does not exist any more"), (0, "")]
 
 
-LEFT = [
-    "afmcalc --help | true",
-    "afmcalc schema | true",
-    f"afmcalc accuracy {SPEC} --sweep C=0:1:5000 --format csv | head -1 >/dev/null",
-]
-
-
-def test_a_reader_that_leaves_early_is_nothing_to_speak_of():
-    each = "; ".join(f"({command}; echo ${{PIPESTATUS[0]}} >&3) & wait $!" for command in LEFT)
-    run = shell(f"exec 3>&1; {each}")
-    assert (run.stdout.split(), run.stderr) == (["0"] * len(LEFT), "")
-
-
-def test_a_check_that_fails_does_so_whoever_reads():
-    run = shell(f"afmcalc check {SPEC} --set fatigue= --strict --set C=2 | true; exit ${{PIPESTATUS[0]}}")
-    assert run.returncode == 1
-
-
-def test_closed_streams(tmp_path):
-    target = tmp_path / "x.json"
-    closed = shell(f"afmcalc torque {SPEC} >&-")
-    assert (closed.returncode, closed.stderr) == (3, "error: standard output: cannot be written: it is closed\n")
-    assert shell(f"afmcalc torque {SPEC} -o {target} >&-").returncode == 0
-    assert target.read_text().startswith("{")
-    for silent in ("2>&-", "2>/dev/full", "2> >(true)"):
-        run = shell(f"afmcalc torque {silent}")
-        assert (run.returncode, run.stdout[:6]) == (0, "torque")
-
-
-def test_a_deleted_working_directory_is_named(tmp_path):
-    run = shell(f"mkdir {tmp_path}/gone; cd {tmp_path}/gone; rmdir ../gone; afmcalc torque {SPEC} -o x.json")
-    assert run.returncode == 3
-    assert (
-        run.stderr
-        == f"error: x.json: cannot be written: the working directory {tmp_path}/gone does not exist any more\n"
-    )
+@pytest.mark.tool
+def test_streams_that_are_full_closed_or_left(tmp_path):
+    """Exit code, and what is said where anybody listens, of lines of a shell, all at once."""
+    lines = [line.format(spec=SPEC) for line in STREAMS.strip().splitlines()]
+    running = [shell(f"{line}; exit ${{PIPESTATUS[0]}}", tmp_path) for line in lines]
+    ended = [(each.communicate()[1].strip(), each.returncode)[::-1] for each in running]
+    assert ended == [(code, said.format(tmp_path)) for code, said in ENDS]
+    assert json.loads((tmp_path / "y.json").read_text(encoding="utf-8"))["result"]
 
 
 AIMED = """
@@ -112,7 +84,7 @@ ON_IMPORT = """
     sys.meta_path.insert(0, Aim())
 """
 MOMENTS = {
-    **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.main", "typer", "pydantic", "afmcalc.engines.direct", "numpy", "matplotlib")},
+    **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.main", "pydantic", "matplotlib")},
     "before a file is replaced": "replace = os.replace; os.replace = lambda *names: (strike(), replace(*names))",
     "after a file is replaced": "replace = os.replace; os.replace = lambda *names: (replace(*names), strike())",
     "while a destructor runs": f"{textwrap.dedent(ON_IMPORT).format('pydantic').replace('strike()', 'kept.clear()')}"
@@ -121,10 +93,10 @@ MOMENTS = {
 }  # fmt: skip
 
 
-@pytest.mark.every(2)
+@pytest.mark.tool
 @pytest.mark.parametrize("moment", MOMENTS)
 def test_ctrl_c_at_any_moment(moment, tmp_path):
-    target = tmp_path / ("x.svg" if moment in ("numpy", "matplotlib") else "x.json")
+    target = tmp_path / ("x.svg" if moment == "matplotlib" else "x.json")
     command = ["plot", "torque"] if target.suffix == ".svg" else ["torque"]
     code = textwrap.dedent(AIMED).format(aim=textwrap.dedent(MOMENTS[moment]))
     run = subprocess.run(
@@ -146,20 +118,18 @@ BROWSERS = {
 }
 
 
-@pytest.mark.parametrize("case", BROWSERS)
-def test_a_pdf_is_whole_or_none(case, tmp_path, undrawn, afmcalc, monkeypatch):
+@pytest.mark.tool
+def test_a_pdf_is_whole_or_none(tmp_path, undrawn, afmcalc, monkeypatch):
     browser = tmp_path / "browser"
-    browser.write_text(
-        f"#!/bin/bash\nfor each; do case $each in --print-to-pdf=*) file=${{each#*=}};; esac; done\n{BROWSERS[case]}\n"
-    )
-    browser.chmod(0o755)
-    with pytest.raises(AfmcalcError, match="did not print a whole PDF"):
-        print_pdf(str(browser), "<html></html>")
     monkeypatch.setenv("AFMCALC_BROWSER", str(browser))
-    if case == "fails":
-        run = afmcalc("report", SPEC, "--pdf", "-o", tmp_path / "x.html")
-        assert run.code == 2
-        assert os.listdir(tmp_path) == ["browser"]
+    for prints in BROWSERS.values():
+        each = f"for each; do case $each in --print-to-pdf=*) file=${{each#*=}};; esac; done\n{prints}\n"
+        browser.write_text(f"#!/bin/bash\n{each}")
+        browser.chmod(0o755)
+        with pytest.raises(AfmcalcError, match="did not print a whole PDF"):
+            print_pdf(str(browser), "<html></html>")
+    assert afmcalc("report", SPEC, "--pdf", "-o", tmp_path / "x.html").code == 2
+    assert os.listdir(tmp_path) == ["browser"]
 
 
 def test_a_fault_of_our_own_is_said_and_never_a_failed_check(afmcalc, monkeypatch):
@@ -180,8 +150,6 @@ def test_a_fault_of_our_own_is_said_and_never_a_failed_check(afmcalc, monkeypatc
 WRITE = {
     "x.json": ["torque", SPEC, "--force", "-o"],
     "x.toml": ["init", "--force", "-o"],
-    "y.toml": ["synthesize", SPEC, "--force", "-o"],
-    "x.svg": ["plot", "torque", SPEC, "--force", "-o"],
 }
 FAULTS = {"full": 3, "no memory": 2, "Ctrl-C": 130}
 
@@ -232,7 +200,6 @@ def signals_watched():
         signal.signal(number, handler)
 
 
-@pytest.mark.every(5)
 @pytest.mark.parametrize("name", WRITE)
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_at_any_write(name, fault, afmcalc, tmp_path, signals_watched, monkeypatch):

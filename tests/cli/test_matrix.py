@@ -1,10 +1,11 @@
 """Every command about every example, with every key swept or taken away, in both languages: a result or a sentence."""
 
 import itertools
+import random
 import re
 
 import pytest
-from conftest import CONFIGS, PICKED, WANTED, several
+from conftest import CONFIGS, PICKED, WANTED
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
 from afmcalc.cli.main import COMMANDS
@@ -42,10 +43,13 @@ def cases():
             yield ["check", spec, *short, "--set", f"{key}={value}"], language
 
 
-def test_a_result_or_a_sentence(afmcalc, monkeypatch):
+@pytest.mark.parametrize("share", [1200, pytest.param(300, marks=pytest.mark.slow)])
+def test_a_result_or_a_sentence(share, afmcalc, monkeypatch):
+    """Of all of them a share that is drawn with a seed."""
     monkeypatch.setenv("COLUMNS", "80")
+    asked = [*cases()]
     wrong = []
-    for arguments, language in itertools.islice(cases(), 0, None, several(421, 7)):
+    for arguments, language in random.Random(1).sample(asked, len(asked) // share):
         monkeypatch.setenv("AFMCALC_LANG", language)
         run = afmcalc(*arguments)
         said = run.code in (0, 1) if arguments[0] == "check" else run.code == 0
@@ -80,12 +84,6 @@ def test_a_range_nobody_gave_keeps_the_rules_of_its_key(key, ends, afmcalc):
     assert values == sorted(values)
 
 
-def test_what_is_no_text_is_a_mistake_that_is_told(afmcalc):
-    run = afmcalc("check", "example:drive", "--set", 'drive.event.kind=["stop"]')
-    assert run.code == 2
-    assert 'drive.event.kind = ["stop"]: must be one of stop, load' in run.err
-
-
 @pytest.mark.parametrize("text", ["a\tb", "a\nb", "a\u202eb"])
 def test_an_option_of_a_title_block_is_held_to_its_rules(text, afmcalc):
     run = afmcalc("report", "example:default", "--project", text)
@@ -97,17 +95,10 @@ def test_an_option_of_a_title_block_is_held_to_its_rules(text, afmcalc):
 def test_the_duration_of_an_event_can_be_swept(afmcalc):
     """The longer it is, the more of a peak is seen; each is what that duration alone gives."""
     durations = (0.002, 0.008)
-    run = afmcalc(
-        "simulate",
-        "example:drive",
-        "--set",
-        "drive.event.duration=0.002",
-        "--sweep",
-        "drive.event.duration=0.002,0.008",
-        "--json",
-    )
+    asked = ["simulate", "example:drive", "--json", "--set"]
+    run = afmcalc(*asked, "drive.event.duration=0.002", "--sweep", "drive.event.duration=0.002,0.008")
     swept = run.json["result"]["sweep"][0]["peak_torque_max"]
     assert swept[0] < swept[1]
     for duration, peak in zip(durations, swept, strict=True):
-        alone = afmcalc("simulate", "example:drive", "--set", f"drive.event.duration={duration}", "--json")
+        alone = afmcalc(*asked, f"drive.event.duration={duration}")
         assert peak == pytest.approx(alone.json["result"]["peak_torque"]["max"], rel=2e-3)

@@ -8,8 +8,7 @@ from afmcalc.drive.plant import Plant
 from afmcalc.drive.train import Engine, Train
 from afmcalc.drive.trip import Trip, trip
 from afmcalc.engines import Clutch, build
-from afmcalc.engines.quantities import Quantities
-from afmcalc.engines.selection import laws_for
+from afmcalc.engines.indirect import IndirectClutch
 
 REFERENCE: dict[str, Any] = {
     "variant": "differentiated",
@@ -18,16 +17,10 @@ REFERENCE: dict[str, Any] = {
     "control_unit": {"gain": 1.25},
     "adjustment": {"nominal_torque": 200.0, "margin": 4 / 3},
     "drive": {
-        "speed": 15.0,
-        "motor_inertia": 8.0,
-        "driven_inertia": 0.05,
-        "shaft_stiffness": 8000.0,
-        "damping_ratio": 0.03,
-        "load_torque": 150.0,
-        "motor_torque": 150.0,
-        "event": {"kind": "stop", "stop_time": 0.01},
+        "speed": 15.0, "motor_inertia": 8.0, "driven_inertia": 0.05, "shaft_stiffness": 8000.0, "damping_ratio": 0.03,
+        "load_torque": 150.0, "motor_torque": 150.0, "event": {"kind": "stop", "stop_time": 0.01},
     },
-}
+}  # fmt: skip
 """Reference drive of theory-drive.md, section 9."""
 
 VARIANTS: dict[str, dict[str, Any]] = {
@@ -61,20 +54,9 @@ def light(**changes: Any) -> Clutch:
 
 
 TRAIN = Train(
-    motor_inertia=8.0,
-    hub_inertia=0.0,
-    driven_inertia=0.05,
-    tool_inertia=0.0,
-    stiffness=8000.0,
-    damping=0.0,
-    speed=15.0,
-    load=150.0,
-    engine=Engine(150.0, None, 0.0),
-    kind="stop",
-    time=0.02,
-    overload=150.0,
-    cut_off=None,
-)
+    motor_inertia=8.0, hub_inertia=0.0, driven_inertia=0.05, tool_inertia=0.0, stiffness=8000.0, damping=0.0, speed=15.0,
+    load=150.0, engine=Engine(150.0, None, 0.0), kind="stop", time=0.02, overload=150.0, cut_off=None,
+)  # fmt: skip
 
 
 def plant(sliding: float, *, pack: dict[str, Any] | None = None, **changes: Any) -> Plant:
@@ -107,31 +89,16 @@ def run(own: Plant, horizon: float, *, recorded: bool = False) -> Trip:
     return found
 
 
-P5 = {
-    "closing_force": 2500.0,
-    "mean_radius": 0.1,
-    "pairs": 8,
-    "gain": 1.0,
-    "closing_stiffness": 2e4,
-    "control_stiffness": 1e4,
-    "key_friction": 0.15,
-    "hub_diameter": 0.05,
-    "friction_set": 0.1,
-}
+SPRINGS = IndirectClutch(
+    closing_force=2500.0, mean_radius=0.1, bypass_pairs=0, controlled_pairs=8, gain=1.0, closing_stiffness=2e4,
+    control_stiffness=1e4, key_friction=0.15, hub_diameter=0.05, friction_set=0.1,
+)  # fmt: skip
 """Data of P5: κ 0.4, κ₊ 1.6, springs 20 and 10 N/mm."""
-
-
-def springs(**changes: Any) -> Quantities:
-    """The clutch of P5 with other values of some quantities, None taking them out."""
-    given = {name: value for name, value in (P5 | changes).items() if value is not None}
-    return Quantities(laws_for("indirect", "min-friction", frozenset(given.keys() - P5.keys())), given)
-
-
-SLEEVE = Sleeve(springs(), friction=0.3)
+SLEEVE = Sleeve(SPRINGS, friction=0.3)
 """With T_н = 200 N·m at f 0.1: F_п2 3300 N."""
 
 
 def indirect(friction: float = 0.3, *, law: dict[str, Any] | None = None, mass: float = 0.0, **changes: Any) -> Plant:  # fmt: skip
     """An indirect clutch (P5) in a drive with changes."""
-    own = replace(SLEEVE, law=springs(**(law or {})), friction=friction, mass=mass)
+    own = replace(SLEEVE, law=replace(SPRINGS, **(law or {})), friction=friction, mass=mass)
     return Plant(replace(TRAIN, hub_inertia=0.02, **changes), own)

@@ -5,14 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conftest import several
-from drives import VARIANTS, begun, clutch, light, merged, plant, run
+from drives import TRAIN, VARIANTS, begun, clutch, light, merged, plant, run
 from scipy.integrate import trapezoid
-from scipy.linalg import expm
 
-from afmcalc.drive.cases import case_of, outcome_of, peak_time
-from afmcalc.drive.coast import _swung, creeping, stride
-from afmcalc.drive.plant import Mode
+from afmcalc.drive.cases import outcome_of, peak_time
 from afmcalc.drive.train import Engine
 from afmcalc.equations import drive as law
 from afmcalc.equations import heat
@@ -36,6 +32,11 @@ def test_v2_sudden_lock_of_an_endless_motor():
     found = run(plant(300.0, motor_inertia=1e12, time=0.0, load=300.0, engine=Engine(300.0, None, 0.0)), 0.5)
     assert found.peak == pytest.approx(300 + 15 * math.sqrt(8000 * 0.05), rel=TIGHT)
     assert not found.ended
+
+
+def test_the_hub_of_an_indirect_clutch_is_stopped_with_the_driven_half():
+    """ω_0 √(k (J_2 + J_h))."""
+    assert replace(TRAIN, hub_inertia=0.05).inertia_torque == pytest.approx(15 * math.sqrt(8000 * 0.1))
 
 
 def test_v3_sudden_lock():
@@ -91,11 +92,12 @@ TABLE = {
 """Sliding and peak torque of the reference drive at f 0.1, 0.3, 0.8 (theory-drive.md, section 9)."""
 
 
-@pytest.mark.every(3)
-@pytest.mark.parametrize("variant", ["differentiated", "conventional", "all-driving"])
+PAST_ITS_PEAK = {"drive": {"event": {"duration": 0.1}}}
+
+
+@pytest.mark.parametrize("variant", TABLE)
 def test_reference_drive(variant):
-    past_its_peak = {"drive": {"event": {"duration": 0.1}}}
-    own = clutch(**merged(VARIANTS[variant], several(past_its_peak, {})))
+    own = clutch(**merged(VARIANTS[variant], PAST_ITS_PEAK))
     for friction, (sliding, peak) in zip((0.1, 0.3, 0.8), TABLE[variant], strict=True):
         found = outcome_of(own, friction)
         assert found.case.plant.sliding == pytest.approx(sliding, rel=5e-3)
@@ -112,28 +114,16 @@ def test_the_ordinary_clutch_is_the_conventional_variant():
         assert beside == pytest.approx(outcome_of(light(**VARIANTS["conventional"]), friction).trip.peak, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_motor_as_strong_as_the_clutch_never_stops():
     motor = {"motor_torque": 201.0, "motor_inertia": 1.0}
     found = outcome_of(clutch(drive=motor), 0.1)
     assert found.endless
     assert found.slip_time is None
     assert found.energy is None
-    cut = outcome_of(clutch(drive={**motor, "cut_off": 0.5}), 0.1)
-    # T ω t_off, then the run-down of what is left
-    assert cut.trip.ended
-    speed = 15 + 1.0 * 0.5 / 1.0
-    assert cut.trip.heat == pytest.approx(200 * 15 * 0.5 + heat.run_down_energy(1.0, speed, 200, 0), rel=0.02)
 
 
-@pytest.mark.parametrize("ratio", [0.0, 0.02, 1.0, 3.0])
-def test_a_swing_after_a_time(ratio):
-    natural, time = 3340.0, 1e-3
-    turning = np.array([[0.0, natural], [-natural, -2 * ratio * natural]])
-    assert _swung(natural, ratio * natural, time) == pytest.approx(expm(turning * time), rel=1e-9, abs=1e-12)
-    assert abs(_swung(natural, ratio * natural, 10.0)).max() <= 1  # for long, and stiff: no overflow
-
-
-def test_slow_slip_takes_static_friction_back(monkeypatch):
+def test_slow_slip_takes_static_friction_back():
     """A heavy motor side, of which a thousand swings pass while the friction comes back: by quadrature of J_1 dω/(T − M)."""
     own = clutch(drive={"damping_ratio": 3.0, "driven_inertia": 0.005, "motor_inertia": 30.0})
     found = outcome_of(own, 0.3).trip
@@ -143,32 +133,6 @@ def test_slow_slip_takes_static_friction_back(monkeypatch):
     # but for the stop of the tool
     assert found.slip_time == pytest.approx(trapezoid(30 / (torque - 150), speeds), rel=1e-3)
     assert found.heat == pytest.approx(trapezoid(30 * speeds * torque / (torque - 150), speeds), rel=5e-3)
-    monkeypatch.setattr("afmcalc.drive.coast._creeping", lambda *where: None)
-    stepped = outcome_of(own, 0.3).trip
-    assert (found.peak, found.slip_time) == pytest.approx((stepped.peak, stepped.slip_time), rel=1e-5)
-    assert found.heat == pytest.approx(stepped.heat, rel=1e-6)
-
-
-def test_slow_slip_lasts_while_falling_friction_grows_a_swing_by_0_3_of_its_frequency():
-    own = case_of(clutch(friction={"stribeck_speed": 0.02}), 0.3).plant
-    slow = creeping(own, Mode(pack=1))
-    steep = (slow.torque(slow.least) - slow.torque(slow.least + 1e-6)) / 1e-6
-    # J_2 σ' = (−∂T/∂v − d)/2 against √(k J_2)
-    assert 0.28 < (steep - own.train.damping) / (2 * math.sqrt(own.train.stiffness * slow.inertia)) < 0.3001
-
-
-def test_a_standing_tool_is_torn_loose_as_static_friction_comes_back(monkeypatch):
-    """Its load holds more than the sliding torque and less than the static one."""
-    event = {"kind": "load", "rise_time": 1e-4, "torque": 317.0, "stop_time": None, "duration": 3.0}
-    drive = {"damping_ratio": 1.0, "driven_inertia": 0.005, "motor_inertia": 20.0, "tool_inertia": 0.05, "event": event}
-    own = clutch(drive=drive)
-    found = outcome_of(own, 0.3).trip
-    assert own.torque(0.3) < 317 < own.torque(0.36)
-    monkeypatch.setattr("afmcalc.drive.coast._creeping", lambda *where: None)
-    stepped = outcome_of(own, 0.3).trip
-    assert (found.peak, found.heat, found.slip_time) == pytest.approx(
-        (stepped.peak, stepped.heat, stepped.slip_time), rel=1e-6
-    )
 
 
 def test_kloss_motor_against_its_own_equation_of_motion():
@@ -188,19 +152,12 @@ def test_kloss_motor_against_its_own_equation_of_motion():
 def test_load_event_stops_the_tool_and_holds_it():
     """A load beyond the clutch brings the tool to rest; it resists, it does not drive backwards."""
     drive = plant(300.0, kind="load", tool_inertia=2.0, overload=500.0, time=0.01)
-    found = run(drive, 5.0, recorded=True)
+    found = run(drive, 2.0, recorded=True)
     assert found.ended
     assert min(row.speed_tool for row in found.history) > -1e-9
     assert found.history[-1].speed_tool == 0
     # afterwards the motor pushes against the held tool
     assert found.history[-1].torque_shaft == pytest.approx(150, abs=160)
-
-
-def test_load_below_the_clutch_makes_no_slip():
-    found = run(plant(300.0, kind="load", tool_inertia=2.0, overload=160.0, time=0.1), 1.0)
-    assert found.trip_torque is None
-    assert found.slip_time == 0
-    assert found.peak < 300
 
 
 def test_a_motor_that_is_slowed_pulls_harder():
@@ -212,7 +169,7 @@ def test_a_motor_that_is_slowed_pulls_harder():
 
 
 def test_history_is_in_order_and_holds_the_peak():
-    found = run(plant(300.0), 3.0, recorded=True)
+    found = run(plant(300.0), 0.1, recorded=True)
     times = [row.time for row in found.history]
     assert times == sorted(times)
     assert max(row.torque_shaft for row in found.history) == found.peak
@@ -224,22 +181,3 @@ def test_lock_of_a_damped_shaft_jumps():
     drive = plant(1000.0, damping=2.0, time=0.0)
     assert run(drive, 0.001).peak >= 150 + 2 * 15
     assert run(replace(drive, train=replace(drive.train, damping=40.0)), 1.0).peak_clutch <= 1000 * (1 + 1e-9)
-
-
-def test_a_stride_over_slow_slip_keeps_the_swing_that_grows_back(monkeypatch):
-    """Friction that rises as the slip slows down feeds the swing: forgotten, the slip of the reference lasts 0.7 % more."""
-    own = case_of(clutch(), 0.1).plant
-    strides = []
-
-    def noted(*args, **options):
-        found = stride(*args, **options)
-        strides.append(found)
-        return found
-
-    monkeypatch.setattr("afmcalc.drive.trip.stride", noted)
-    quick = run(own, 60.0)
-    assert any(strides)
-    monkeypatch.setattr("afmcalc.drive.trip.stride", lambda *args, **options: None)
-    stepped = run(own, 60.0)
-    assert quick.slip_time == pytest.approx(stepped.slip_time, rel=5e-4)
-    assert quick.heat == pytest.approx(stepped.heat, rel=1e-5)

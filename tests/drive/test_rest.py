@@ -50,3 +50,11 @@ def test_a_motor_that_feeds_the_swing_makes_the_clutch_slip_again():
     slipping = Slipping(torque=180.0, speed=0.0, sliding=180.0, breakaway=200.0)
     assert slips_below(driven, stuck(180.0, 5.0), slipping, top * 1.001)
     assert not slips_below(driven, stuck(180.0, 5.0), slipping, top * 0.999)
+
+
+def test_a_motor_to_be_switched_off_does_not_leave_a_turning_tool_settled():
+    """A stuck drive swings about a load that it carries, until the cut-off takes its motor away."""
+    train = replace(TRAIN, kind="load", tool_inertia=2.0, overload=120.0)
+    turning = Stuck(15.0, 15.0, 120.0, standing=False, powered=True, pending=False)
+    assert settled(train, turning, 300.0, 200.0)
+    assert not settled(train, turning._replace(pending=True), 300.0, 200.0)

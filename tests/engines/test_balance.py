@@ -15,8 +15,6 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 from strategies import direct_specs, indirect_specs, p5
 
-from afmcalc.analysis.sweep.grid import evaluate
-from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.engines.springs import DiscCharacteristic, SetSpring
 from afmcalc.errors import SpecError
@@ -207,7 +205,7 @@ UNLIKE = direct_specs(variants=("unlike", "differentiated", "all-driving"))
 @given(st.one_of(sleeves(), sleeves(), UNLIKE))
 def test_no_friction_gives_more_or_less_and_a_step_aside_gives_as_much(spec):
     clutch = build(spec)
-    own, path = clutch.torque_range, clutch.path(np.append(np.linspace(0.0, 1.0, 10_001), clutch.path_bend))
+    own, path = clutch.torque_range, clutch.path(np.append(np.linspace(0.0, 1.0, 4_001), clutch.path_bend))
     swept, first = np.asarray(clutch.torque(*path)), clutch.friction[0]
     low, high = float(swept.min()), float(swept.max())
     assert low * (1 - 1e-3) <= own.low <= low * (1 + 1e-9)
@@ -217,9 +215,9 @@ def test_no_friction_gives_more_or_less_and_a_step_aside_gives_as_much(spec):
     bent = spec.spring_parts and clutch.gain_slope  # where the torque jumps it does so ever more steeply
     for at, extreme in ((own.at_low, own.low), (own.at_high, own.high)):
         assert first.min * (1 - 1e-9) <= at <= first.max * (1 + 1e-9)
-        # within a step of 10⁴ on either side; a step and a hair, for a jump is just there
-        step = (first.max - first.min) / 1e4 + 1e-9
-        near = np.clip(at + step * np.linspace(-1, 1, 10_001), first.min, first.max)
+        # within a step on either side; a step and a hair, for a jump is just there
+        step = (first.max - first.min) / 4e3 + 1e-9
+        near = np.clip(at + step * np.linspace(-1, 1, 4_001), first.min, first.max)
         torques = [low, high] if spec.friction.unlike else clutch.torque(near)
         assert np.min(np.abs(np.asarray(torques) / extreme - 1)) < (1e-4 if bent else 1e-6)
     if clutch.sleeve is not None:
@@ -229,47 +227,14 @@ def test_no_friction_gives_more_or_less_and_a_step_aside_gives_as_much(spec):
         assert clutch.accuracy_factor_hysteresis == pytest.approx(own.high / clutch.torque_returning_min, rel=1e-9)
 
 
-@pytest.mark.slow
-@PATIENT
-@given(st.one_of(sleeves(), sleeves(), UNLIKE))
-def test_arrays_equal_numbers(spec):
-    path, radius = "friction_group.mean_radius", spec.friction_group.mean_radius
-    radii = np.array([0.97, 1.0, 1.02]) * radius
-    names = ["accuracy_factor", "torque_min", "torque_max"] + ["torque_returning_min"] * spec.kind.travels
-    asked = {name: lambda own, name=name: getattr(own, name) for name in names}
-    try:
-        swept = evaluate(spec, {path: radii}, {**asked, "at": lambda own: own.torque_range.at_high})
-    except SpecError:
-        assume(False)
-    for place, radius in enumerate(radii):
-        data = resolved(spec)
-        data["friction_group"]["mean_radius"] = radius
-        one = build(make_spec(data))
-        for name in names:
-            assert swept[name][place] == pytest.approx(float(getattr(one, name)), rel=1e-9), name
-        # a pocket that holds the torque leaves the place to rounding
-        if one.scatter > 1e-9 * one.torque_max:
-            assert swept["at"][place] == pytest.approx(float(one.torque_range.at_high), rel=1e-6)
-
-
 def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
-    own = {
-        "variant": "indirect",
-        "friction": {"min": 0.1, "mean": 0.3, "max": 0.8},
-        "friction_group": {"pairs": 8, "mean_radius": 0.1},
-        "closing_spring": {"force": 2000.0, "stiffness": 4e5, "disc": stack("B 40", 6).model_dump(exclude_none=True)},
-        "control_spring": {"stiffness": 2e5},
-        "control_unit": {
-            "gain": 2.0, "ball_circle_radius": 0.05, "hub_diameter": 0.05, "key_friction": 0.01, "balls": 6,
-            "pocket": "constant-torque",
-        },
-    }  # fmt: skip
-    clutch = build(own)
+    disc = f"closing_spring.disc={{{', '.join(f'{name}={value}' for name, value in stack('B 40', 6) if value is not None)}}}"
+    own = "closing_spring.stiffness=4e5", "control_spring.stiffness=2e5", "C=2", "control_unit.key_friction=0.01"
+    clutch = build(p5(*own, disc, "control_unit.pocket=constant-torque"))
     assert clutch.torque(0.8) == pytest.approx(clutch.torque(0.1), rel=1e-9), "the same at both ends"
     swept = clutch.torque(np.linspace(0.1, 0.8, 10_001))
     assert clutch.torque_min == pytest.approx(swept.min(), rel=1e-9), "between them"
     assert clutch.torque(0.8) / 1.03 < clutch.torque_min < clutch.torque(0.8) / 1.001
-    assert synthesize(clutch)[0].travel_max == pytest.approx(float(clutch.travel(0.8)))
 
 
 def test_a_jump_between_disc_springs_is_seen_from_both_sides():

@@ -1,6 +1,5 @@
 """The direct law against a numerical solution of the axial balance, and its special cases against each other."""
 
-from dataclasses import replace
 from math import radians, tan
 
 import numpy as np
@@ -12,7 +11,6 @@ from strategies import FRICTION, direct_specs
 import afmcalc
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, resolved
-from afmcalc.spec.edit import with_values
 
 
 def _base(**changes):
@@ -84,55 +82,6 @@ def test_accuracy_is_the_extreme_ratio_of_the_torque_itself(spec):
     assert clutch.accuracy_factor_peak == pytest.approx(peaks.max() / peaks.min(), rel=1e-9)
 
 
-@given(direct_specs(("differentiated", "unlike", "all-driving", "conventional")))
-def test_sensitivities_are_the_derivatives_of_the_accuracy(spec):
-    """Central differences of ln K_т over every continuous key; pairs are continuous for the law."""
-    clutch = build(spec)
-    ranges = clutch.friction if spec.friction.unlike else ()
-    if abs(clutch.accuracy_factor - 1) < 1e-6 or any(each.mean in (each.min, each.max) for each in ranges):
-        return  # K_т = max/min has a kink there
-    step = 1e-6
-    for path, elasticity in clutch.sensitivity().items():
-        if path.endswith("pairs"):
-            continue
-        factors = []
-        for sign in (-1, 1):
-            value = spec
-            for part in path.split("."):
-                value = getattr(value, part)
-            factors.append(float(build(with_values(spec, {path: value * (1 + sign * step)})).accuracy_factor))
-        numeric = (np.log(factors[1]) - np.log(factors[0])) / (2 * step)
-        assert elasticity == pytest.approx(numeric, abs=2e-5), path
-
-
-@given(direct_specs(("differentiated", "all-driving")))
-def test_pair_sensitivities_are_derivatives_with_the_other_count_kept(spec):
-    clutch = build(spec)
-    sensitivity = clutch.sensitivity()
-    z1, z2 = float(clutch.bypass_pairs), float(clutch.controlled_pairs)
-    step = 1e-6
-
-    def factor(bypass, controlled):
-        return np.log(replace(clutch, bypass_pairs=bypass, controlled_pairs=controlled).accuracy_factor)
-
-    change = (z1 + z2) * step
-    numeric = (factor(z1, z2 + change) - factor(z1, z2 - change)) / (2 * step)
-    assert sensitivity["friction_group.pairs"] == pytest.approx(numeric, abs=2e-5)
-    if z1:
-        numeric = (factor(z1 * (1 + step), z2 - z1 * step) - factor(z1 * (1 - step), z2 + z1 * step)) / (2 * step)
-        assert sensitivity["friction_group.driving_pairs"] == pytest.approx(numeric, abs=2e-5)
-
-
-@given(direct_specs(), st.lists(FRICTION, min_size=1, max_size=12))
-def test_arrays_and_floats_agree_bit_for_bit(spec, friction):
-    clutch = build(spec)
-    array = np.array(friction).reshape(1, -1, 1)
-    for law in (clutch.torque, clutch.normal_force, clutch.release_force, clutch.breakaway_torque):
-        values = law(array)
-        assert values.shape == array.shape
-        assert values.ravel().tolist() == [law(f) for f in friction]
-
-
 @pytest.mark.parametrize("bad", [-0.1, float("nan"), float("inf"), True, "0.3", None, [0.1, -0.1], [0.1, float("nan")]])
 def test_friction_that_is_none_is_refused(bad):
     clutch = afmcalc.load()
@@ -181,13 +130,8 @@ def test_findings():
     assert missed.value == pytest.approx(118.5185185)
     below = codes(_base(adjustment={"method": "mean-friction"}))["below-nominal-torque"]
     assert below.value < below.limit
-
-
-def test_torque_may_fall_with_friction():
-    """z_1 1, z_2 6, C 3, f_1 0.5…0.6, f_2 0.1…0.6: F11 (14) gives 0.906, so K_т = 1.104 (theory, section 3)."""
-    unlike = {"driving": {"min": 0.5, "max": 0.6}, "driven": {"min": 0.1, "max": 0.6}}
-    spec = _base(friction=unlike, friction_group={"pairs": 7, "mean_radius": 0.1}, control_unit={"gain": 3.0})
-    clutch = build(spec)
-    assert clutch.accuracy_factor == pytest.approx(1 / 0.906, rel=1e-3)
-    assert clutch.accuracy_factor == pytest.approx(1.104, abs=5e-4)
-    assert codes(spec)["torque-falls"].value == pytest.approx(0.906, abs=5e-4)
+    # z_1 1, z_2 6, C 3, f_1 0.5…0.6, f_2 0.1…0.6: (0.6 + 3.6)/11.8 over (0.5 + 0.6)/2.8
+    falls = {"driving": {"min": 0.5, "max": 0.6}, "driven": {"min": 0.1, "max": 0.6}}
+    pack = {"pairs": 7, "mean_radius": 0.1}
+    told = codes(_base(friction=falls, friction_group=pack, control_unit={"gain": 3.0}))
+    assert told["torque-falls"].value == pytest.approx(4.2 / 11.8 / (1.1 / 2.8))

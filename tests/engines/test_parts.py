@@ -5,13 +5,12 @@ import math
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.springs.springs import option_of, part_of, springs
+from afmcalc.analysis.springs.springs import option_of
 from afmcalc.engines import build
 from afmcalc.engines.parts import INNER, PartCheck
 from afmcalc.engines.springs import characteristic
 from afmcalc.errors import SpecError
 from afmcalc.spec import read_spec
-from afmcalc.spec.edit import with_values
 
 DEFAULT, INDIRECT = CONFIGS / "default.toml", CONFIGS / "indirect.toml"
 WIDE = (
@@ -147,25 +146,6 @@ def test_a_coil_that_moves_at_every_trip(cycles, loading, level):
     assert {each.code: each.level for each in clutch.findings()}.get("coil-fatigue") == level
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("path", [DEFAULT, INDIRECT])
-def test_what_is_found_holds_what_is_named(path):
-    """What the search offers has no finding once it is in the spec."""
-    room = {"inner_diameter": 0.02, "outer_diameter": 0.08, "length": 0.06}
-    spec = read_spec(path, [f"closing_spring.room.{name}={value}" for name, value in room.items()])
-    result, _ = springs(build(spec), top=1000)
-    before = build(spec).findings()
-    assert {each.kind for each in result.closing} == {"disc", "coil"}
-    for each in result.closing[::7]:
-        values = {"disc": None, "coil": None, "stiffness": each.stiffness} | {each.kind: part_of(each)}
-        named = spec
-        for name, value in values.items():
-            named = with_values(named, {f"closing_spring.{name}": value})
-        after = [own for own in build(named).findings() if own.path and own.path.startswith("closing_spring.")]
-        # of any disc it is said that its curve counts
-        assert [own for own in after if own not in before and own.code != "curved-springs"] == []
-
-
 def test_a_stiffness_beside_a_coil_is_the_coil_s(afmcalc):
     """94.33 N/mm; eight linings worn by 0.1 mm take 75.46 N of 2 kN."""
     refused = afmcalc("torque", DEFAULT, "--set", coil(), "--set", "closing_spring.stiffness=2e6")
@@ -183,15 +163,6 @@ def test_utilisation_of_what_must_be_reached():
     demand = PartCheck(INNER, 0.05, 0.04, scale=0.1)
     assert demand.utilisation == pytest.approx(0.8)
     assert demand.beyond == pytest.approx(-0.1)
-
-
-def test_several_coils_have_half_the_ring(afmcalc):
-    """Around a shaft of 80 mm in a bore of 120 mm there are 20 mm for coils of 15 + 3 mm."""
-    six = coil(wire_diameter=3e-3, coil_diameter=15e-3, turns=5, free_length=60e-3, count=6)
-    room = "closing_spring.room={inner_diameter=0.08, outer_diameter=0.12}"
-    limits = afmcalc("check", DEFAULT, "--set", six, "--set", room, "--json").json["result"]["limits"]
-    (ring,) = (row for row in limits if row["symbol"] == "D_e ≤ (D_2 − D_1)/2")
-    assert (ring["value"], ring["limit"]) == (pytest.approx(0.018), pytest.approx(0.02))
 
 
 def test_a_disc_beyond_its_range_is_told_as_a_share_of_its_cone():

@@ -81,14 +81,8 @@ def outcome(folder: Path, tests: str, *options: str) -> int | None:
     """Exit code of pytest in a copy; None if it does not end in time."""
     command = [sys.executable, "-m", "pytest", *options, "-q", "-p", "no:cacheprovider", *tests.split()]
     environment = {**os.environ, "CI": "1", "PYTHONPATH": str(folder)}
-    run = subprocess.Popen(
-        command,
-        cwd=folder,
-        env=environment,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    with (folder / "told").open("wb") as told:
+        run = subprocess.Popen(command, cwd=folder, env=environment, stdout=told, stderr=told, start_new_session=True)
     try:
         return run.wait(SECONDS)
     except subprocess.TimeoutExpired:
@@ -145,6 +139,9 @@ def main(chosen: list[str]) -> int:
         groups = [own for start in range(workers) if (own := tests[start::workers])]
         sound = in_copies(folders, [lambda folder, own=own: outcome(folder, " ".join(own)) for own in groups])
         if any(code != PASSED for code in sound):
+            print(
+                *((folder / "told").read_text(encoding="utf-8")[-2000:] for folder in folders[: len(groups)]), sep="\n"
+            )
             print("tests fail without a fault, or do not end: nothing here can be believed")
             return 2
         codes = in_copies(folders, [lambda folder, fault=fault: with_fault(folder, fault) for fault in faults])

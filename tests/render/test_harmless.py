@@ -65,16 +65,13 @@ def test_no_cell_of_csv_is_a_formula(answered):
         assert float(numbers[1]) == 2000
 
 
-def test_a_name_is_no_markup(answered, report):
+def test_a_name_is_no_markup(answered):
     run = answered("torque", "--set", "name=<b>|x|*_`[bold]y[/]", "--format", "markdown")
     assert "## torque: \\<b\\>\\|x\\|\\*\\_\\`\\[bold\\]y\\[/\\]" in run.out
     assert "[bold]y[/]" in answered("torque", "--set", "name=[bold]y[/]").out
-    page = report("default", "--set", "name=a_b", "--set", "fatigue=")
-    assert "a<sub>b" not in page
-    assert page.count("a_b") >= 2
 
 
-@pytest.mark.parametrize("name", ["_x", "a_b_c $x$"])
+@pytest.mark.parametrize("name", ["_a_b_c $x$"])
 def test_a_name_is_in_a_legend_as_it_is(name, afmcalc, tmp_path, monkeypatch):
     for module in ("paint", "figure"):
         monkeypatch.setattr(f"afmcalc.render.plot.{module}.PARAMETERS", {"svg.fonttype": "none"})

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from serving import MISSING, Served
+from pages import MISSING
+from serving import Served
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 PATH = next((path for name in NAMES if (path := shutil.which(name))), None)
@@ -38,11 +39,10 @@ class Opened:
     def __init__(self, chromium: Any, served: Served, width: int = 1280, scheme: str = "light", **more: Any) -> None:
         self.served = served
         self.context = chromium.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme, **more)
-        self.context.grant_permissions(["clipboard-read", "clipboard-write"], origin=served.origin)
+        self.context.grant_permissions(["clipboard-read", "clipboard-write"], origin=f"http://{served.host}")
         self.context.set_default_timeout(20_000)
         self.problems: list[str] = []
         self.requests: list[str] = []
-        self.waiting = 0
         self.page = self.tab()
 
     def tab(self) -> Any:
@@ -50,33 +50,13 @@ class Opened:
         page = self.context.new_page()
         page.on("console", lambda message: self.problems.append(message.text) if message.type != "log" else None)
         page.on("pageerror", lambda error: self.problems.append(str(error)))
-        page.on("request", self._asked)
-        page.on("requestfinished", self._over)
-        page.on("requestfailed", self._over)
+        page.on("request", lambda request: self.requests.append(request.url))
         page.goto(self.served.url)
         page.wait_for_selector("#numbers [data-path]")
         return page
 
-    def _asked(self, request: Any) -> None:
-        self.requests.append(request.url)
-        self.waiting += request.url.endswith("/live")
-
-    def _over(self, request: Any) -> None:
-        self.waiting -= request.url.endswith("/live")
-
-    def settled(self) -> None:
-        """Wait until every change is answered."""
-        quiet = 0
-        while quiet < 3:
-            self.page.wait_for_timeout(50)
-            quiet = 0 if self.waiting else quiet + 1
-
     def field(self, key: str) -> Any:
         return self.page.locator(f'[name="{key}"]')
-
-    def slider(self, key: str) -> Any:
-        """The slider beside a field."""
-        return self.page.locator(f'[name="{key}"] ~ input[type=range]')
 
     def unfold(self) -> None:
         self.page.evaluate("document.querySelectorAll('#form details, form details').forEach(one => one.open = true)")
@@ -108,25 +88,17 @@ class Opened:
         found: dict[str, str] = self.page.locator("#numbers [data-path]").evaluate_all(collect)
         return found
 
-    def copied(self) -> str:
-        """What the copy button puts into the clipboard."""
-        self.page.click("#copy")
-        self.page.wait_for_function("async () => (await navigator.clipboard.readText()).startsWith('afmcalc')")
-        return str(self.page.evaluate("navigator.clipboard.readText()"))
-
-    def open(self, name: str, seconds: float = 30) -> Any:
-        """Open a tab, wait until it answers, return its panel."""
+    def open(self, name: str) -> None:
+        """Open a tab and wait until it answers."""
         self.page.click(f"#tab-{name}")
-        panel = self.page.locator(f"#panel-{name}")
         if name == "design":  # as long as it takes only where it is asked for
-            panel.locator(".start").click()
+            self.page.click(f"#panel-{name} .start")
         self.page.wait_for_function(
             """name => { const panel = document.getElementById(`panel-${name}`)
               return panel.getAttribute('aria-busy') == 'false'
                 && (panel.querySelector('.answer').children.length || panel.querySelector('.problems li, .error:not([hidden])')) }""",
-            arg=name, timeout=seconds * 1000,
+            arg=name, timeout=60_000,
         )  # fmt: skip
-        return panel
 
     def axe(self) -> list[str]:
         """Serious and critical faults of accessibility."""

@@ -1,4 +1,4 @@
-"""A server and a browser, started once."""
+"""Pages in this process; a server and a browser, started once."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -7,47 +7,39 @@ from typing import Any
 import pytest
 from browser import Opened
 from browser import chromium as started
-from serving import CONFIGS, Served, serving, spec_in
+from pages import Site, spec_in
+from serving import Served
+
+
+@pytest.fixture(scope="session")
+def site(afmcalc: Any, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
+    """The page of a copy of the base clutch, which nothing may change."""
+    spec = spec_in(tmp_path_factory.mktemp("site"))
+    before = spec.read_bytes()
+    yield Site(afmcalc, spec)
+    assert spec.read_bytes() == before
+    assert [*spec.parent.iterdir()] == [spec]
 
 
 @pytest.fixture(scope="session")
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
-    """A server of a copy of the base clutch, which nothing may change."""
-    folder = tmp_path_factory.mktemp("served")
-    spec = spec_in(folder)
-    with serving(folder, spec.name) as server:
-        yield server
-    assert spec.read_bytes() == (CONFIGS / "default.toml").read_bytes()
-    assert [path.name for path in folder.iterdir()] == [spec.name]
-
-
-@pytest.fixture(scope="session")
-def forced(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
-    """A server that may write its spec."""
-    folder = tmp_path_factory.mktemp("forced")
-    with serving(folder, spec_in(folder).name, "--force") as server:
-        yield server
-
-
-@pytest.fixture
-def spec(forced: Served) -> Iterator[Path]:
-    """Its spec, as it was at the start; nothing else is beside it after a test."""
-    file = spec_in(forced.folder)
-    yield file
-    assert [other.name for other in forced.folder.iterdir()] == [file.name]
+    """A server, as a process, that may write its spec, a copy of the base clutch."""
+    server = Served(spec_in(tmp_path_factory.mktemp("served")), "--force")
+    yield server
+    server.end()
 
 
 @pytest.fixture
 def serve(tmp_path: Path) -> Iterator[Any]:
-    """Start servers in an empty folder: ``serve("clutch.toml", "--force")``."""
-    started: list[Served] = []
+    """Start servers of a spec in an empty folder: ``serve("drive", "--force")``."""
+    servers: list[Served] = []
 
-    def start(*arguments: object) -> Served:
-        started.append(Served(tmp_path, *arguments))
-        return started[-1]
+    def start(name: str = "default", *arguments: object) -> Served:
+        servers.append(Served(spec_in(tmp_path, name), *arguments))
+        return servers[-1]
 
     yield start
-    for server in started:
+    for server in servers:
         server.end()
 
 
@@ -60,7 +52,7 @@ def chromium() -> Iterator[Any]:
 
 @pytest.fixture
 def opened(chromium: Any) -> Iterator[Any]:
-    """Open the page of a server: ``opened(served, width=375, scheme="dark")``."""
+    """Open the page of a server: ``opened(served, width=375, scheme="dark")``; the console has nothing to say of it."""
     pages: list[Opened] = []
 
     def open_page(served: Served, **settings: Any) -> Opened:
@@ -70,3 +62,4 @@ def opened(chromium: Any) -> Iterator[Any]:
     yield open_page
     for page in pages:
         page.close()
+        assert page.problems == []

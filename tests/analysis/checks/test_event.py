@@ -8,7 +8,6 @@ from drives import merged
 
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.check import check
-from afmcalc.analysis.life import LifeResult, life
 from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.synthesize import SynthesisResult
 from afmcalc.drive.result import SimulateResult
@@ -40,6 +39,7 @@ def row_of(result, name):
     return row
 
 
+@pytest.mark.slow
 def test_an_event_is_held_against_balls_and_pockets():
     """The sleeve swings farther than the law has it travel: 2 r_ш sin α − s is where the ball leaves its pocket."""
     own = build(PRESS)
@@ -60,6 +60,7 @@ def test_an_event_is_held_against_balls_and_pockets():
     assert force > 1.2 * made.contact_force
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("changes", "code"),
     [
@@ -74,6 +75,7 @@ def test_an_event_that_asks_too_much_is_told(changes, code):
     assert "contact-force-exceeded" not in found, "the static one passes"
 
 
+@pytest.mark.slow
 def test_disc_springs_are_held_where_the_sleeve_swings():
     """Picked for the travel of the law, which they hold, they are let go in the event."""
     discs = {
@@ -94,24 +96,7 @@ def test_disc_springs_are_held_where_the_sleeve_swings():
     assert not result.passed
 
 
-def test_life_is_judged_by_the_peak_that_the_drive_gives():
-    own = merged(
-        PRESS,
-        {"drive": {"dynamic_factor": None}, "fatigue": {"endurance_limit": 120e6}, "requirements": {"cycles": 1e7}},
-    )
-    answers = Answers(build(own))
-    result, found = check(answers.clutch, answers=answers)
-    factor = answers.of(SimulateResult).dynamic_factor.min
-    assert factor > 1.5
-    real = life(build(merged(own, {"drive": {"dynamic_factor": factor}})))[0]
-    row = row_of(result, "damaging stress, unprotected side (beyond: limited life)")
-    assert row.value == pytest.approx(real.stress_unprotected, rel=1e-12)
-    assert row.value > row.limit > answers.of(LifeResult).stress_protected
-    assert row.verdict == "note"
-    assert result.requirements[0].passed is False
-    assert result.requirements[0].value == pytest.approx(real.unprotected.min_friction)
-
-
+@pytest.mark.slow
 def test_a_temperature_is_judged_as_far_as_slips_end(afmcalc):
     """A motor with a curve and an event tell the heat; a slip that does not end leaves the largest open."""
     motor = "drive.motor={breakdown_torque=100.0, breakdown_slip=0.2, synchronous_speed=32.0}"

@@ -1,8 +1,6 @@
 """The plate of a motor and the diameter of a shaft, in a spec and in requirements, against numbers worked out by hand."""
 
-import json
 import math
-import re
 import tomllib
 
 import pytest
@@ -34,12 +32,8 @@ DRIVE = {
 def checked(**blocks):
     answers = Answers(build(make_spec(DEFAULT | blocks)))
     result, findings = answers.ask("check")
-    return (
-        answers,
-        {row.name: row for row in result.limits},
-        result.requirements,
-        {each.code: each for each in findings},
-    )
+    rows, found = {row.name: row for row in result.limits}, {each.code: each for each in findings}
+    return answers, rows, result.requirements, found
 
 
 def test_the_torque_of_a_plate():
@@ -106,10 +100,14 @@ def test_a_shaft_yields_by_von_mises():
         assert limits[name].verdict == verdict
         assert ("shaft-yields" in findings) == (verdict == "fail")
         assert name not in checked(shaft={"diameter": diameter}, fatigue=None)[1]
+
+
+@pytest.mark.slow
+def test_a_shaft_is_held_against_the_peak_of_the_event():
     answers, limits, _, _ = checked(shaft={"diameter": 0.04, "yield_strength": 4e8}, fatigue=None, drive=DRIVE)
     peak = answers.ask("simulate")[0].peak_torque.max
     assert peak > HIGH
-    assert limits[name].value == pytest.approx(16 * peak / (math.pi * 0.04**3))
+    assert limits["largest stress of the shaft, by von Mises"].value == pytest.approx(16 * peak / (math.pi * 0.04**3))
 
 
 SMALL = {
@@ -138,17 +136,6 @@ def test_a_design_from_a_plate_is_that_for_its_torque():
     ]
 
 
-def test_a_design_asks_the_life_of_the_shaft_by_its_diameter():
-    part = {"endurance_limit": "20 MPa", "exponent": 6, "base_cycles": 1e6}
-    wanted = {"wanted": WANTED["wanted"] | {"cycles": 5e6}}
-    need = make_requirements(WANTED | SMALL | wanted | {"fatigue": part, "shaft": {"diameter": 0.03}})
-    modulus = part | {"polar_section_modulus": math.pi * 0.03**3 / 16}
-    without = {name: block for name, block in WANTED.items() if name != "shaft"}
-    same = design(make_requirements(without | SMALL | wanted | {"fatigue": modulus}))[0]
-    assert design(need)[0] == same
-    assert same.excluded["cycles"] > 0
-
-
 @pytest.mark.parametrize("drive", [{}, {"drive": {"dynamic_factor": 1.3}}])
 def test_no_clutch_of_a_front_makes_its_shaft_yield(drive):
     """The front with a weak shaft is that with T_max below the torque at which it yields."""
@@ -163,30 +150,6 @@ def test_no_clutch_of_a_front_makes_its_shaft_yield(drive):
     assert result.front == same.front
     assert result.excluded["shaft_yield"] == same.excluded["torque_max"] > 0
     assert Answers(build(with_picked(need, result, 1)[1])).ask("check")[0].passed
-
-
-@pytest.mark.parametrize(
-    ("command", "blocks", "says"),
-    [
-        ("torque", {"machine": {"power": "3 kW"}}, "machine.speed: required"),
-        ("torque", {"machine": {"speed": "965 rpm"}}, "machine.power: required"),
-        ("torque", {"machine": PLATE | {"power": "3 N*m"}}, 'give a power: a number in SI (W) or a string with a unit such as "11 kW"'),
-        ("torque", {"machine": PLATE | {"efficiency": 1.1}}, "machine.efficiency = 1.1: must be at most 1"),
-        ("torque", {"machine": PLATE, "requirements": {"machine_torque": 90}}, "requirements.machine_torque = 90: excludes [machine], whose plate gives it"),
-        ("torque", {"shaft": {"diameter": 0.03}}, 'fatigue.polar_section_modulus = "15 cm^3": excludes [shaft], whose diameter gives it'),
-        ("torque", {"fatigue": {"endurance_limit": 4e8, "exponent": 6, "base_cycles": 1e7}}, "fatigue.polar_section_modulus: required (or give shaft.diameter)"),
-        ("torque", {"shaft": {"yield_strength": 4e8}, "fatigue": None}, "shaft.diameter: required"),
-        ("design", {"machine": {"power": "3 kW"}}, "machine.speed: required"),
-        ("design", {"wanted": {"nominal_torque": 90}}, "wanted.nominal_torque = 90: excludes [machine], whose plate gives it"),
-        ("design", {"fatigue": {"endurance_limit": 4e8, "exponent": 6, "base_cycles": 1e7, "polar_section_modulus": 1e-5}}, "excludes [shaft]"),
-        ("design", {"drive": {"event": {"kind": "stop"}} | {key: DRIVE[key] for key in DRIVE if key != "event"}}, "drive.event.stop_time: required"),
-    ],
-)  # fmt: skip
-def test_each_wrong_input_is_one_sentence(command, blocks, says, afmcalc):
-    run = afmcalc(command, "-", stdin=json.dumps((DEFAULT if command == "torque" else WANTED) | blocks))
-    assert (run.code, run.out) == (2, "")
-    assert says in run.err
-    assert run.err.count("error: ") == 1
 
 
 def test_a_search_says_that_the_shaft_is_not_held_against_peaks():
@@ -215,21 +178,6 @@ def test_a_hub_is_bored_for_its_shaft():
     by_bore = Answers(build(make_spec(SPACE | shaft | {"envelope": free | {"bore": "30 mm"}}))).ask("layout")[0]
     assert by_shaft == by_bore
     assert by_shaft.mass < Answers(build(make_spec(SPACE | {"envelope": free}))).ask("layout")[0].mass
-    for key, value, says in (
-        ("bore", "29 mm", "envelope.bore: must be at least shaft.diameter (0.03 m)"),
-        ("outer_diameter", "30 mm", "envelope.outer_diameter: must be greater than shaft.diameter (0.03 m)"),
-    ):
-        with pytest.raises(SpecError) as refused:
-            make_spec(SPACE | shaft | {"envelope": free | {key: value}})
-        assert says in re.sub(r" = \S+ \S+:", ":", str(refused.value))
-    with pytest.raises(
-        SpecError, match=r"control_unit\.hub_diameter.* must be greater than shaft\.diameter \(0\.06 m\)"
-    ):
-        make_spec(SPACE | {"shaft": {"diameter": "60 mm"}, "fatigue": None})
-
-
-def test_a_picked_clutch_has_no_key_that_its_variant_lacks():
-    """The inertia of a hub stands in the requirements for the indirect candidates alone."""
-    need = make_requirements(WANTED | SMALL | {"drive": {"hub_inertia": 0.01, "dynamic_factor": 1.2}})
-    result = design(need)[0]
-    assert with_picked(need, result, 1)[1].drive.hub_inertia is None
+    for wrong in ({"bore": "29 mm"}, {"outer_diameter": "30 mm"}):
+        with pytest.raises(SpecError, match="shaft.diameter"):
+            make_spec(SPACE | shaft | {"envelope": free | wrong})

@@ -1,25 +1,14 @@
 """Requirements of a spec: which analysis judges each, and what a miss, or one that cannot be judged, amounts to."""
 
 import math
-import re
 
 import pytest
 from conftest import CONFIGS
-from hypothesis import given
-from hypothesis import strategies as st
 
 from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.design.design import design
-from afmcalc.analysis.design.pick import with_picked
-from afmcalc.analysis.dossier import dossier
-from afmcalc.analysis.requirements import JUDGED
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
-from afmcalc.findings import Finding
-from afmcalc.render.report import Subject, render
 from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.models import Required
-from afmcalc.spec.requirements import read_requirements
 
 # the base clutch by hand: T(f) = F R f (z_1 + z_2)/(1 + z_2 C f), F 2 kN, R 100 mm, z 8, z_1 1, C 0.5
 TORQUE = {f: 2000 * 0.1 * 8 * f / (1 + 3.5 * f) for f in (0.1, 0.8)}
@@ -52,19 +41,13 @@ def rows_of(spec):
     return result.passed, {row.requirement: row for row in result.requirements}, findings
 
 
-def test_every_key_of_the_block_is_judged_by_something():
-    assert set(JUDGED) == set(Required.model_fields)
-
-
+@pytest.mark.parametrize("share", [0.999, 1.0, 1.001])
 @pytest.mark.parametrize("name", HELD)
-@given(share=st.floats(0.5, 2).filter(lambda share: abs(share - 1) > 1e-6))
 def test_a_requirement_is_held_up_to_its_limit(name, share):
     value, bound = HELD[name]
     limit = value * share
-    if name.startswith("accuracy_factor") and limit < 1:
-        return
     passed, rows, findings = rows_of(read_spec(None, [*RADII, WEAK, *WARM, f"requirements.{name}={limit!r}"]))
-    holds = share < 1 if bound == "at least" else share > 1
+    holds = share <= 1 if bound == "at least" else share >= 1
     row = rows[name]
     assert (row.value, row.limit) == (pytest.approx(value), limit)
     assert (row.bound, row.passed) == (bound, holds)
@@ -111,10 +94,6 @@ def test_a_torque_just_before_a_jump_counts(afmcalc):
     assert own["at_high"] == pytest.approx(leaving)
     assert torque["accuracy_factor"] == pytest.approx(own["high"] / own["low"]) == pytest.approx(2.001, abs=5e-4)
     assert torque["scatter"] == pytest.approx(99.32, abs=5e-3)
-    table = afmcalc("torque", "example:constant-torque", *changes).out
-    assert re.search(r"T_max .*198\.53", table)
-    assert "jumps down from 198.53" in table
-    assert "T_max " not in afmcalc("torque", "example:constant-torque").out, "at an end its triple shows it"
     failed = afmcalc(
         "check", "example:constant-torque", *changes, *set_to("requirements.accuracy_factor=1.4"), "--json"
     )
@@ -157,15 +136,6 @@ def test_accuracy_under_a_load_that_lasts(afmcalc, tmp_path):
     # within both, or beyond both, there is nothing to say
     assert not checked(f"{rising}=2.9")[1]
     assert not checked(f"{rising}=2")[1]
-    swept = afmcalc("accuracy", path, "--sweep", "key_friction=0.05,0.1", "--json").json["result"]["sweep"][0]
-    assert swept["accuracy_factor_hysteresis"][1] == pytest.approx(one["value"], rel=1e-12)
-    assert "K_т,h" in afmcalc("accuracy", path, "--sweep", "C").out
-    assert "K_т,h" not in afmcalc("accuracy", "--sweep", "C").out
-
-
-def test_at_the_limit_it_is_held():
-    _, rows, _ = rows_of(read_spec(None, [f"requirements.nominal_torque={TORQUE[0.1]!r}"]))
-    assert rows["nominal_torque"].passed
 
 
 def test_a_margin_in_the_spring_is_not_taken_off_again():
@@ -173,28 +143,6 @@ def test_a_margin_in_the_spring_is_not_taken_off_again():
     for method, over in (("min-friction", 1.25), ("mean-friction", 1)):
         clutch = build(read_spec(None, [f"adjustment.method={method}"]))
         assert clutch.machine_torque == pytest.approx(clutch.nominal_torque / over)
-
-
-def test_a_temperature_is_told_in_degrees(afmcalc):
-    """As heat and the spec do; scripts and --units si have K."""
-    asked = (
-        "check",
-        CONFIGS / "drive.toml",
-        "--set",
-        "requirements.temperature=20.2 degC",
-        "--set",
-        "drive.motor_inertia=0.2",
-    )
-    run = afmcalc(*asked, "--json").json
-    (row,) = (row for row in run["result"]["requirements"] if row["requirement"] == "temperature")
-    (said,) = (each["message"] for each in run["findings"] if each["path"] == "requirements.temperature")
-    assert (row["limit"], row["unit"]) == (293.35, "K")
-    told = f"{row['value'] - 273.15:.5g}"
-    assert said.endswith(f": {told} °C, but at most 20.2 °C is required")
-    for units, shown in (("engineer", (told, "20.2", "°C")), ("si", (f"{row['value']:.5g}", "293.35", "K"))):
-        lines = afmcalc(*asked, "--units", units).out.splitlines()
-        (line,) = (each.split() for each in lines if each.startswith("temperature "))
-        assert (line[-7], line[-4], line[-3]) == shown
 
 
 @pytest.mark.parametrize(
@@ -251,87 +199,8 @@ def test_exceedance_is_of_the_torque_required():
         make_spec(data)
 
 
-@pytest.mark.parametrize("wanted", [{}, {"nominal_torque": "", "machine_torque": "200 N*m", "margin": "1.25"}])
-def test_what_design_picks_holds_what_was_wanted(wanted):
-    need = read_requirements(CONFIGS / "requirements.toml", [f"wanted.{key}={value}" for key, value in wanted.items()])
-    need = need.model_copy(update={"wanted": need.wanted.model_copy(update={"torque_max": 700.0})})
-    result, _ = design(need)
-    for number in (1, 1 + len(result.front) // 2, len(result.front)):
-        spec = with_picked(need, result, number)[1]
-        assert set(resolved(spec)["requirements"]) >= {"accuracy_factor", "torque_max"}
-        passed, rows, findings = rows_of(spec)
-        assert passed, [each for each in findings if each.level == "error"]
-        assert all(row.passed for row in rows.values())
-        first = rows["machine_torque" if wanted else "nominal_torque"]
-        assert (first.value, first.limit) == (pytest.approx(200, rel=1e-3), 200)
-
-
 def test_travel_is_that_at_the_largest_friction(afmcalc):
     travel = afmcalc("torque", CONFIGS / "indirect.toml", "--json").json["result"]["travel"]
     for limit, holds in ((travel["max"] * 1.01, True), (travel["max"] * 0.99, False)):
         _, rows, _ = rows_of(read_spec(CONFIGS / "indirect.toml", [f"requirements.travel={limit!r}"]))
         assert (rows["travel"].value, rows["travel"].passed) == (pytest.approx(travel["max"]), holds)
-
-
-LIMITED = ["limits.surface_pressure=0.6 MPa", "limits.outer_diameter=260 mm", "limits.reduced_gain=5",
-           "limits.travel=8 mm", "search.mean_radius=[0.09, 0.1]", "search.gain=[0.5, 1.0]", "search.pairs=[6, 8]",
-           "search.closing_stiffness=[\"400 N/mm\"]", "search.control_stiffness=[\"200 N/mm\"]", "fixed.hub_diameter=50 mm",
-           "fixed.key_friction=0.01", "wanted.accuracy_factor=", "wanted.torque_max="]  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    ("variant", "carried"),
-    [
-        ("conventional", {"surface_pressure", "outer_diameter"}),
-        ("all-driving", {"surface_pressure", "outer_diameter", "reduced_gain"}),
-        ("indirect", {"surface_pressure", "outer_diameter", "reduced_gain", "travel"}),
-    ],
-)
-def test_what_design_picks_is_held_to_its_limits(variant, carried):
-    """And reads, in the row of check, what the row of the front says."""
-    need = read_requirements(CONFIGS / "requirements.toml", [*LIMITED, f'variants=["{variant}"]'])
-    need = need.model_copy(update={"objectives": ("closing_force", "pairs")})
-    result, _ = design(need)
-    assert result.front
-    spec = with_picked(need, result, 1)[1]
-    passed, rows, findings = rows_of(spec)
-    assert set(rows) == carried | {"nominal_torque"}
-    assert passed, [each for each in findings if each.level == "error"]
-    for name in carried:
-        assert rows[name].limit == getattr(need.limits, name)
-    for name in carried - {"reduced_gain"}:
-        assert rows[name].value == pytest.approx(getattr(result.front[0], name), rel=1e-6)
-
-
-def test_the_dossier_carries_them():
-    spec = read_spec(None, ["requirements.nominal_torque=100", "requirements.accuracy_factor=2"])
-    told = dossier(spec, explained=False)
-    assert [(row.requirement, row.passed) for row in told.check.requirements] == [
-        ("nominal_torque", True),
-        ("accuracy_factor", False),
-    ]
-    assert any(isinstance(each, Finding) and each.code == "requirement-missed" for each in told.findings)
-
-
-def test_no_requirement_no_row(afmcalc):
-    assert afmcalc("check", "--json").json["result"]["requirements"] == []
-    assert "Requirements" not in afmcalc("check").out
-    assert math.isfinite(afmcalc("torque", "--json").json["result"]["machine_torque"])
-
-
-def test_a_report_shows_them(undrawn):
-    spec = read_spec(None, ["requirements.nominal_torque=100", "requirements.torque_max=300", "requirements.work=1e6"])
-    page = render(Subject(dossier(spec, explained=False), ""))
-    verdicts = re.findall(r'<span class="verdict \w+">(held|missed|not judged)</span></td><td>([^<]+)', page)
-    assert verdicts == [
-        ("held", "nominal torque of the clutch"),
-        ("missed", "largest sustained torque"),
-        ("not judged", "specific work of a trip"),
-    ]
-
-
-def test_a_report_has_temperatures_in_degrees(undrawn):
-    spec = read_spec(None, ["requirements.temperature=204 degC"])
-    page = render(Subject(dossier(spec, explained=False), ""))
-    row = page.partition("temperature of the discs after one trip</td>")[2].partition("</tr>")[0]
-    assert re.findall(r"<td[^>]*>([^<]*)</td>", row)[-4:] == ["–", "≤ 204", "°C", "–"]

@@ -1,10 +1,14 @@
-"""Sweeps: each point is a single calculation; ranges that make sense without being given; what is refused."""
+"""Sweeps: each point is a single calculation; ranges without being given; F11's ratios n, p and m of unlike materials."""
 
 import numpy as np
 import pytest
-from conftest import S21
 
+from afmcalc.analysis.accuracy import accuracy
+from afmcalc.analysis.solve.solve import NotAttainableError, solve
+from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.analysis.sweep.grid import evaluate
+from afmcalc.engines import build
+from afmcalc.errors import AfmcalcError
 from afmcalc.spec import read_spec
 
 
@@ -33,12 +37,6 @@ def test_every_sweep_has_a_sensible_range(name, afmcalc):
     assert min(entry["accuracy_factor"]) >= 1
 
 
-def test_default_sweep_of_the_gain_ends_at_its_limit(afmcalc):
-    result = afmcalc("accuracy", "--sweep", "C", "--json").json["result"]
-    assert result["sweep"][0]["values"][0] == 0
-    assert result["sweep"][0]["values"][-1] == result["gain_limit"] == 1.25
-
-
 @pytest.mark.parametrize(
     "sweep",
     ["", "x", "variant", "C=", "C=1:2", "C=1:2:1", "C=1:2:x", "C=a,b", "C=-1:1:5", "z=1.5,2", "f_min=0.5:0.9:5", "F=1 J,2 J",
@@ -51,25 +49,9 @@ def test_bad_sweeps(sweep, afmcalc, tmp_path):
     assert not (tmp_path / "x").exists()
 
 
-def test_the_same_key_twice_is_refused(afmcalc):
-    assert afmcalc("accuracy", "--sweep", "C", "--sweep", "control_unit.gain").code == 2
-
-
-def test_sweep_with_units(afmcalc):
-    run = afmcalc("accuracy", "--sweep", "F=1 kN:2 kN:2", "--json")
-    assert run.json["result"]["sweep"][0]["values"] == [1000.0, 2000.0]
-
-
-@pytest.mark.parametrize("name", ["R", "f1", "d", "c1", "c2", "z", "F", "C"])
-def test_default_sweeps_of_an_indirect_clutch_stay_where_it_can_be_built(name, afmcalc):
-    for command in ("accuracy", "life"):
-        run = afmcalc(command, S21, "--sweep", name, "--json")
-        assert run.code == 0, run.err
-
-
 def test_a_long_sweep_is_calculated_in_stretches_that_join():
     """More points than one stretch takes, against the formula F11 (14) over all of them."""
-    gain = np.linspace(0, 1.25, 100_001)
+    gain = np.linspace(0, 1.25, 96_001)
     found = evaluate(read_spec(), {"control_unit.gain": gain}, {"factor": lambda clutch: clutch.accuracy_factor})
     np.testing.assert_allclose(found["factor"], 8 * (1 + 0.7 * gain) / (1 + 5.6 * gain), rtol=1e-14)
 
@@ -89,4 +71,91 @@ def test_what_is_swept_heads_its_column(afmcalc):
     run = afmcalc("accuracy", "example:all-driving", "--sweep", "zC=1:2:2", "--format", "csv")
     head, first, _ = run.out.splitlines()
     assert head.startswith("reduced_gain [1],accuracy_factor [1]")
-    assert first.startswith("1.0,")
+    low, high = (getattr(build(read_spec("example:all-driving")).friction[0], end) for end in ("min", "max"))
+    told = [float(each) for each in first.split(",")[:2]]
+    assert told == pytest.approx([1.0, high * (1 + low) / (low * (1 + high))])
+
+
+UNLIKE = "example:unlike-materials"
+F_1MIN, N, P, M = 0.1, 1.0, 1.2, 6.0
+"""Of the example; z_1 1, z_2 6, C 1.25."""
+
+
+def factor(n=N, p=P, m=M, z1=1, z2=6, gain=1.25):
+    """F11 (17) as printed."""
+    return m * (z1 + z2 * n) * (1 + z2 * gain * p * F_1MIN) / ((z1 + z2 * p) * (1 + z2 * gain * n * m * F_1MIN))
+
+
+@pytest.fixture(scope="module")
+def clutch():
+    return build(read_spec(UNLIKE))
+
+
+def swept(clutch, *texts):
+    return accuracy(clutch, [parse_axis(text, clutch.spec) for text in texts])[0].sweep
+
+
+@pytest.mark.parametrize(
+    ("name", "values"), [("n", (0.5, 0.8, 1.5, 3)), ("p", (0.3, 1, 1.7)), ("m", (1.3, 3, 6, 7.5, 12))]
+)
+def test_one_ratio_moves_and_the_others_stay(clutch, name, values):
+    (series,) = swept(clutch, f"{name}={','.join(map(str, values))}")
+    assert series.values == list(values)
+    assert series.accuracy_factor == pytest.approx([factor(**{name: value}) for value in values], rel=1e-12)
+
+
+def test_which_friction_moves(clutch):
+    """T_min = F R (z_1 f_1min + z_2 f_2min)/(1 + z_2 C f_2min) does not follow n and m, T_max does not follow p."""
+
+    def torque(f1, f2):
+        return 2000 * 0.1 * (f1 + 6 * f2) / (1 + 7.5 * f2)
+
+    (n,), (p,), (m,) = (swept(clutch, text) for text in ("n=0.5,1.5", "p=0.5,1.5", "m=3,6"))
+    assert n.nominal_torque == m.nominal_torque == pytest.approx([torque(0.1, 0.12)] * 2)
+    assert p.nominal_torque == pytest.approx([torque(0.1, 0.05), torque(0.1, 0.15)])
+    assert n.torque_max == pytest.approx([torque(0.6, 0.3), torque(0.6, 0.9)])
+    assert p.torque_max == pytest.approx([torque(0.6, 0.6)] * 2)
+    assert m.torque_max == pytest.approx([torque(0.3, 0.3), torque(0.6, 0.6)])
+
+
+@pytest.mark.parametrize(("name", "wanted", "least"), [("n", 1.75, 0.2), ("p", 1.6, 0), ("m", 1.5, 1.2)])
+def test_solved_for(clutch, name, wanted, least):
+    result, solved, _ = solve(clutch, name, "accuracy_factor", wanted)
+    assert result.value > least
+    assert factor(**{name: result.value}) == pytest.approx(wanted, rel=1e-9)
+    assert solved.accuracy_factor == pytest.approx(wanted, rel=1e-9)
+    assert result.unit == "1"
+
+
+def test_the_ends_of_a_ratio(clutch):
+    """m ends at the gain limit, f_1max = 1/(z_1 C) = 0.8; p where f_2min is f_2max, 0.6."""
+    for name, wanted, end in (("m", 5, 8), ("p", 1.01, 6), ("n", 1.5, 0.2)):
+        with pytest.raises(NotAttainableError) as refused:
+            solve(clutch, name, "accuracy_factor", wanted)
+        assert refused.value.at == pytest.approx(end)
+        assert refused.value.best == pytest.approx(factor(**{name: end}))
+    assert solve(clutch, "m", "accuracy_factor", 1.9, beyond_limit=True)[0].value > 8
+
+
+def test_slopes(clutch):
+    """F11 (18), (22) as mended, at z_2 C f_1max = 4.5, and by differences of (17)."""
+    result, _ = accuracy(clutch)
+    assert result.slope_in_ratio_max == pytest.approx(6 * 6 * 1.9 * 0.25 / (8.2 * 5.5**2), rel=1e-12)
+    assert result.slope_in_ratio_min == pytest.approx(6 * 6 * 7 * (0.125 - 1) / (8.2**2 * 5.5), rel=1e-12)
+    step = 1e-6
+    assert result.slope_in_ratio_max == pytest.approx((factor(n=1 + step) - factor(n=1 - step)) / (2 * step), rel=1e-6)
+    assert result.slope_in_ratio_min == pytest.approx(
+        (factor(p=1.2 + step) - factor(p=1.2 - step)) / (2 * step), rel=1e-6
+    )
+
+
+@pytest.mark.parametrize("name", ["n", "p", "m"])
+def test_only_unlike_materials_have_ratios(name):
+    default = build(read_spec("example:default"))
+    with pytest.raises(AfmcalcError, match="is no key or symbol; . is a ratio of unlike materials") as swept_for:
+        parse_axis(name, default.spec)
+    with pytest.raises(AfmcalcError, match="cannot be solved for; . is a ratio of unlike materials"):
+        solve(default, name, "accuracy_factor", 1.5)
+    assert ("control_unit.balls?" in str(swept_for.value)) == (name == "n")
+    result, _ = accuracy(default)
+    assert result.slope_in_ratio_max is None

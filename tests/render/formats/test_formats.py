@@ -42,7 +42,10 @@ def test_a_stored_table(name, answered):
     assert text == path.read_text(encoding="utf-8"), f"{name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=pytest.mark.slow if name in ("explain", "accuracy-sweep") else ()) for name in COMMANDS],
+)
 def test_the_formats_of_an_answer_agree(name, answered):
     """JSON is as its schema; Markdown has the cells of the table, CSV the numbers of the JSON, Excel's those of CSV."""
     runs = [answered(*COMMANDS[name], "--format", form) for form in ("table", "json", "csv", "markdown")]
@@ -134,6 +137,15 @@ def test_csv_has_full_precision_and_si_units(answered):
     assert header == [*names, "torque_max [N*m]"]
     assert [float(row[0]) for row in rows] == points["values"]
     assert [float(row[1]) for row in rows] == points["accuracy_factor"]
+    ends = dict(
+        zip(
+            *csv.reader(io.StringIO(answered("overload", CONFIGS / "all-driving.toml", "--format", "csv").out)),
+            strict=True,
+        )
+    )
+    lows = [name for name in ends if ".low" in name]
+    assert lows
+    assert all(float(ends[name]) < float(ends[name.replace(".low", ".high")]) for name in lows)
 
 
 def test_an_output_file_is_what_would_be_printed(answered, tmp_path):

@@ -91,11 +91,12 @@ def test_significant_figures():
 NUMBERS = st.one_of(st.integers(-(10**6), 10**6), st.floats(-1e12, 1e12), st.floats(1e-9, 1.0))
 
 
-@given(st.lists(NUMBERS, min_size=1, max_size=6), st.booleans())
-def test_points_stand_below_points(values, none):
+@given(st.lists(NUMBERS, min_size=1, max_size=6), st.booleans(), st.sampled_from(["x", "a heading that is wide"]))
+def test_points_stand_below_points(values, none, heading):
     cells = [significant(value) for value in values] + (["–"] if none else [])
-    texts = [row[0] for row in padded(TextTable("", ["x"], [[cell] for cell in cells], [True])).rows]
-    assert len(set(map(len, texts))) == 1
+    table = padded(TextTable("", [heading], [[cell] for cell in cells], [True]))
+    texts = [row[0] for row in table.rows]
+    assert len(set(map(len, (table.header[0], *texts)))) == 1
     assert [text.strip() for text in texts] == cells
     assert len({re.search(r"[\d–](?=\D|$)", text).end() for text in texts}) == 1
 
@@ -111,7 +112,8 @@ def test_an_estimate_says_what_is_known(value, share):
     assert abs(float(shown) * power - value) <= 0.051 * error * 10
     if value:
         assert len(shown.partition(".")[2]) == len(wide.partition(".")[2]), text
-        assert len(wide.replace(".", "").lstrip("0").rstrip("0")) <= 2
+        digits = wide.replace(".", "").lstrip("0")
+        assert len(digits) == 2 if "." in wide else len(digits.rstrip("0")) <= 2
 
 
 def test_estimates_of_a_study_carry_their_errors(answered):
@@ -136,6 +138,17 @@ def test_units_are_the_engineers(answered):
     solved = answered("solve", "--for", "R", "torque_max=300").out
     assert re.search(r"value found +89\.062 +mm", solved)
     assert not re.search(r"(?<![\w·])(rad|Pa|SI|m)\b", table + solved)
+
+
+def test_variants_stand_side_by_side(answered):
+    """In a table for each of what is kept equal."""
+    compare = "compare", CONFIGS / "indirect.toml", "--variants"
+    rows = answered(*compare, "--json").json["result"]["clutches"]
+    lines = answered(*compare).out.splitlines()
+    titles = [line for line in lines if line.startswith("Clutches compared")]
+    assert [title.endswith("kept equal: nominal torque)") for title in titles] == [False, True]
+    shown = [line.split()[-5:-1] for line in lines if line.startswith("K_т  ")]
+    assert shown == [[display(row["accuracy_factor"], "1") for row in part] for part in (rows[:4], rows[4:])]
 
 
 @pytest.mark.parametrize("width", [40, 80, 200])

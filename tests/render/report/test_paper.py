@@ -5,8 +5,9 @@ import re
 
 import pytest
 from conftest import CONFIGS
+from pypdf import PdfReader
 
-from afmcalc.messages import ENGLISH, language, speaking
+from afmcalc.messages import language, speaking
 from afmcalc.render.report.sheets import find_browser, printed
 
 IN_ITS_BOX = """[...document.querySelectorAll('.scroll')].every(box => {
@@ -58,35 +59,29 @@ def test_in_a_browser(what, browser, drawn, handbook_page, tmp_path):
 
 
 @pytest.mark.tool
-@pytest.mark.parametrize("spoken", ["en", "ru"])
-def test_on_paper(spoken, report, parsed):
-    """Each heading is on the sheet that the contents tell; none ends a sheet; a table that goes on says so."""
-    from pypdf import PdfReader
-
-    page = report("default", *(["--lang", "ru"] if spoken == "ru" else []))
-    with speaking(ENGLISH if spoken == "en" else language(spoken)):
+def test_on_paper(report, parsed):
+    """Each heading is on the sheet that the contents tell, and ends none; a table that goes on says so."""
+    page = report("default", "--lang", "ru")
+    with speaking(language("ru")):
         pdf = printed(find_browser(), page)
-    sheets = ["".join(sheet.extract_text().split()) for sheet in PdfReader(io.BytesIO(pdf)).pages]
+    sheets = [" ".join(sheet.extract_text().split()) for sheet in PdfReader(io.BytesIO(pdf)).pages]
     tree = parsed(page)
-    squeezed = ["".join("".join(entry.itertext()).split()) for entry in tree.findall(".//nav//li/div")]
-    assert len(squeezed) > 8
-    for entry in squeezed:
-        at = [number for number, sheet in enumerate(sheets, 1) if number > 1 and entry in sheet]
-        assert {int(found) for found in re.findall(rf"{re.escape(entry)}(\d+?)(?=\D|\d\.|$)", sheets[0])} & {*at}, entry
+    entries = [" ".join("".join(entry.itertext()).split()) for entry in tree.findall(".//nav//li/div")]
+    assert len(entries) > 8
+    for entry in entries:
+        (told,) = re.findall(rf"(?:^| ){re.escape(entry)} (\d+)(?= |$)", sheets[0])
+        assert f" {entry} " in sheets[int(told) - 1].replace(f" {entry} {told}", "", told == "1"), entry
         assert not [sheet for sheet in sheets if sheet.endswith(entry)]
-    again = {"en": "Table{},continued", "ru": "Продолжениетаблицы{}"}[spoken]
-    parted = [int(number) for sheet in sheets for number in re.findall(again.format(r"(\d+)"), sheet)]
-    assert parted
-    assert {*parted} <= {int(table.get("id").removeprefix("table-")) for table in tree.findall(".//caption")}
+    parted = [int(number) for sheet in sheets for number in re.findall(r"Продолжение таблицы (\d+)", sheet)]
+    assert set() < {*parted} <= {int(table.get("id").removeprefix("table-")) for table in tree.findall(".//caption")}
 
 
 @pytest.mark.tool
 def test_the_command_prints_beside_the_page(afmcalc, monkeypatch, tmp_path):
     monkeypatch.setattr("afmcalc.render.report.render", lambda *given: "<!doctype html><p>all of it</p>")
     assert afmcalc("report", "--pdf", "-o", tmp_path / "x.html").code == 0
-    assert afmcalc("report", "-o", tmp_path / "y.PDF").code == 0
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["x.html", "x.pdf", "y.PDF"]
-    assert all((tmp_path / name).read_bytes().startswith(b"%PDF") for name in ("x.pdf", "y.PDF"))
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["x.html", "x.pdf"]
+    assert (tmp_path / "x.pdf").read_bytes().startswith(b"%PDF")
 
 
 @pytest.mark.parametrize("name", ["x.html", "x.pdf"])
@@ -110,7 +105,7 @@ def test_what_is_refused_before_anything_is_calculated(afmcalc, monkeypatch, tmp
     assert (run.code, "SOURCE_DATE_EPOCH" in run.err) == (2, True)
 
 
-@pytest.mark.parametrize(("version", "noted"), [(130, True), (131, False)])
+@pytest.mark.parametrize(("version", "noted"), [(130, True), pytest.param(131, False, marks=pytest.mark.slow)])
 def test_a_browser_that_prints_no_margins_is_named(version, noted, afmcalc, monkeypatch, tmp_path, undrawn):
     pdf = f"%PDF-1.4 /Producer (Skia/PDF m{version}) %%EOF".encode()
     monkeypatch.setattr("afmcalc.render.report.sheets.printed", lambda *given: pdf)

@@ -75,13 +75,14 @@ def test_texts_of_the_user_stay_texts_and_stand_in_the_title_block(framed, tmp_p
         f'[report]\ndrawing = "AFM-17"\nrevision = 2\nauthor = "Ш."\ndate = 2026-02-03\n# {EVIL} </pre> {{{{ 7*7 }}}}'
     )
     spec.write_bytes("\ufeff".encode() + f"{text}\n{block}\n".replace("\n", "\r\n").encode())
-    given = "--set", f"name={EVIL}&lt;", "--author", "Ф.", "--project", '7\\"}</style>', "--organisation", EVIL
+    given = "--set", f"name={EVIL}&lt; a_b", "--author", "Ф.", "--project", '7\\"}</style>', "--organisation", EVIL
     page = framed(spec, *given, "--with-source")
     assert "<script" not in page
     assert page.count("</style>") == 1
+    assert "a<sub>b" not in page
     tree = parsed(page)
-    assert tree.find(".//h1").text == f"{EVIL}&lt;"
-    assert f"name={EVIL}&lt;" in [text_of(code) for code in tree.findall(".//code")]
+    assert tree.find(".//h1").text == f"{EVIL}&lt; a_b"
+    assert f"name={EVIL}&lt; a_b" in [text_of(code) for code in tree.findall(".//code")]
     assert f"# {EVIL} </pre> {{{{ 7*7 }}}}" in text_of(tree.find(".//pre"))
     entries = {text_of(each[0]): text_of(each[1]) for each in tree.findall(".//header/dl/div")}
     assert {
@@ -90,6 +91,7 @@ def test_texts_of_the_user_stay_texts_and_stand_in_the_title_block(framed, tmp_p
         "Date": "2026-02-03",
         "Organisation": EVIL,
     }.items() <= entries.items()
+    assert "AFM-17" not in text_of(tree.find(".//section[@id='spec']")), "nor again among the initial data"
     assert entries["SHA-256 of the spec as given"] == hashlib.sha256(spec.read_bytes()).hexdigest()
     signed = [[text_of(cell) for cell in row[:2]] for row in tree.findall(".//table[@class='signatures']/tbody/tr")]
     assert signed == [["Calculated by", "Ф."], ["Checked by", ""], ["Approved by", ""]]
@@ -125,6 +127,11 @@ def test_checks_have_utilisation_and_verdict(framed, parsed):
     rows = [[text_of(cell) for cell in row] for row in tree.findall(".//section[@id='checks']//tr")[1:]]
     found = {row[1]: (row[0], float(row[6].rstrip("*"))) for row in rows}
     assert found["feedback gain"] == ("warning", 1.6)
+    shares = [
+        float(text_of(line).partition(": ")[2].partition("%")[0])
+        for line in tree.findall(".//ul[@class='next']/li")[:2]
+    ]
+    assert shares[0] > shares[1] > 100, "the gravest first"
     assert found["contact force on one ball"][0] == "fail"
     assert found["contact force on one ball"][1] > 1
     # what holds by choice is marked, and the mark explained: the verdict does not count it
@@ -133,13 +140,10 @@ def test_checks_have_utilisation_and_verdict(framed, parsed):
 
 
 @pytest.mark.slow
-def test_friction_is_listed_by_group_and_material(report, parsed):
-    """Each group of unlike materials has its own; 0.25…0.45 of moulded-dry, the mean between them."""
+def test_friction_of_unlike_materials_is_listed_by_group(report, parsed):
     rows = table_rows(parsed(report("unlike-materials")), "spec")
     symbols = [row[0] for row in rows if len(row) > 1 and row[1].endswith("coefficient of friction")]
     assert symbols == ["f1min", "f1mean", "f1max", "f2min", "f2mean", "f2max"]
-    rows = table_rows(parsed(report("wood-chipper-clutch")), "spec")
-    assert [row[2] for row in rows if row[0] in ("fmin", "fmean", "fmax")] == ["0.25", "0.35", "0.45"]
 
 
 def table_rows(tree, section):
@@ -187,6 +191,7 @@ def test_a_formula_stands_once_and_factors_have_names_of_their_own(report, parse
     assert len(set(named.values())) == len(named)
 
 
+@pytest.mark.slow
 def test_each_case_says_what_it_is(framed, parsed):
     """Friction, branch, setting and side in words, and the numbers of explain."""
     found = {(number, symbol): lines for number, symbol, _, _, lines in derivations(parsed(framed(S21))) if lines}
@@ -229,9 +234,9 @@ def test_a_reviewer_finds_what_he_looks_for(spoken, form, report, parsed):
         assert all(text in quoted for text in cyrillic)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("overrides", [
-    ["name=", "friction.mean=", "control_unit.ball_circle_radius="],
-    *(pytest.param([text], marks=pytest.mark.slow) for text in ("f_max=0.1", "C=0", "beta=1")),
+    ["name=", "friction.mean=", "control_unit.ball_circle_radius="], ["C=0"], ["beta=1"],
 ])  # fmt: skip
 def test_edges_leave_out_what_has_no_curve(overrides, framed):
     page = framed(CONFIGS / "default.toml", *(part for text in overrides for part in ("--set", text)))
@@ -267,6 +272,7 @@ def test_a_verdict_is_a_sentence_for_each_outcome():
         assert checked != "exceeded" or not {"pass", "passes"} & set(re.findall(r"\w+", found.sentence))
         said.add(found.sentence)
     assert len(said) == 16
+    assert "least torque in service" not in verdict(told.check, []).limit, "it holds by choice"
     strict = told.check.model_copy(update={"passed": False, "errors": 0})
     assert verdict(strict, [Finding("warning", "x", "")]).grade == "fail"
     missed = row.model_copy(update={"passed": False, "utilisation": 1.3})
@@ -275,19 +281,16 @@ def test_a_verdict_is_a_sentence_for_each_outcome():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("change", "stress", "other"), [([], "5.811", "16.43"), (["--set", "drive.dynamic_factor="], "16.43", "no other")]
-)
-def test_a_conclusion_names_what_limits_and_one_stress(change, stress, other, framed, parsed):
+def test_a_conclusion_names_what_limits_and_one_stress(framed, parsed):
     """Disc springs at 1.18 of their least deflection: no passing; one factor, one stress, wherever it is told."""
-    tree = parsed(framed(S21.with_name("two-dynamic-factors.toml"), *change))
+    tree = parsed(framed(S21.with_name("two-dynamic-factors.toml")))
     assert "passes" not in text_of(tree.find(".//p[@id='verdict']"))
     conclusion = text_of(tree.find(".//section[@id='conclusion']"))
     assert "passes" not in conclusion
     assert "closing spring: deflection of disc springs" in conclusion
     assert re.search(r"11[78]\.\d% of that limit", conclusion)
-    assert f"{stress} MPa on the unprotected side" in conclusion
-    assert other not in text_of(tree)
+    assert "5.811 MPa on the unprotected side" in conclusion
+    assert "16.43" not in text_of(tree)
 
 
 def test_every_text_of_a_page_stands_in_the_table():

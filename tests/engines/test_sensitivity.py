@@ -1,0 +1,124 @@
+"""Elasticities of the accuracy against differences of it; arrays against numbers; the threshold of the gain."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from conftest import S21
+from hypothesis import assume, example, given
+from hypothesis import strategies as st
+from strategies import FRICTION, direct_specs, indirect_specs, p5
+
+import afmcalc
+from afmcalc.engines import build
+from afmcalc.spec import read_spec
+from afmcalc.spec.edit import value_at, with_nominal_torque, with_values
+
+INDIRECT = st.one_of(indirect_specs(), indirect_specs(curved=True))
+STEP = 1e-6
+
+
+def difference(factor):
+    """Central difference of a logarithm over relative steps."""
+    return (np.log(float(factor(1 + STEP))) - np.log(float(factor(1 - STEP)))) / (2 * STEP)
+
+
+def numeric(spec, path):
+    value = value_at(spec, path)
+    return difference(lambda share: build(with_values(spec, {path: value * share})).accuracy_factor)
+
+
+@given(direct_specs())
+def test_elasticities_of_a_direct_clutch(spec):
+    """Every continuous key; pairs are continuous for the law, those of the other group kept."""
+    clutch = build(spec)
+    ranges = clutch.friction if spec.friction.unlike else ()
+    # K_т = max/min has a kink where both are one, and at a mean that is an end
+    assume(abs(clutch.accuracy_factor - 1) > 1e-6 and not any(own.mean in (own.min, own.max) for own in ranges))
+    found = clutch.sensitivity()
+    for path in (path for path in found if not path.endswith("pairs")):
+        assert found[path] == pytest.approx(numeric(spec, path), abs=2e-5), path
+    z1, z2 = float(clutch.bypass_pairs), float(clutch.controlled_pairs)
+    if spec.friction.unlike or not z2:
+        return
+
+    def factor(bypass, controlled):
+        return replace(clutch, bypass_pairs=bypass, controlled_pairs=controlled).accuracy_factor
+
+    in_pairs = difference(lambda share: factor(z1, z2 + (z1 + z2) * (share - 1)))
+    assert found["friction_group.pairs"] == pytest.approx(in_pairs, abs=2e-5)
+    if z1:
+        in_driving = difference(lambda share: factor(z1 * share, z2 - z1 * (share - 1)))
+        assert found["friction_group.driving_pairs"] == pytest.approx(in_driving, abs=2e-5)
+
+
+def is_smooth(clutch):
+    """Whether K_т has a derivative: no jump off the stop near by, and no two torques about to change places."""
+    own, at_stop = clutch.friction[0], clutch.leaving_friction
+    if clutch.straight:
+        return True
+    ends = [float(clutch.torque(own.min)), float(clutch.torque(own.max))]
+    apart = abs(np.log(ends[1] / ends[0])) > 1e-4
+    if clutch.spec.adjustment.method == "mean-friction":
+        apart &= own.min * 1.0001 < own.mean < own.max * 0.9999  # K_т has a kink where the sleeve leaves at an end
+    apart &= not own.min < at_stop < own.max or abs(np.log(clutch.torque(at_stop) / ends[1])) > 1e-4
+    return apart and clutch.gain_slope < 0.9 * clutch.jumping_slope
+
+
+@given(INDIRECT, st.booleans())
+@example(p5("control_spring.force=3920", "control_unit.gain_slope=8"), False)  # most torque where the sleeve leaves
+def test_elasticities_of_an_indirect_clutch(spec, by_torque):
+    clutch = build(spec)
+    assume(clutch.net_gain > 1e-2)
+    assume(is_smooth(clutch))
+    if by_torque:
+        spec = with_nominal_torque(spec, clutch.nominal_torque)
+    for path, elasticity in build(spec).sensitivity().items():
+        expected = numeric(spec, path) if value_at(spec, path) else 0.0
+        assert elasticity == pytest.approx(expected, abs=5e-5 * (1 + abs(expected))), path
+
+
+@pytest.mark.parametrize("method", ["min-friction", "mean-friction"])
+def test_a_mean_that_is_not_given_moves_with_the_range(method):
+    base = read_spec(S21, ["friction.mean=", f"adjustment.method={method}"])
+    for path in ("friction.min", "friction.max"):
+        assert build(base).sensitivity()[path] == pytest.approx(numeric(base, path), abs=1e-6)
+
+
+@given(st.one_of(direct_specs(), INDIRECT), st.lists(FRICTION, min_size=1, max_size=12))
+def test_arrays_and_floats_agree_bit_for_bit(spec, friction):
+    clutch = build(spec)
+    own = ("travel", "torque_returning") if clutch.sleeve else ("breakaway_torque",)
+    array = np.array(friction).reshape(1, -1, 1)
+    for name in ("torque", "normal_force", "release_force", *own):
+        law = getattr(clutch, name)
+        assert law(array).shape == array.shape
+        assert law(array).ravel().tolist() == [law(f) for f in friction], name
+
+
+def test_the_threshold_of_the_gain(afmcalc):
+    """2 R f_1/d = 0.6: below it is refused, at it the clutch is an ordinary one."""
+    for arguments in (["torque", S21, "--set", "C=0.59"], ["accuracy", S21, "--sweep", "C=0.1:2:5"]):
+        run = afmcalc(*arguments)
+        assert (run.code, run.out) == (2, "")
+        assert "control_unit.gain" in run.err
+        assert "0.6" in run.err
+    clutch = build(read_spec(S21, ["control_unit.gain=0.6"]))
+    assert clutch.accuracy_factor == pytest.approx(8.0)
+    assert [finding.code for finding in clutch.findings()] == ["feedback-idle"]
+    assert clutch.travel(0.8) == pytest.approx(0, abs=1e-15)
+
+
+def test_wall_angle_in_place_of_the_gain():
+    plain = build(read_spec(S21))
+    angled = build(read_spec(S21, ["C=", f"control_unit.wall_angle={float(np.arctan(0.5))!r}"]))
+    assert angled.torque(0.5) == pytest.approx(plain.torque(0.5))
+    both = plain.sensitivity()["control_unit.gain"] + plain.sensitivity()["friction_group.mean_radius"]
+    assert angled.sensitivity()["friction_group.mean_radius"] == pytest.approx(both)
+
+
+def test_two_frictions_are_refused():
+    clutch = afmcalc.load(S21)
+    assert clutch.torque(0.3, 0.3) == clutch.torque(0.3)
+    with pytest.raises(ValueError, match="one friction"):
+        clutch.torque(0.3, 0.4)

@@ -1,0 +1,321 @@
+"""The page says what the command line says: numbers, sentences, commands; its form has every key but those of files."""
+
+import random
+import re
+import shlex
+import tomllib
+
+import pytest
+from conftest import CONFIGS
+from pages import TABS, Here, Site, at, cells, is_shown, sets, spec_in, tags, web
+
+from afmcalc.spec.keys import keys
+
+pytestmark = web
+VARIANTS = ["default", "conventional", "all-driving", "unlike-materials", "indirect", "envelope", "constant-torque"]
+SLOW = pytest.param(10, marks=pytest.mark.slow)
+
+
+@pytest.fixture(scope="module")
+def sites(afmcalc, tmp_path_factory):
+    """The page of each shipped example, made once."""
+    made = {}
+
+    def site(name):
+        if name not in made:
+            spec = spec_in(tmp_path_factory.mktemp(name), name)
+            made[name] = spec, Site(afmcalc, spec)
+        return made[name]
+
+    return site
+
+
+def numbers(spec, path=""):
+    """Key → text of every number that a spec has, as one writes it."""
+    found = {}
+    for name, value in spec.items():
+        key = f"{path}.{name}" if path else name
+        if isinstance(value, dict):
+            found |= numbers(value, key)
+        elif not isinstance(value, bool | list) and str(value)[:1].isdigit():
+            found[key] = str(value)
+    return found
+
+
+def changed(text, by):
+    """The same quantity, of another size."""
+    number, _, unit = text.partition(" ")
+    size = round(int(number) * by) if number.isdecimal() and not unit else float(f"{float(number) * by:.4g}")
+    return f"{size} {unit}".strip()
+
+
+def state(draw, given):
+    """One to four of its numbers, each a little larger or smaller, sometimes one of several of a table left out."""
+    some = draw.sample(sorted(given), min(4, len(given)))[: draw.randint(1, 4)]
+    fields = {key: changed(given[key], draw.uniform(0.85, 1.15)) for key in some}
+    # with its last key the table goes, which --set KEY= alone does not do
+    alone = sum(other.rpartition(".")[0] == some[0].rpartition(".")[0] for other in given) == 1
+    if draw.random() < 0.3 and not alone:
+        fields[some[0]] = ""
+    return {key: text for key, text in fields.items() if text != given[key]}
+
+
+def agree(answer, spec, fields, afmcalc):
+    """The numbers of an answer are those of the command's JSON, or its sentences those of its errors."""
+    run = afmcalc("torque", spec, *sets(fields), "--json")
+    if run.code == 0:
+        assert not answer.get("errors")
+        assert not answer.get("problems")
+        is_shown(cells(answer["fragments"]["numbers"]), run.json["result"])
+        if fields:
+            assert [part for part in shlex.split(answer["command"]) if "=" in part] == sets(fields)[1::2]
+        assert afmcalc(*shlex.split(answer["command"])[1:], "--json").json == run.json
+        return 1
+    assert "fragments" not in answer
+    lines = [line.removeprefix("error: ") for line in run.err.splitlines() if line.startswith("error: ")]
+    told = [*answer["errors"].values(), *answer["problems"]]
+    for line in lines:
+        key, said = re.fullmatch(r"[^ ]+: ([\w.]+)(?: = .*?)?: (.*)", line).groups()
+        assert key in answer["errors"] or said in " ".join(told), (line, answer)
+    assert lines
+    assert all(any(line.endswith(text) for line in lines) for text in told)
+    return 0
+
+
+@pytest.mark.parametrize("count", [1, SLOW])
+@pytest.mark.parametrize("name", VARIANTS)
+def test_any_state_is_what_the_command_line_says(sites, afmcalc, name, count):
+    """Numbers or sentences; the command shown is what was run, whatever is pinned beside."""
+    spec, site = sites(name)
+    given, draw = numbers(tomllib.loads(spec.read_text(encoding="utf-8"))), random.Random(name)
+    fine = agree(site.live({}), spec, {}, afmcalc)
+    for _ in range(count):
+        fields = state(draw, given)
+        fine += agree(site.live(fields), spec, fields, afmcalc)
+    assert fine > count / 2
+
+
+MISTAKES = {
+    "wrong unit": ("closing_spring.force", "2 s"),
+    "misspelt unit": ("closing_spring.force", "2 kNN"),
+    "misspelt number": ("control_unit.gain", "O.5"),
+    "out of bounds": ("control_unit.wall_angle", "95 deg"),
+    "half a ball": ("control_unit.balls", "2.5"),
+    "not finite": ("control_unit.gain", "1e400"),
+    "below its minimum": ("friction.max", "0.05"),
+    "contradiction": ("friction_group.inner_radius", "80 mm"),
+    "missing": ("friction.min", ""),
+    "misspelt choice": ("variant", "diferentiated"),
+    "other variant": ("variant", "indirect"),
+}
+HOSTILE = ["\0", "\ud800", "[" * 9000, "{a=" * 9000, "9" * 60_000, "{{7*7}}{% raw %}", "</title><svg onload=alert(1)>"]
+
+
+@pytest.mark.parametrize(("key", "text"), MISTAKES.values(), ids=list(MISTAKES))
+def test_errors_are_those_of_the_command_line(sites, afmcalc, key, text):
+    spec, site = sites("default")
+    assert agree(site.live({key: text}), spec, {key: text}, afmcalc) == 0
+
+
+def test_an_error_stands_at_its_field(sites):
+    """Of several the first; the table of one that is missing; of a pinned state none."""
+    _, site = sites("default")
+    for text in HOSTILE:
+        told = site.live({"control_unit.gain": text})
+        assert told.keys() == {"errors", "problems"}
+        assert told["problems"] or told["errors"].keys() == {"control_unit.gain"}
+    fields = {"control_unit.gain": "x", "friction.max": "y", "friction.min": ""}
+    assert site.live(fields)["errors"].keys() == fields.keys()
+    assert site.live({"variant": "indirect"})["errors"].keys() >= {"control_unit.key_friction", "control_spring"}
+    pinned = {"base": 0, "fields": {"control_unit.gain": "x"}}
+    assert site.live({}, pinned=pinned)["fragments"]["numbers"] == site.live({})["fragments"]["numbers"]
+
+
+FILES = [
+    "catalogues.materials", "catalogues", " catalogues.discs", "catalogues .balls", '"catalogues".materials',
+    "tolerance.fields", 'tolerance.fields."control_unit.gain".spread', "control_unit.gain=0.5\ncatalogues.materials",
+    "control_unit.gian", "nothing.x", "name.x", "", "=", "__class__", "name.__class__", "a." * 9000, "\ud800",
+]  # fmt: skip
+"""No keys of a form: they name files, hold tables, or there are none of that name."""
+
+
+def test_no_key_of_a_form_names_a_file(site, tmp_path):
+    """What is there, what is not, and what would be waited for are answered alike, and nothing is saved."""
+    (tmp_path / "there").write_text("secret = 4711 4711", encoding="utf-8")
+    for key in FILES:
+        for file in (tmp_path / "there", tmp_path / "gone", "/dev/zero", '{materials = "/dev/zero"}'):
+            fields = {key: str(file)}
+            told = site.live(fields)
+            assert (told["errors"], told.keys()) == ({}, {"errors", "problems"}), key
+            assert told["problems"]
+            assert site.tab("accuracy", fields) == told == site.post("save", {"base": 0, "fields": fields}).json
+            assert str(file) not in str(told)
+    for file in (tmp_path / "there", tmp_path / "gone", "/dev/zero"):
+        asking = f'[catalogues]\nmaterials = "{file}"\n[wanted]\nnominal_torque = "100 N*m"\n'
+        assert site.tab("design", {}, requirements=asking)["errors"]["requirements"].startswith("catalogues: no file")
+
+
+def test_a_form_has_every_key_that_names_no_file(sites):
+    """With the text that the file has, and the choices of the key; sliders end where the key may, at this text."""
+    for name in ("default", "indirect"):
+        spec, site = sites(name)
+        form = site.post("form", {"base": 0}).json["html"]
+        named, given = tags(form, "name"), numbers(tomllib.loads(spec.read_text(encoding="utf-8")))
+        files = ("catalogues.", "tolerance.fields")
+        assert named.keys() == {key.path for key in keys().values() if not key.path.startswith(files)}
+        assert {key: named[key].get("value") for key in given} == given
+        for key, slider in tags(form, "data-of").items():
+            if "max" not in slider:
+                assert key not in given or float(given[key].split()[0]) == 0
+                continue
+            number, _, unit = given[key].partition(" ")
+            low, high = float(slider["min"]), float(slider["max"])
+            assert low <= float(number) <= high
+            assert low < high
+            for end in (low, high):
+                size = round(end) if "data-whole" in slider else end
+                keys()[key].about.read(f"{size} {unit}" if unit else size)
+
+
+def test_empty_is_absent(sites, afmcalc):
+    """A key, and a table that nothing is left of."""
+    spec, site = sites("default")
+    assert agree(site.live({"friction.mean": ""}), spec, {"friction.mean": ""}, afmcalc)
+    told = site.live({"drive.dynamic_factor": ""})
+    assert "--set drive=" in told["command"]
+    assert cells(told["fragments"]["numbers"]) == cells(site.live({})["fragments"]["numbers"])
+    assert "--set" not in site.live({"friction_group.inner_radius": " "})["command"], "it is not given"
+
+
+def test_the_end_of_a_text_in_a_command_is_none_of_its_lines():
+    from afmcalc.web.form import Base, State
+
+    text = f'{(CONFIGS / "default.toml").read_text(encoding="utf-8")}[report]\nproject = """\\\nSPEC\nSPEC_\n"""\n'
+    assert State(Base("text", text, "-")).command("torque").endswith("\nSPEC__")
+
+
+def test_a_text_is_quoted_and_escaped(site, afmcalc):
+    """On the command line for a shell, on the page for HTML, where a name stands, a value or a key."""
+    name = 'it\'s $HOME; "x" `y` </title><script>alert(1)</script> {{7*7}}'
+    told = site.live({"name": name})
+    run = afmcalc(*shlex.split(told["command"])[1:], "--json")
+    assert run.json["spec"]["name"] == name
+    is_shown(cells(told["fragments"]["numbers"]), run.json["result"])
+    page = Site(afmcalc, "--set", f"name={name}").get().body.decode()
+    for html in (*told["fragments"].values(), page):
+        assert "<script>alert" not in html
+    assert "it&#39;s $HOME; &#34;x&#34; `y` &lt;/title&gt;&lt;script&gt;alert(1)&lt;/script&gt; {{7*7}}" in page
+
+
+def test_compared_with_what_is_pinned(site):
+    """The pinned clutch's numbers stand beside, those of the state do not change by it."""
+    now, before = {"control_unit.gain": "0.8"}, {"control_unit.gain": "0.4"}
+    alone, was = site.live(now)["fragments"], site.live(before)["fragments"]
+    pinned = site.live(now, pinned={"base": 0, "fields": before})["fragments"]
+    assert cells(alone["numbers"]) == cells(pinned["numbers"])
+    shown = re.findall(r'data-path="accuracy_factor"[^>]*>([^<]+)<', was["numbers"])
+    assert shown[0] in pinned["numbers"]
+    assert shown[0] not in alone["numbers"]
+    assert alone["compare"] == ""
+    assert re.findall(r'<td class="number(?: soft)?">([^<]*)<', pinned["compare"]) == ["0.8", "0.4"]  # now, pinned
+    for name in ("section", "torque"):
+        assert "<svg" in alone[name]
+        assert not re.search(r"<script|https?://(?!www\.w3\.org/)", alone[name])
+        assert alone[name] != was[name]
+
+
+LACKS = {"drive": "drive", "heat": "drive", "tolerance": "tolerance"}
+"""What a tab needs that the base clutch does not have."""
+SHORT = {"drive.event.duration": "0.005 s"}
+
+
+@pytest.mark.parametrize("name", [each for each in TABS if each != "design"])
+def test_each_tab_answers(sites, undrawn, name):
+    """What a clutch lacks for it is a sentence that names the key; the command is that of the table."""
+    if name in LACKS:
+        told = sites("default")[1].tab(name, {})
+        assert LACKS[name] in str([*told["errors"], *told["problems"]])
+        assert "html" not in told
+    spec, site = sites(LACKS.get(name, "default"))
+    fields = {"control_unit.gain": "0.7"} | (SHORT if name in ("drive", "heat") else {})
+    fields |= {"tolerance.samples": "1000", "tolerance.sobol_base": "64"} if name == "tolerance" else {}
+    answer = site.tab(name, fields)
+    assert len(answer["html"]) > 1000
+    command = {"drive": "simulate", "explanation": "report"}.get(name, name)
+    assert shlex.split(answer["command"])[:3] == ["afmcalc", command, str(spec)]
+    assert site.tab(name, {"control_unit.gain": "x"})["errors"].keys() == {"control_unit.gain"}
+
+
+def test_a_tab_has_options(sites):
+    _, site = sites("default")
+    swept = site.tab("accuracy", {}, sweep=" C=0:1:3 ")
+    assert swept["command"].endswith("--sweep C=0:1:3")
+    assert swept["html"].count("<svg") == 1
+    assert site.tab("accuracy", {}, sweep="nonsense=1:2")["errors"].keys() == {"sweep"}
+    assert site.tab("accuracy", {}, sweep="C=0:1:2000000000")["errors"].keys() == {"sweep"}
+    assert site.tab("design", {}, requirements="[wanted")["errors"].keys() == {"requirements"}
+    assert sites("tolerance")[1].tab("tolerance", {"tolerance.samples": "1e11"})["errors"].keys() == {
+        "tolerance.samples"
+    }
+
+
+FEWER = {"gain": [0.5, 0.7], "pairs": 8, "mean_radius": 0.1}
+WANTED = (CONFIGS / "requirements.toml").read_text(encoding="utf-8")
+FEW = re.sub(r"(?m)^(gain|pairs|mean_radius) = .*", lambda key: f"{key[1]} = {FEWER[key[1]]}", WANTED)
+
+
+def test_a_point_of_the_front_loads(afmcalc, tmp_path):
+    """Its button names a base, whose live numbers are those of the clutch that --pick writes."""
+    site = Site(afmcalc, spec_in(tmp_path))
+    before = site.live({})
+    front = site.tab("design", {}, requirements=FEW)
+    bases = [int(number) for number in tags(front["html"], "data-base")]
+    assert bases == [*range(1, 1 + len(bases))]
+    assert bases
+    (tmp_path / "wanted.toml").write_text(FEW, encoding="utf-8")
+    for number, base in enumerate(bases, 1):
+        picked = tmp_path / f"{number}.toml"
+        assert afmcalc("design", tmp_path / "wanted.toml", "--pick", number, "-o", picked).code == 0
+        live = site.live({}, base=base)
+        is_shown(cells(live["fragments"]["numbers"]), afmcalc("torque", picked, "--json").json["result"])
+        shell, _, text = live["command"].partition("\n")
+        assert shell == "afmcalc torque - <<'SPEC'"
+        assert afmcalc("torque", "-", stdin=text.removesuffix("\nSPEC")).code == 0
+        assert f'value="{base}"' in site.get(f"?base={base}").body.decode()
+    assert site.post("live", {"base": bases[-1] + 1, "fields": {}}).status == 404
+    again = site.tab("design", {}, requirements=FEW)
+    assert [int(number) for number in tags(again["html"], "data-base")] == [base + len(bases) for base in bases]
+    assert site.live({}, base=bases[0])["command"] == site.live({}, base=bases[0] + len(bases))["command"]
+    assert site.live({})["fragments"] == before["fragments"]
+
+
+def test_of_the_bases_of_fronts_twenty_are_kept(afmcalc, tmp_path, monkeypatch):
+    """Of a front those that were looked at, the last; the clutch of the command line always."""
+    site = Site(afmcalc, spec_in(tmp_path))
+
+    async def ask(self, job, gone):
+        yield {"fragments": {}} if job["name"] == "live" else {"html": "", "bases": [["one", "", "-", [], ""]] * 30}
+
+    def known(last):
+        body = ({"base": base, "fields": {}} for base in range(last))
+        return [base for base, each in enumerate(body) if site.post("live", each).status == 200]
+
+    monkeypatch.setattr(Here, "ask", ask)
+    assert "bases" not in site.tab("design", {})
+    assert known(40) == [*range(31)]
+    site.tab("design", {})
+    assert known(31) == [0, *range(12, 31)]
+    assert known(70) == [0, *range(12, 61)]
+
+
+def test_the_options_of_the_command_line_are_taken(afmcalc, tmp_path):
+    """What is set there is part of the clutch, of the page and of the command."""
+    spec = spec_in(tmp_path)
+    site = Site(afmcalc, spec, "--set", "control_unit.gain=0.9", "--lang", "ru", "--units", "si")
+    assert 'lang="ru"' in site.get().body.decode()
+    answer = site.live({"closing_spring.force": "3 kN"})
+    expected = afmcalc("torque", spec, "--set", "C=0.9", "--set", "closing_spring.force=3 kN", "--json").json["result"]
+    is_shown(cells(answer["fragments"]["numbers"]), expected)
+    assert shlex.split(answer["command"])[3:] == sets({"control_unit.gain": "0.9", "closing_spring.force": "3 kN"})
+    assert str(at(expected, "closing_force")).removesuffix(".0") in answer["fragments"]["numbers"]  # 3000 N
+    assert re.search("[а-я]{4}", site.live({"control_unit.gain": "x"})["errors"]["control_unit.gain"])

@@ -1,0 +1,272 @@
+"""Who may ask the page, what is read of a request, and what goes out with every answer."""
+
+import json
+import os
+
+import pytest
+from conftest import CONFIGS
+from pages import Here, Site, spec_in, web
+
+pytestmark = web
+LIVE = {"base": 0, "fields": {}, "pinned": None}
+POSTS = ["live", "save", "form", "tab/accuracy", "tab/design"]
+LIMIT = 64 * 1024
+
+
+@pytest.fixture(autouse=True)
+def jobs(monkeypatch):
+    """What the workers are asked; they answer nothing."""
+
+    async def ask(self, job, gone):
+        self.jobs.append(job)
+        yield {"fragments": {}}
+
+    monkeypatch.setattr(Here, "ask", ask)
+    monkeypatch.setattr(Here, "jobs", [])
+    return Here.jobs
+
+
+def refused(site, status, method, path, body=LIVE, **headers):
+    """Nothing of the clutch and no token is in a refusal, nothing may be read by another origin."""
+    answer = site.ask(method, path, body, **headers)
+    assert answer.status == status, (method, path, headers, answer)
+    told = answer.body + str(answer.headers).encode()
+    assert not [secret for secret in (site.root.strip("/"), "control_unit", "root:") if secret.encode() in told]
+    assert len(answer.body) < 500
+    is_safe(answer)
+    assert Here.jobs == []
+    return answer
+
+
+POLICY = {"default-src": "'none'", "frame-ancestors": "'none'", "base-uri": "'none'", "form-action": "'none'"}
+POLICY |= {"script-src": "'self'", "connect-src": "'self'", "style-src": "'self' 'unsafe-inline'"}
+POLICY |= {"img-src": "'self' data:", "frame-src": "blob:"}
+"""What the drawings and the report need beside what is the server's own, and no more."""
+SAFE = {"x-content-type-options": "nosniff", "referrer-policy": "no-referrer", "cache-control": "no-store"}
+SAFE |= {"cross-origin-resource-policy": "same-origin"}
+
+
+def is_safe(answer):
+    parts = answer.headers["content-security-policy"].split(";")
+    assert dict(part.strip().split(" ", 1) for part in parts) == POLICY
+    assert SAFE.items() <= answer.headers.items()
+    assert not [name for name in answer.headers if name.startswith("access-control") or name == "set-cookie"]
+    assert (answer.headers.get("connection") == "close") == (answer.status >= 400)
+
+
+SERVED = {
+    ("GET", ""): "text/html; charset=utf-8",
+    ("GET", "page.css"): "text/css; charset=utf-8",
+    ("GET", "page.js"): "text/javascript; charset=utf-8",
+    **{("POST", path): "application/json" for path in ("live", "save", "form")},
+    ("POST", "tab/accuracy"): "application/x-ndjson",
+}
+
+
+@pytest.mark.parametrize(("method", "path"), SERVED)
+def test_what_is_served_and_to_whom(site, method, path):
+    """The page itself, a program without a browser, this machine by its other name; a GET also by an address typed in."""
+    other = f"localhost:{site.host.partition(':')[2]}"
+    for headers in ({}, {"origin": None, "sec_fetch_site": None}, {"host": other, "origin": f"http://{other}"}):
+        answer = site.ask(method, site.root + path, LIVE, **headers)
+        assert answer.status == 200
+        assert answer.headers["content-type"] == SERVED[method, path]
+        is_safe(answer)
+    typed = site.ask(method, site.root + path, LIVE, origin=None, sec_fetch_site="none")
+    assert typed.status == (200 if method == "GET" else 403)
+    opposite = "GET" if method == "POST" else "POST"
+    Here.jobs.clear()
+    refused(site, 405, opposite, site.root + path)
+
+
+HOSTS = [
+    "evil.example", "evil.example:{port}", "127.0.0.1", "127.0.0.1:1", "127.0.0.1:{port}.evil.example",
+    "127.0.0.1:{port}@evil.example", "evil.example@127.0.0.1:{port}", "localhost.evil.example:{port}", "0.0.0.0:{port}",
+    "[::1]:{port}", "127.1:{port}", "2130706433:{port}", "", "127.0.0.1:{port}, evil.example", "127.0.0.1:{port} x",
+    None, ["127.0.0.1:{port}"] * 2,
+]  # fmt: skip
+ORIGINS = [
+    "http://evil.example", "http://evil.example:{port}", "null", "", "https://127.0.0.1:{port}", "http://127.0.0.1:1",
+    "http://127.0.0.1", "http://127.0.0.1:{port}.evil.example", "http://127.0.0.1:{port}/", "file://",
+    "http://127.0.0.1:{port} http://evil.example", "http://localhost:{port}",
+    ["http://evil.example", "http://127.0.0.1:{port}"], ["http://127.0.0.1:{port}", "http://evil.example"],
+]  # fmt: skip
+SITES = ["cross-site", "same-site", "none", ""]
+
+
+def test_who_is_not_the_page_is_refused(site):
+    """A foreign name for this machine (DNS rebinding: with its own origin too), another origin, another site."""
+    port = site.host.partition(":")[2]
+
+    def filled(value):
+        return (
+            [each.format(port=port) for each in value] if isinstance(value, list) else value and value.format(port=port)
+        )
+
+    for host in map(filled, HOSTS):
+        refused(site, 403, "GET", site.root, host=host)
+        for origin in (None, f"http://{host}"):
+            refused(site, 403, "POST", site.root + "live", host=host, origin=origin)
+    for path in POSTS:
+        for origin in map(filled, ORIGINS):
+            refused(site, 403, "POST", site.root + path, origin=origin)
+        for name in SITES:
+            refused(site, 403, "POST", site.root + path, origin=None, sec_fetch_site=name)
+    refused(site, 403, "GET", site.root, sec_fetch_site="cross-site")
+
+
+def test_without_the_token_there_is_nothing(site, afmcalc):
+    """The same answer whether there is such a path or not; the token is 128 bits at least, and new each time."""
+    token = site.root.strip("/")
+    assert len(token) >= 22
+    assert Site(afmcalc).root != site.root
+    nothing = refused(site, 404, "GET", "/nothing")
+    wrong = [
+        "",
+        "x",
+        token[:-1],
+        f"{token}x",
+        token.swapcase(),
+        f"x{token}",
+        f"{token}%00",
+        f"%20{token}",
+        "favicon.ico",
+    ]
+    for each in wrong:
+        for method, rest in (("GET", "/"), ("GET", "/page.js"), ("POST", "/live"), ("POST", "/save"), ("GET", "")):
+            answer = refused(site, 404, method, f"/{each}{rest}")
+            assert (answer.body, answer.headers) == (nothing.body, nothing.headers), (each, rest)
+    for path in ("/?token={}", "/live?{}", "/;{}", "/x/{}/"):
+        cookie, bearer = f"token={token}", f"Bearer {token}"
+        assert site.ask("GET", path.format(token), cookie=cookie, authorization=bearer).status == 404
+
+
+OUTSIDE = [
+    "../../etc/passwd", "..%2f..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "%252e%252e%252fetc/passwd",
+    "..\\..\\etc\\passwd", "....//....//etc/passwd", "/etc/passwd", "%2fetc%2fpasswd", "file:///etc/passwd", "page.html",
+    "page.css/../page.html", "page.css%00.html", "parts.html", "app.py", "clutch.toml", ".", "./page.css", "page.css/",
+    "PAGE.CSS", "static/page.css", "tab/../live", "tab/%2e%2e%2flive", "%ff%fe", "%", "a" * 5000, "a/" * 2000,
+]  # fmt: skip
+
+
+def test_no_path_leads_out(site):
+    for path in OUTSIDE:
+        for method in ("GET", "POST"):
+            refused(site, 404, method, site.root + path)
+    for tab in ("os", "__class__", "live", "save", "torque", "", "%00"):
+        refused(site, 404, "POST", f"{site.root}tab/{tab}")
+    for method in ("TRACE", "OPTIONS", "PUT", "DELETE", "PATCH", "PROPFIND", "get", "X" * 200):
+        for path in ("", *POSTS):
+            refused(site, 405, method, site.root + path, access_control_request_method="POST")
+
+
+def test_only_json_is_read(site):
+    form, many = "application/x-www-form-urlencoded", "text/html, application/json"
+    for kind in (None, "", "text/plain", form, "multipart/form-data; boundary=x", "application/jsonx", many):
+        for path in POSTS:
+            refused(site, 415, "POST", site.root + path, content_type=kind)
+    assert site.post("live", LIVE, content_type="Application/JSON; charset=utf-8").status == 200
+
+
+UNREADABLE = [
+    b"", b"{", b"[]", b"1", b"null", b"[" * 30_000, b'{"base": 0, "fields": ' + b"[" * 20_000 + b"]" * 20_000 + b"}",
+    b'{"base": ' + b"9" * 20_000 + b', "fields": {}}', b'{"base": 0, "fields": {"name": "\xff\xfe"}}',
+    *(json.dumps({"base": 0, "fields": fields}).encode()
+      for fields in (None, [], "x", 1, {"name": 1}, {"name": None}, {"name": ["x"]}, {"name": {}})),
+]  # fmt: skip
+BASES = [-1, 1, 99999, 1.5, 0.0, True, False, "0", "../x", None, [], {}, float("inf")]
+
+
+def test_what_is_no_request_of_a_page_is_refused(site):
+    """In base and fields, of what is pinned too; a form has a base alone."""
+    for body in UNREADABLE:
+        for path in ("live", "save", "tab/design"):
+            refused(site, 400, "POST", site.root + path, body)
+    for base in BASES:
+        body = {"base": base, "fields": {}}
+        for path in POSTS:
+            refused(site, 404, "POST", site.root + path, body)
+        refused(site, 404, "POST", site.root + "live", LIVE | {"pinned": body})
+    for pinned in (1, "x", [1], {"base": 0}, {"base": 0, "fields": {"name": 1}}):
+        refused(site, 404 if pinned == {} else 400, "POST", site.root + "live", LIVE | {"pinned": pinned})
+    for options in (1, [], "x", {"sweep": 1}, {"sweep": None}):
+        refused(site, 400, "POST", site.root + "tab/accuracy", LIVE | {"options": options})
+    for number in ("-1", "1", "9" * 20, "x", "1e3", "0x0", "", "../x", "%00", "%D9%A3"):
+        refused(site, 404, "GET", f"{site.root}?base={number}")
+    assert site.get("?base=0").status == 200
+
+
+def test_no_more_is_read_than_is_allowed(site):
+    """By what its head says, and by what comes, in one piece or in many."""
+    body = json.dumps(LIVE).encode()
+    fits, more = body.ljust(LIMIT), body.ljust(LIMIT + 1)
+    for path in POSTS:
+        assert site.post(path, fits).status == 200
+        Here.jobs.clear()
+        refused(site, 413, "POST", site.root + path, more)
+        for length in (str(LIMIT + 1), "9" * 30, "-1", "x", "0x10", "1e3", ""):
+            refused(site, 413, "POST", site.root + path, body, content_length=length)
+        refused(site, 413, "POST", site.root + path, tuple([b" " * 1024] * 65), content_length=None)
+        refused(site, 413, "POST", site.root + path, tuple([b" " * 1024] * 65), content_length="9")
+    assert site.post("live", tuple(bytes([each]) for each in body), content_length=None).status == 200
+
+
+def test_half_a_request_is_not_waited_for(site, monkeypatch):
+    monkeypatch.setattr("afmcalc.web.app._SLOWEST", 0)
+    for path in POSTS:
+        refused(site, 408, "POST", site.root + path, b'{"base": 0, ', whole=False)
+
+
+def test_a_worker_is_asked_what_the_page_asked(site, jobs):
+    pinned = {"base": 0, "fields": {"control_unit.gain": "0.4"}}
+    body = {"base": 0, "fields": {"name": "x"}, "pinned": pinned, "options": {"sweep": "C"}, "name": "save"}
+    for path in ("live", "tab/heat"):
+        assert site.post(path, body).status == 200
+    for job, name in zip(jobs, ("live", "heat"), strict=True):
+        assert job.keys() == {"name", "state", "pinned", "options", "first"}
+        assert (job["name"], job["state"].fields, job["pinned"].fields) == (name, body["fields"], pinned["fields"])
+        assert (job["options"], job["first"]) == ({"sweep": "C"}, 1)
+
+
+def test_a_fault_of_our_own_is_said(site, monkeypatch):
+    async def broken(self, job, gone):
+        raise KeyError("control\x1b_unit")
+        yield
+
+    monkeypatch.setattr(Here, "ask", broken)
+    answer = site.post("live", LIVE)
+    assert (answer.status, answer.json["errors"]) == (500, {})
+    assert "KeyError: 'control\\x1b_unit'" in answer.json["problems"][0]
+    assert "Traceback" not in str(answer.json)
+
+
+WRONG = {
+    "a port that is taken": (["--port", "{taken}"], 3, "{taken}"),
+    "no port": (["--port", "65536"], 2, "65535"),
+    "no file": (["gone.toml"], 3, "gone.toml"),
+    "no spec": (["--set", "friction.min="], 2, "friction.min"),
+    "a file that is there": (["-o", "there.toml"], 2, "--force"),
+    "the spec itself": (["clutch.toml", "-o", "clutch.toml", "--force"], 2, "clutch.toml"),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_cannot_be_served_is_told(case, afmcalc, tmp_path, monkeypatch):
+    import socket
+
+    monkeypatch.chdir(tmp_path)
+    (spec_in(tmp_path, file="there.toml"), spec_in(tmp_path))
+    arguments, code, said = WRONG[case]
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        taken = other.getsockname()[1]
+        run = Site(afmcalc, *(each.format(taken=taken) for each in arguments)).run
+    assert (run.code, run.out) == (code, "")
+    assert said.format(taken=taken) in run.err
+    assert sorted(os.listdir()) == ["clutch.toml", "there.toml"]
+    assert (tmp_path / "there.toml").read_bytes() == (CONFIGS / "default.toml").read_bytes()
+
+
+def test_it_listens_on_this_machine_alone(site):
+    assert site.run.code == 0
+    assert site.listening[0] == "127.0.0.1"
+    assert site.host == f"127.0.0.1:{site.listening[1]}"
