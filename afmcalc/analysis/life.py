@@ -114,7 +114,7 @@ def life(
             LifeResult,
             own,
             model=model,
-            **{side: _by_setting(own, *cases) for side, cases in _SIDES.items()},
+            **{side: _by_setting(spec, own, *cases) for side, cases in _SIDES.items()},
             **{f"stress_{side}": _stress(load) for side, load in sides.items()},
             sweep=life_sweep(clutch, model, sweeps, factor) or None,
         )
@@ -149,12 +149,13 @@ def _require(spec: Spec, model: StressRule) -> None:
         raise spec.refused(f"fatigue.{needed}", say("required by the model {model!r}", model=model))
 
 
-def _by_setting(own: Quantities, *cases: str) -> MethodCycles:
+def _by_setting(spec: Spec, own: Quantities, *cases: str) -> MethodCycles:
     """Cycles of a side, springs as they are and set by both methods."""
+    made = spec.control_spring is not None and spec.control_spring.force is not None
     numbers, unlimited = dict[str, float | None](), list[Setting]()
     settings: list[tuple[Setting, str]] = [("as-set", ""), *METHODS.items()]
     for setting, case in settings:
-        load = own.at(case)
+        load = own.at("" if setting == spec.adjustment.method and not made else case)
         for each in cases:
             load = load.at(each)
         numbers[setting.replace("-", "_")] = number = _cycles(load)

@@ -163,13 +163,14 @@ def contact_radius_at_ball(ball_radius_chosen, path_steepening, tan_wall_angle_a
     return 2 * ball_radius_chosen * (path_radius - ball_radius_chosen) / (2 * path_radius - ball_radius_chosen)
 
 
-def contact_pressure_at_ball(contact_force_at_ball, contact_radius_at_ball, contact_modulus):
-    """Largest contact pressure where the ball is, p_0 = ³√(6 F E_c²/(π³ R_e²)).
+def contact_pressure_at_ball(allowable_pressure, contact_force_at_ball, contact_radius_at_ball, contact_modulus):
+    """Largest contact pressure where the ball is, p_0 = p_0,allow (F_n/F)^{1/3} with F = π³ p_0,allow³ R_e²/(6 E_c²).
 
-    Source: Johnson, Contact Mechanics (1985), (4.24).
+    Source: Johnson, Contact Mechanics (1985), (4.24), (4.30).
     Validity: Elastic, frictionless, contact small against the ball.
     """
-    return (6 * contact_force_at_ball * contact_modulus**2 / (math.pi**3 * contact_radius_at_ball**2)) ** (1 / 3)
+    allowable = math.pi**3 * allowable_pressure**3 * contact_radius_at_ball**2 / (6 * contact_modulus**2)
+    return allowable_pressure * (contact_force_at_ball / allowable) ** (1 / 3)
 
 
 def contact_pressure(contact_pressure_at_ball_at_along_wall):
