@@ -94,8 +94,11 @@ class Variant:
         return self.bypass(1, driving_pairs) + 1 if self.controlled else 1
 
 
+_breakaway: Any = direct.DIFFERENTIATED["gain_limit"]
+_recommended: Any = direct.ALL_DRIVING["gain_limit"]
+
 BREAKAWAY_LIMIT = GainLimit(
-    most=direct.DIFFERENTIATED["gain_limit"],
+    most=_breakaway,
     code="gain-above-limit",
     quantity="feedback gain",
     symbol="C ≤ 1/(z_1 f_1max)",
@@ -104,7 +107,7 @@ BREAKAWAY_LIMIT = GainLimit(
 """Above it the bypass pairs alone carry more than the regulated torque (F11, after (20), S22 (24))."""
 
 REDUCED_LIMIT = GainLimit(
-    most=lambda pairs, friction_max: direct.ALL_DRIVING["gain_limit"](pairs),
+    most=lambda pairs, friction_max: _recommended(pairs),
     code="reduced-gain-above-limit",
     quantity="reduced gain",
     symbol="zC ≤ 5",

@@ -62,7 +62,7 @@ class Clutch:
         first = second = _checked(friction)
         if friction_driven is not None and friction_driven is not friction:
             second = _checked(friction_driven)
-        same = first is second or first == second
+        same: Any = first is second or first == second
         if self.spec.friction.unlike or (not self.spec.kind.travels and first is not second):
             return self.quantities.at(friction_driving=first, friction_driven=second)
         if not (bool(same.all()) if is_array(same) else same):

@@ -10,11 +10,12 @@ A value is calculated on first use and kept. A case shares with its clutch what 
 
 from collections.abc import Callable, Iterable, Mapping
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..laws.arrays import chosen, is_array
 from ..laws.wiring import Either, Same
 from ..messages import did_you_mean, say
+from .named import Named
 
 Law = Callable[..., Any] | Either | Same | float | None
 """A number, or None, is what a quantity is where nothing is given."""
@@ -115,7 +116,7 @@ def _identity(value: Any) -> Any:
     return id(value) if is_array(value) else value
 
 
-class Quantities:
+class Quantities(Named):
     """The quantities of a clutch, SI: numbers, or arrays of one axis with a value for each of many clutches."""
 
     def __init__(self, laws: Laws, given: Mapping[str, Any], *, noted: bool = False) -> None:
@@ -145,14 +146,16 @@ class Quantities:
             self._kept[name] = scope._calculated(name) if scope is self else scope[name]
         return self._kept[name]
 
-    def __getattr__(self, name: str) -> Any:
-        """Return the value of a quantity."""
-        if name.startswith("_"):
-            raise AttributeError(name)
-        try:
-            return self[name]
-        except MissingError as error:
-            raise AttributeError(str(error)) from None
+    if not TYPE_CHECKING:  # type checkers know the names
+
+        def __getattr__(self, name: str) -> Any:
+            """Return the value of a quantity."""
+            if name.startswith("_"):
+                raise AttributeError(name)
+            try:
+                return self[name]
+            except MissingError as error:
+                raise AttributeError(str(error)) from None
 
     def __contains__(self, name: object) -> bool:
         """Whether a quantity is given, or follows from what is."""

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property, reduce
+from typing import Any
 
 import numpy as np
 
@@ -21,6 +22,9 @@ from .. import hertz
 from ..life import life_of
 from .space import SAME, Axes, Mask, Numbers, Places, balls, curved
 
+_gain: Any = pack.WALL_ANGLE_GIVEN["gain"]
+_driven_torque: Any = direct.ALL_DRIVING["driven_torque"]
+_peak_pressure: Any = pressure.UNIFORM_WEAR["peak_pressure"]
 _NEWTON_STEPS = 12
 """To the mouth of a pocket: each doubles the digits."""
 _MOST_CIRCLES = 10_000
@@ -126,7 +130,7 @@ class Candidates:
         if self.need.search.gain is not None:
             return self.at.steering
         # r and α first: they are fewer than with R
-        return pack.WALL_ANGLE_GIVEN["gain"](1.0, self.at.ball_circle_radius, self.tangent) * self.at.mean_radius
+        return _gain(1.0, self.at.ball_circle_radius, self.tangent) * self.at.mean_radius
 
     @property
     def gain_limit(self) -> Numbers:
@@ -242,7 +246,7 @@ class Candidates:
     def peak_pressure(self) -> Numbers:
         """Surface pressure at the inner edge, which a friction material is held to, Pa; NaN as the mean."""
         half, mean = self.face_width / 2, self.at.mean_radius
-        return pressure.UNIFORM_WEAR["peak_pressure"](self.pack_force, mean - half, mean + half)
+        return _peak_pressure(self.pack_force, mean - half, mean + half)
 
     @cached_property
     def force_per_ball(self) -> Numbers:
@@ -255,8 +259,7 @@ class Candidates:
         if self.variant.travels:
             return self.torque_max
         pressed, driven = self._slipping(self.frictions[2])["normal_force"], self.frictions[2][1]
-        of_balls = direct.ALL_DRIVING["driven_torque"]
-        return self.closing_force * of_balls(pressed, self.at.mean_radius, self.controlled_pairs, driven)
+        return self.closing_force * _driven_torque(pressed, self.at.mean_radius, self.controlled_pairs, driven)
 
     @cached_property
     def contact_force(self) -> Numbers:
