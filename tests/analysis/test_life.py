@@ -124,7 +124,7 @@ def test_a_sweep_simulates_the_event_of_every_point(sweep):
     ("model", "sweep"),
     [
         ("mean-stress", "endurance_limit=3e6"), ("mean-stress", "polar_section_modulus=9e-6"), ("amplitude", "exponent=5"),
-        ("goodman", "base_cycles=1e6"), ("goodman", "load_low=30"),
+        ("goodman", "base_cycles=1e6"),
     ],
 )  # fmt: skip
 def test_every_key_of_the_part_is_swept_as_it_is_set(model, sweep):
