@@ -1,6 +1,5 @@
 """The direct law against a numerical solution of the axial balance, and its special cases against each other."""
 
-from dataclasses import replace
 from math import radians, tan
 
 import numpy as np
@@ -10,9 +9,16 @@ from hypothesis import strategies as st
 from strategies import FRICTION, direct_specs
 
 import afmcalc
+from afmcalc.analysis.clutch_findings import clutch_findings
 from afmcalc.engines import build
+from afmcalc.engines.elasticity import elasticities
 from afmcalc.spec import make_spec, resolved
 from afmcalc.spec.edit import with_values
+
+
+def slopes(clutch):
+    """Elasticities of the accuracy factor."""
+    return {path: each.slope for path, each in elasticities(clutch.quantities).items()}
 
 
 def _base(**changes):
@@ -54,7 +60,7 @@ def test_closed_form_solves_the_balance(spec, f1, f2):
     normal, release, torque = solve_balance(spec, f1, f2)
     force = spec.closing_spring.force
     assert clutch.normal_force(f1, f2) == pytest.approx(normal, rel=1e-9, abs=1e-12 * force)
-    assert clutch.release_force(f1, f2) == pytest.approx(release, rel=1e-9, abs=1e-12 * force)
+    assert clutch.at(f1, f2)["release_force"] == pytest.approx(release, rel=1e-9, abs=1e-12 * force)
     assert clutch.torque(f1, f2) == pytest.approx(torque, rel=1e-9)
 
 
@@ -92,7 +98,7 @@ def test_sensitivities_are_the_derivatives_of_the_accuracy(spec):
     if abs(clutch.accuracy_factor - 1) < 1e-6 or any(each.mean in (each.min, each.max) for each in ranges):
         return  # K_т = max/min has a kink there
     step = 1e-6
-    for path, elasticity in clutch.sensitivity().items():
+    for path, elasticity in slopes(clutch).items():
         if path.endswith("pairs"):
             continue
         factors = []
@@ -108,12 +114,12 @@ def test_sensitivities_are_the_derivatives_of_the_accuracy(spec):
 @given(direct_specs(("differentiated", "all-driving")))
 def test_pair_sensitivities_are_derivatives_with_the_other_count_kept(spec):
     clutch = build(spec)
-    sensitivity = clutch.sensitivity()
+    sensitivity = slopes(clutch)
     z1, z2 = float(clutch.bypass_pairs), float(clutch.controlled_pairs)
     step = 1e-6
 
     def factor(bypass, controlled):
-        return np.log(replace(clutch, bypass_pairs=bypass, controlled_pairs=controlled).accuracy_factor)
+        return np.log(clutch.quantities.at(bypass_pairs=bypass, pairs=bypass + controlled)["accuracy_factor"])
 
     change = (z1 + z2) * step
     numeric = (factor(z1, z2 + change) - factor(z1, z2 - change)) / (2 * step)
@@ -127,7 +133,7 @@ def test_pair_sensitivities_are_derivatives_with_the_other_count_kept(spec):
 def test_arrays_and_floats_agree_bit_for_bit(spec, friction):
     clutch = build(spec)
     array = np.array(friction).reshape(1, -1, 1)
-    for law in (clutch.torque, clutch.normal_force, clutch.release_force, clutch.breakaway_torque):
+    for law in (clutch.torque, clutch.normal_force, clutch.breakaway_torque):
         values = law(array)
         assert values.shape == array.shape
         assert values.ravel().tolist() == [law(f) for f in friction]
@@ -159,12 +165,12 @@ def test_setting_gives_the_nominal_torque(spec, method, margin):
 def test_wall_angle_is_a_gain():
     angled = _base(control_unit={"wall_angle": radians(30), "ball_circle_radius": 0.05})
     assert build(angled).gain == 0.1 / 0.05 * tan(radians(30))
-    sensitivity = build(angled).sensitivity()
+    sensitivity = slopes(build(angled))
     assert sensitivity["friction_group.mean_radius"] == -sensitivity["control_unit.ball_circle_radius"]
 
 
 def codes(spec):
-    return {finding.code: finding for finding in build(spec).findings()}
+    return {finding.code: finding for finding in clutch_findings(spec, build(spec).quantities)}
 
 
 def test_findings():
