@@ -12,8 +12,8 @@ from ..messages import joined, term
 from ..result import Answer, Result, Sentence, Triple, described, quantity
 from ..spec.edit import as_variant, with_key, with_nominal_torque
 from ..variants import VARIANTS
+from .asking import ENDS
 from .check import found_unsimulated
-from .torque import triple
 
 
 class ComparedClutch(Result):
@@ -115,7 +115,7 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tu
         variant=clutch.spec.variant,
         basis=basis,
         **{figure: getattr(clutch, figure) for figure in _FIGURES},
-        torque=triple(clutch, clutch.torque),
+        torque=Triple.of([clutch.quantities[f"torque_at_{case}"] for case in ENDS]),
         travel_max=clutch.sleeve and clutch.sleeve.travel_max,
         errors=sum(remark.level == "error" for remark in judged),
         warnings=sum(remark.level == "warning" for remark in judged),

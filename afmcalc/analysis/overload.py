@@ -23,9 +23,7 @@ class OverloadSweep(Asking, Series):
 
     accuracy_factor_expected: list[float] = asked(description="T_муф(f_max)/T_min")
     accuracy_factor_actual: list[float] = asked(description="max(T_ср, T_муф)(f_max)/T_min, published T_ср")
-    actuation_factor: list[float] = asked(
-        "actuation_factor_at_f_max", "T_ср/T_муф at f_max, published", symbol="A"
-    )
+    actuation_factor: list[float] = asked("actuation_factor_at_f_max", "T_ср/T_муф at f_max, published", symbol="A")
     expected_torque: list[float] = asked("expected_torque_at_f_max", "expected torque at f_max", symbol="T_муф")
     actuation_torque_published: list[float] = asked(
         "actuation_torque_published_at_f_max", "published actuation torque at f_max", symbol="T_ср"

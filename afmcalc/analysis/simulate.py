@@ -19,7 +19,6 @@ from ..engines.protocol import Clutch
 from ..equations import drive as law
 from ..equations import synthesis
 from ..equations.arrays import Floats, Values
-from ..equations.calls import unnoted
 from ..errors import CalculationError
 from ..findings import Finding, Level, finding
 from ..messages import measured, say, term
@@ -233,7 +232,6 @@ _WIDE = 0.05
 """Width of the bracket κ … κ₊, relative to the value, beyond which it is said."""
 
 
-@unnoted()
 def simulate(
     clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
 ) -> tuple[SimulateResult, list[Finding]]:

@@ -7,7 +7,6 @@ from typing import Any, ClassVar
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
-from ..equations.calls import unnoted
 from ..errors import given
 from ..findings import Finding, finding
 from ..messages import say
@@ -213,7 +212,6 @@ def _curve_findings(clutch: Clutch, result: SynthesisResult, sizes: Sequence[flo
         yield finding(code, "error", value=value, limit=2 * limit, path=path, needed=needed, gain=gain)
 
 
-@unnoted()
 def _gain_that_can_be_cut(clutch: Clutch, sizes: Sequence[float]) -> float | None:
     """Smallest gain, in steps of 2 %, with which a standard ball is large enough and does not undercut."""
     gain, (gap, clearance) = float(clutch.gain), clearances(given(clutch.spec.control_unit))

@@ -15,7 +15,6 @@ from ..engines.protocol import Clutch
 from ..equations import synthesis
 from ..equations import wall as wall_law
 from ..equations.arrays import Values
-from ..equations.calls import unnoted
 from ..errors import given
 from ..result import Result, quantity
 from ..spec.models import ControlUnit
@@ -76,7 +75,6 @@ class Wall(NamedTuple):
         """Whether a ball of its own size can have made it."""
         return self.undercut_radius is None or self.ball_radius < self.undercut_radius
 
-    @unnoted()
     def angle_at(self, depth: float) -> float:
         """Wall angle where the ball is ξ from its place at the stop, rad."""
         return math.atan(wall_law.path_tangent(self.tangent, self.steepening, depth))
@@ -108,19 +106,16 @@ class Wall(NamedTuple):
         def needed(depth: float) -> tuple[float, float, float, float]:
             return 2 * depth, self.face_gap, clearance, math.sin(self.angle_at(depth))
 
-        with unnoted():
-            shallowest = max((0.0, travel / self.sleeves), key=lambda depth: synthesis.ball_radius(*needed(depth)))
+        shallowest = max((0.0, travel / self.sleeves), key=lambda depth: synthesis.ball_radius(*needed(depth)))
         return float(synthesis.ball_radius(*needed(shallowest)))
 
     def clearance(self, travel: float) -> float:
         """How far below the face the ball touches where it does least, m: at the largest travel, or at the stop."""
-        with unnoted():
-            depth = min((0.0, travel / self.sleeves), key=self.contact_depth)
+        depth = min((0.0, travel / self.sleeves), key=self.contact_depth)
         sine = math.sin(self.angle_at(depth))
         return float(synthesis.edge_clearance(self.ball_radius, 2 * depth, self.face_gap, sine))
 
     @property
-    @unnoted()
     def mouth(self) -> float:
         """ξ at which the ball would touch the edge of the pocket, m."""
         low, high = 0.0, self.ball_radius
@@ -136,12 +131,10 @@ class Wall(NamedTuple):
         return max(CHORD, CHORD_SHARE * self.ball_radius)
 
     @property
-    @unnoted()
     def width(self) -> float:
         """Width of the pocket at the face, m."""
         return 2 * self.at(self.mouth).wall_around
 
-    @unnoted()
     def points(self) -> list[WallPoint]:
         """Places from the stop to the mouth, so near that chords between them keep within ``chord`` of the wall."""
         end, enough, chord = self.mouth, 1, self.chord
@@ -237,13 +230,12 @@ def contact_of(
         path = wall_law.path_radius(wall.steepening, math.cos(angle)) if wall.steepening > 0 else None
         return float(hertz.allowable_force(elastic, ball, path))
 
-    with unnoted():  # where the force and where the pressure is largest; of a number of balls not given, of all
-        cosines = np.cos(angles)
-        forces = synthesis.contact_force(np.array(torques, float), unit.balls or 1, unit.ball_circle_radius, cosines)
-        most = worst = int(np.argmax(forces))
-        if elastic_known and wall.steepening > 0:
-            paths = wall_law.path_radius(wall.steepening, cosines)
-            worst = int(np.argmax(forces / hertz.allowable_force(elastic, ball, paths)))
+    cosines = np.cos(angles)
+    forces = synthesis.contact_force(np.array(torques, float), unit.balls or 1, unit.ball_circle_radius, cosines)
+    most = worst = int(np.argmax(forces))
+    if elastic_known and wall.steepening > 0:
+        paths = wall_law.path_radius(wall.steepening, cosines)
+        worst = int(np.argmax(forces / hertz.allowable_force(elastic, ball, paths)))
     force = force_at(torques[most], angles[most])
     critical = force if worst == most else force_at(torques[worst], angles[worst])
     borne = borne_at(angles[worst]) if elastic_known else None

@@ -5,7 +5,6 @@ from typing import Any
 
 from ..equations import adjustment, direct
 from ..equations.arrays import Values, tangent
-from ..equations.calls import derived
 from ..findings import Finding, finding
 from ..messages import term
 from ..spec.models import Friction, Method, Range, Spec
@@ -50,17 +49,9 @@ def force_path(spec: Spec) -> str:
 
 
 def frictions(spec: Spec) -> tuple[Range, Range]:
-    """Ranges of f_1 and f_2, twice the same with one material; an explanation knows each number by its symbol."""
+    """Ranges of f_1 and f_2, twice the same with one material."""
     first, second = spec.friction.groups
-    if spec.friction.unlike:
-        return _named(first, "1"), _named(second, "2")
-    alike = _named(first, "")
-    return alike, alike
-
-
-def _named(friction: Range, group: str) -> Range:
-    ends = zip(friction, ("min", "cp", "max"), strict=True)
-    return Range(*(derived(value, role=f"f_{group}{end}") for value, end in ends))
+    return first, second
 
 
 def at_setting(friction: tuple[Range, Range], spec: Spec, method: Method | None = None) -> tuple[Values, Values]:
@@ -78,7 +69,7 @@ def margin(spec: Spec) -> Any:
 def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:
     """F_п as given, or from the nominal torque and T/F_п at the setting: every law is proportional to F_п (S19)."""
     if spec.closing_spring.force is not None:
-        return derived(spec.closing_spring.force, role=spec.adjustment.method)
+        return spec.closing_spring.force
     return adjustment.closing_force(spec.adjustment.nominal_torque, margin(spec), torque_per_force())
 
 

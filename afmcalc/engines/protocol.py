@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ..equations import accuracy, adjustment, direct, effects, overload
 from ..equations.arrays import Values, chosen, larger, smaller
-from ..equations.calls import once, unnoted
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from . import parameters
@@ -124,7 +123,7 @@ class Clutch(ABC):
         """f_1 and f_2 at which the spring is set, by ``method`` or that of the spec: the smallest, or the mean."""
         return parameters.at_setting(self.friction, self.spec, method)
 
-    @once
+    @cached_property
     def nominal_torque(self) -> Values:
         """T_н of the clutch that the setting gives, N·m."""
         return adjustment.nominal_torque(self.torque(*self.friction_at_setting()), parameters.margin(self.spec))
@@ -268,15 +267,14 @@ class Clutch(ABC):
 
     def findings(self) -> list[Finding]:
         """Findings on the limits of the law, on the setting, and on springs given as parts."""
-        with unnoted():  # `explain` does not list these equations
-            found = [*self.spec.label.findings, *self._law_findings()]
-            found += parameters.setting_findings(self.spec, float(self.nominal_torque), float(self.torque_min))
-            found += parameters.machine_findings(self.spec, float(self.torque_min), float(self.torque_max))
-            if self.spec.spring_parts:
-                from .parts import part_findings
+        found = [*self.spec.label.findings, *self._law_findings()]
+        found += parameters.setting_findings(self.spec, float(self.nominal_torque), float(self.torque_min))
+        found += parameters.machine_findings(self.spec, float(self.torque_min), float(self.torque_max))
+        if self.spec.spring_parts:
+            from .parts import part_findings
 
-                found += part_findings(self.spec, self.spring_demands())
-            return found
+            found += part_findings(self.spec, self.spring_demands())
+        return found
 
     @abstractmethod
     def _law_findings(self) -> Iterable[Finding]:

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from ..equations import accuracy, indirect, pocket
 from ..equations.arrays import Values
-from ..equations.calls import derived
 from ..spec.models import FrictionRange, Spec
 from .parameters import force_path
 
@@ -16,11 +15,6 @@ if TYPE_CHECKING:
     from .protocol import Clutch
 
 Elasticities: TypeAlias = dict[str, float]
-
-
-def _part(value: Values, symbol: str) -> float:
-    """What of κ, or of F_п1, is proportional to a parameter; an explanation names the parameter."""
-    return derived(float(value), role=f"∂ln {symbol}")
 
 
 def sensitivity(clutch: "Clutch") -> Elasticities:
@@ -90,8 +84,8 @@ def _of_indirect(clutch: "IndirectClutch") -> Elasticities:
 
     def in_feedback(symbol: str, part: Values, slope: Values = 0.0) -> float:
         """``part`` of κ at the stop, and what the slope adds where the sleeve is."""
-        ends = (torque.in_feedback(_part(part + slope * torque.travel, symbol)) for torque in (high, low))
-        return float(next(ends) - next(ends)) + passed_on(_part(part, symbol))
+        ends = (torque.in_feedback(float(part + slope * torque.travel)) for torque in (high, low))
+        return float(next(ends) - next(ends)) + passed_on(float(part))
 
     in_force = high.closing_force - low.closing_force + (in_control if set_here else 0.0)
     if set_here and clutch.straight:
@@ -102,7 +96,7 @@ def _of_indirect(clutch: "IndirectClutch") -> Elasticities:
     for torque, sign in ((high, 1.0), (low, -1.0)):
         _spread(found, spec.friction, "friction", torque.end, sign * torque.friction)
     at_set = "mean" if spec.adjustment.method == "mean-friction" else "min"
-    _spread(found, spec.friction, "friction", at_set, passed_on(_part(clutch.net_gain, "f_set")) + follows)
+    _spread(found, spec.friction, "friction", at_set, passed_on(float(clutch.net_gain)) + follows)
     in_gain, in_key = in_feedback("C", clutch.gain), in_feedback("f_1", -clutch.gain_threshold)
     found |= {
         "friction_group.pairs": in_feedback("z", clutch.net_gain, clutch.gain_slope) + follows,
@@ -135,7 +129,7 @@ def _torque(clutch: "IndirectClutch", friction: Values, *ends: Literal["min", "m
         def seated(part: float) -> float:
             return -float(indirect.seated_elasticity_in_feedback(pairs, friction, part, net))
 
-        return _Torque(1 + seated(_part(net, "f")), end, seated, control_force=1.0)
+        return _Torque(1 + seated(float(net)), end, seated, control_force=1.0)
     tangent = clutch.tangent_stiffness(friction, net)
     pressed, travel = clutch.normal_force(friction), clutch.travel(friction)
     slope = pocket.slope_feedback(pairs, friction, clutch.gain_slope)
@@ -148,13 +142,13 @@ def _torque(clutch: "IndirectClutch", friction: Values, *ends: Literal["min", "m
         return float(pocket.force_elasticity_in_closing_spring(part, c2, slope, tangent, pressed))
 
     return _Torque(
-        friction=0.0 if end is None else 1 + moving(_part(clutch.steepened(travel).net_gain, "f")),
+        friction=0.0 if end is None else 1 + moving(float(clutch.steepened(travel).net_gain)),
         end=end,
         in_feedback=moving,
         travel=float(travel),
-        closing_stiffness=in_closing(_part(-c1 * travel, "c_1")),
+        closing_stiffness=in_closing(float(-c1 * travel)),
         control_stiffness=float(pocket.force_elasticity_in_control_stiffness(c1, c2, travel, tangent, pressed)),
-        closing_force=in_closing(_part(clutch.closing_force, "F_п1")),
+        closing_force=in_closing(float(clutch.closing_force)),
         control_force=float(pocket.force_elasticity_in_control_force(c1, control, tangent, pressed)),
     )
 

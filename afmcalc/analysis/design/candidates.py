@@ -14,7 +14,7 @@ from ...engines.protocol import Clutch
 from ...equations import adjustment, direct, synthesis, wall
 from ...equations.effects import force_lost_by_wear
 from ...errors import given
-from ...spec.models import Drive, bore_of
+from ...spec.models import bore_of
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
