@@ -97,7 +97,8 @@ FINDINGS: Mapping[str, str] = {
     "(misprint M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
     "elasticity-one-sided": "at C_1 = C_1* = {limit:.4g 1/mm} K_т has its least value with a kink: each relative "
     "sensitivity holds for a change to one side only",
-    "elasticity-one-sided/key": "K_т has a kink here: the relative sensitivity to {paths} holds for a smaller value only",
+    "elasticity-one-sided/key": "K_т has a kink here: the relative sensitivity to {paths} holds for a smaller value "
+    "only",
     "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
     "the spring as set, not as the surplus force of the mean-friction setting",
     "narrower-below-nominal": "the narrower band is that of {method}, with which the torque falls to {value:.5g N·m} "

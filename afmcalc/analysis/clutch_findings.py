@@ -1,11 +1,15 @@
 """What a designer should know of a clutch, whatever is asked: the limits of its law, its setting, its springs."""
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from ..engines.quantities import Quantities
 from ..findings import Finding, finding
 from ..messages import term
 from ..spec.models import Friction, Spec
+
+if TYPE_CHECKING:
+    from ..engines.springs import SpringDemand
 
 
 def clutch_findings(spec: Spec, clutch: Quantities) -> list[Finding]:
@@ -16,13 +20,19 @@ def clutch_findings(spec: Spec, clutch: Quantities) -> list[Finding]:
     found += _of_machine(spec, lowest, highest)
     if spec.spring_parts:
         from ..engines.parts import part_findings
-        from ..engines.springs import spring_demands
 
-        control, travel = None, 0.0
-        if spec.kind.travels:
-            control, travel = float(clutch["control_force"]), float(clutch["travel_max"])
-        found += part_findings(spec, spring_demands(spec, float(clutch["closing_force"]), control, travel))
+        found += part_findings(spec, demands_on_springs(spec, clutch))
     return found
+
+
+def demands_on_springs(spec: Spec, clutch: Quantities, travel: float = 0.0) -> "list[SpringDemand]":
+    """Return force as set and stroke of each spring; ``travel`` counts where it exceeds that of the law."""
+    from ..engines.springs import spring_demands
+
+    control = None
+    if spec.kind.travels:
+        control, travel = float(clutch["control_force"]), max(travel, float(clutch["travel_max"]))
+    return spring_demands(spec, float(clutch["closing_force"]), control, travel)
 
 
 def _gain_path(spec: Spec) -> str:

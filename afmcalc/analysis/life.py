@@ -152,8 +152,8 @@ def _require(spec: Spec, model: StressRule) -> None:
 def _by_setting(own: Quantities, *cases: str) -> MethodCycles:
     """Cycles of a side, springs as they are and set by both methods."""
     numbers, unlimited = dict[str, float | None](), list[Setting]()
-    settings: dict[Setting, str] = {"as-set": "", **METHODS}
-    for setting, case in settings.items():
+    settings: list[tuple[Setting, str]] = [("as-set", ""), *METHODS.items()]
+    for setting, case in settings:
         load = own.at(case)
         for each in cases:
             load = load.at(each)

@@ -49,7 +49,7 @@ class RisenLoad(Asking):
     """The clutch under a load between the machine's nominal torque and slip."""
 
     friction: float = asked()
-    rise: float = asked("risen_load")
+    rise: float = asked("risen_load", "rise of the load above T_н.маш")
     load: float = asked("load_risen")
     potential_torque: float = asked("potential_torque_risen")
 

@@ -13,7 +13,7 @@ from .options import Common, SpecArgument, with_common
 
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
-    from ..engines import Clutch
+    from ..engines.selection import Wired
     from ..render.layout import SweepDrawing
 
 SweepOption = Annotated[
@@ -186,7 +186,7 @@ def compare(
     common.emit(result, findings, resolved(clutches[0].spec))
 
 
-def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
+def axes_of(sweep: list[str] | None, clutch: "Wired", *, band: bool = False) -> "list[Axis]":
     """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
     if not sweep:
         return []

@@ -160,16 +160,13 @@ def contact_modulus(ball_modulus, ball_poisson, wall_modulus, wall_poisson):
     return 1 / ((1 - ball_poisson * ball_poisson) / ball_modulus + (1 - wall_poisson * wall_poisson) / wall_modulus)
 
 
-contact_radius = Same("ball_radius_chosen")
-
-
-def contact_force_hertz(allowable_pressure, contact_radius, contact_modulus):
+def contact_force_hertz(allowable_pressure, ball_radius_chosen, contact_modulus):
     """Force at which a ball on a flat reaches the allowable pressure, F = π³ p_0,allow³ r²/(6 E_c²).
 
     Source: Johnson, Contact Mechanics (1985), (4.24) with R = r (ball on flat).
     Validity: Elastic, frictionless, contact small against the ball; the wall is flat.
     """
-    return (math.pi * allowable_pressure) ** 3 * contact_radius**2 / (6 * contact_modulus**2)
+    return (math.pi * allowable_pressure) ** 3 * ball_radius_chosen**2 / (6 * contact_modulus**2)
 
 
 def contact_pressure(allowable_pressure, contact_force, contact_force_hertz):

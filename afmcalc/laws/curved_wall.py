@@ -4,6 +4,8 @@ In the cylindrical section at the ball circle: ξ, which is the travel, along th
 stop, Y around the circle.
 """
 
+import math
+
 from .arrays import atan, beside, cos, larger, largest_along, sin, smaller, spread, zero_of
 
 
@@ -32,6 +34,42 @@ def tan_wall_angle_at_ball(tan_wall_angle, path_steepening, travel):
     Validity: ξ ≥ 0.
     """
     return tan_wall_angle + path_steepening * travel
+
+
+def wall_angle_at_ball(tan_wall_angle_at_ball):
+    """Wall angle where the ball is, α.
+
+    Source: Handbook, chapter 12.
+    Validity: ξ ≥ 0.
+    """
+    return atan(tan_wall_angle_at_ball)
+
+
+def path_around(tan_wall_angle, path_steepening, travel):
+    """Path of the ball's centre around the circle, Y = ξ tan α_0 + Y'' ξ²/2.
+
+    Source: Handbook, chapter 12: r dφ = tan α dx.
+    Validity: ξ ≥ 0.
+    """
+    return travel * tan_wall_angle + path_steepening * travel * travel / 2
+
+
+def wall_axial(travel, ball_radius_chosen, wall_angle_at_ball):
+    """Place of the contact along the axis, ξ − r_ш sin α.
+
+    Source: Handbook, chapter 12: the wall is r_ш off the path of the ball's centre.
+    Validity: No undercut.
+    """
+    return travel - ball_radius_chosen * sin(wall_angle_at_ball)
+
+
+def wall_around(path_around, ball_radius_chosen, wall_angle_at_ball):
+    """Place of the contact around the circle, Y + r_ш cos α.
+
+    Source: Handbook, chapter 12: the wall is r_ш off the path of the ball's centre.
+    Validity: No undercut.
+    """
+    return path_around + ball_radius_chosen * cos(wall_angle_at_ball)
 
 
 def wall_angle_max(tan_wall_angle, path_steepening, travel_max):
@@ -114,13 +152,42 @@ def contact_force(contact_force_at_ball_at_along_wall):
     return largest_along(contact_force_at_ball_at_along_wall)
 
 
-def contact_radius(ball_radius_chosen, undercut_radius):
-    """Radius of a ball that bears on a flat no more than this one on the wall, r_ш (ρ_0 − r_ш)/ρ_0.
+def contact_radius_at_ball(ball_radius_chosen, path_steepening, tan_wall_angle_at_ball):
+    """Radius of a ball that presses a flat as this one does the convex wall, R_e = 2 r_ш (ρ − r_ш)/(2 ρ − r_ш).
 
-    Source: Johnson, Contact Mechanics (1985), (4.24), the convex wall taken as curved alike in both directions.
-    Validity: A bound on the safe side: the wall is straight across, and less convex beyond the stop.
+    Source: Johnson, Contact Mechanics (1985), (4.5): the mean 1/R_e = A + B of the relative curvatures 1/r_ш +
+        1/(ρ − r_ш) in the section and 1/r_ш across it.
+    Validity: ρ > r_ш. On the safe side: p_0 by it exceeds that of the ellipse by 2.6 % at ρ = 2 r_ш, 8.5 % at 1.4 r_ш.
     """
-    return ball_radius_chosen * (undercut_radius - ball_radius_chosen) / undercut_radius
+    path_radius = (1 + tan_wall_angle_at_ball**2) ** 1.5 / path_steepening
+    return 2 * ball_radius_chosen * (path_radius - ball_radius_chosen) / (2 * path_radius - ball_radius_chosen)
+
+
+def contact_pressure_at_ball(contact_force_at_ball, contact_radius_at_ball, contact_modulus):
+    """Largest contact pressure where the ball is, p_0 = ³√(6 F E_c²/(π³ R_e²)).
+
+    Source: Johnson, Contact Mechanics (1985), (4.24).
+    Validity: Elastic, frictionless, contact small against the ball.
+    """
+    return (6 * contact_force_at_ball * contact_modulus**2 / (math.pi**3 * contact_radius_at_ball**2)) ** (1 / 3)
+
+
+def contact_pressure(contact_pressure_at_ball_at_along_wall):
+    """Largest contact pressure along the wall; it need not be where the force is largest.
+
+    Source: Johnson, Contact Mechanics (1985), (4.24), with the wall where the ball is.
+    Validity: As the sleeve leaves its stop for x_max.
+    """
+    return largest_along(contact_pressure_at_ball_at_along_wall)
+
+
+def contact_force_hertz(contact_force, allowable_pressure, contact_pressure):
+    """Largest force on a ball with which the pressure is the allowable one, F_n (p_0,allow/p_0)³.
+
+    Source: Johnson, Contact Mechanics (1985), (4.24): p_0³ grows as the force, whatever the curvatures.
+    Validity: All forces along the wall grow alike.
+    """
+    return contact_force * (allowable_pressure / contact_pressure) ** 3
 
 
 CASES = {"along_wall": {"friction": "friction_along_wall"}}

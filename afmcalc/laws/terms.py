@@ -60,7 +60,8 @@ contact_force_at_ball | F_n | N | normal force on one ball
 contact_force_hertz | [F_n]_H | N | normal force on one ball at the allowable contact pressure
 contact_modulus | E_c | Pa | contact modulus of ball and wall
 contact_pressure | p_0 | Pa | largest contact pressure of ball and wall (Hertz)
-contact_radius | r_e | m | radius of a ball that bears as much on a flat
+contact_pressure_at_ball | p_0 | Pa | largest contact pressure where the ball is
+contact_radius_at_ball | R_e | m | radius of a ball that bears as much on a flat
 control_disc |  |  | disc springs of the control spring
 control_force | F_п2 | N | control-spring force as set
 control_force_made | F_п2 | N | control-spring force as made
@@ -184,6 +185,7 @@ outer_radius | r_o | m | outer radius of the friction surface
 pack_force_at_rest | N(0) | N | force on the pack of the clutch at rest
 pairs | z | 1 | friction pairs
 pairs_threshold | z_lim | 1 | number of pairs above which the band set at f_min is the narrower, S19 (12)
+path_around | Y | m | centre of the ball, around the circle
 path_steepening | Y'' | 1/m | second derivative of the path of the ball's centre
 peak_pressure | p_i | Pa | surface pressure at the inner edge
 pocket_depth | h_1 | m | pocket depth to the virtual apex, for the ball chosen (the smallest where none is)
@@ -257,7 +259,10 @@ ultimate_strength | τ_u | Pa | ultimate strength in shear
 undercut_radius | ρ_0 | m | radius of a ball that undercuts the curved wall: all smaller ones run on it
 unity | 1 | 1 | one
 wall_angle | α | rad | wall angle of the pockets; of a curved wall at the stop
+wall_angle_at_ball | α | rad | wall angle where the ball is
 wall_angle_max | α_max | rad | wall angle at the largest travel
+wall_around | Y_w | m | wall, around the circle
+wall_axial | ξ_w | m | wall, along the axis
 wall_modulus | E_2 | Pa | elastic modulus of the pocket wall
 wall_poisson | ν_2 | 1 | Poisson's ratio of the pocket wall
 web | e | m | web between neighbouring pockets at the face

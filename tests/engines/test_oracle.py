@@ -1,4 +1,4 @@
-"""Every quantity of random clutches by the laws, against the engine of 0.3.0 and its analyses."""
+"""Every quantity of random clutches by the laws, against the engine of 0.3.0."""
 # ruff: noqa: SIM905, SIM108
 
 import math
@@ -9,19 +9,12 @@ import pytest
 import scipy.special  # noqa: F401 what takes long to import is imported before a test begins
 from random_clutches import random_clutches
 
-from afmcalc.analysis.accuracy import accuracy
-from afmcalc.analysis.adjust import adjust
-from afmcalc.analysis.life import life
-from afmcalc.analysis.limits import ring_pressures
-from afmcalc.analysis.overload import overload
-from afmcalc.analysis.synthesize import synthesize
 from afmcalc.analysis.torque import traced
 from afmcalc.engines import build
 from afmcalc.engines.elasticity import elasticities
 from afmcalc.engines.selection import quantities_of
 from afmcalc.errors import AfmcalcError
 from afmcalc.spec import make_spec
-from afmcalc.spec.lists import diameters
 
 ENDS = {"f_min": "min", "f_mean": "mean", "f_max": "max"}
 CLOSE, CLOSE_SLOPE = 1e-9, 1e-7
@@ -65,14 +58,6 @@ def compare(data: dict[str, Any], found: Comparison) -> bool:
     discs = clutch.sleeve is not None and clutch.sleeve.curved
     _torque(q, clutch, found)
     _accuracy(q, clutch, found, discs)
-    _adjust(q, clutch, found)
-    if clutch.spec.kind.overload and not clutch.spec.friction.unlike:
-        _overload(q, clutch, found)
-    _life(q, clutch, found)
-    for kind, pressure in ring_pressures(clutch).items():
-        found.same(f"{kind}_pressure", q[f"{kind}_pressure"], pressure)
-    if not discs:
-        _synthesis(q, clutch, found)
     return True
 
 
@@ -109,110 +94,27 @@ def _torque(q, clutch, found):
 
 
 def _accuracy(q, clutch, found, discs):
-    old, _ = accuracy(clutch)
-    names = "accuracy_factor_worst_case accuracy_factor_peak accuracy_factor_hysteresis conventional_accuracy_factor gain_limit "
-    for name in (names + "gain_threshold equivalent_gain constant_torque_slope nominal_torque_ratio").split():
-        found.same(name, q[name] if getattr(old, name) is not None else 0, getattr(old, name))
-    for name in ("slope_in_ratio_max", "slope_in_ratio_min"):
-        found.same(name, q[name] if getattr(old, name) is not None else 0, getattr(old, name), scale=0.01)
+    for name in ("accuracy_factor_worst_case", "accuracy_factor_peak", "gain_limit"):
+        old = getattr(clutch, name)
+        found.same(name, q[name] if old is not None else 0, old)
+    if clutch.sleeve is not None:
+        names = "accuracy_factor_hysteresis gain_threshold equivalent_gain constant_torque_slope nominal_torque_ratio"
+        for name in names.split():
+            old = getattr(clutch.sleeve, name)
+            found.same(name, q[name] if old is not None else 0, old)
     if discs:
         return
     own = elasticities(q)
-    for path, slope in old.sensitivity.items():
+    old = clutch.sensitivity()
+    for path, slope in old.items():
         new = own.get(path)
         sides = (0.0, 0.0) if new is None else new
         side = min(sides, key=lambda value: abs(value - slope))
         kink = "elasticity at a kink" if sides[0] != sides[1] else "elasticity"
         found.same(kink, side, slope, scale=1.0, close=CLOSE_SLOPE)
     for path, new in own.items():
-        if path not in old.sensitivity:
+        if path not in old:
             found.same("elasticity", new.slope, 0.0, scale=1.0, close=CLOSE_SLOPE)
-
-
-def _adjust(q, clutch, found):
-    try:
-        old, _ = adjust(clutch)
-    except AfmcalcError:
-        return
-    for case, one in (("by_min", old.min_friction), ("by_mean", old.mean_friction)):
-        as_set = q.at(case)
-        for name in ("closing_force", "accuracy_factor", "mid_torque"):
-            found.same(f"{case} {name}", as_set[name], getattr(one, name))
-        found.same(f"{case} scatter", as_set.scatter, one.scatter, scale=float(old.nominal_torque))
-        found.triple("torque", as_set, one.torque)
-    found.same("force_ratio", q.force_ratio if old.force_ratio else 0, old.force_ratio)
-    if old.scatter_ratio is not None and old.min_friction.scatter > 1e-6 * old.nominal_torque:
-        found.same("scatter_ratio", q.scatter_ratio, old.scatter_ratio, scale=1e-3)
-    found.same("pairs_threshold", q.pairs_threshold if old.pairs_threshold else 0, old.pairs_threshold)
-
-
-def _overload(q, clutch, found):
-    old, _ = overload(clutch, friction=[(0.17, None)])
-    for name in ("nominal_torque", "machine_torque"):
-        found.same(f"overload {name}", q.at("overload")[name], getattr(old, name))
-    scale = 1e-2 * float(old.nominal_torque)
-    for (
-        name
-    ) in "potential_torque expected_torque load_rise actuation_torque_published actuation_torque_equilibrium".split():
-        found.triple(name, q, getattr(old, name), scale)
-        found.same(f"{name} at a point", q.at(friction=0.17)[name], getattr(old.points[0], name), scale)
-    found.triple("potential_torque_gain", q, old.potential_torque_gain, scale)
-    found.triple("actuation_factor", q, old.actuation_factor, 0.1)
-    for (
-        name
-    ) in "accuracy_factor_expected accuracy_factor_actual accuracy_factor_equilibrium optimal_reduced_gain".split():
-        found.same(name, q[name], getattr(old, name))
-    if old.friction_interval:
-        ends = [q.friction_at_equal_potential, q.friction_at_unit_loop_gain]
-        low, high = max(min(ends), q.friction_min), min(max(ends), q.friction_max)
-        found.same("friction_interval", low, old.friction_interval[0])
-        found.same("friction_interval", high, old.friction_interval[1])
-    for load in old.loads or []:
-        risen = q.at(friction=load.friction, risen_load=load.rise)
-        found.same("load", risen.load_risen, load.load, scale)
-        found.same("potential_torque_risen", risen.potential_torque_risen, load.potential_torque, scale)
-
-
-def _life(q, clutch, found):
-    try:
-        old, _ = life(clutch)
-    except (AfmcalcError, OverflowError):
-        return
-    sides = ("", old.protected), ("unprotected", old.unprotected)
-    forecasts = ("forecast", old.protected_forecast), ("forecast unprotected", old.unprotected_forecast)
-    for cases, one in (*sides, *forecasts):
-        for method, name in (("", "as_set"), ("by_min", "min_friction"), ("by_mean", "mean_friction")):
-            at = q.at(method) if method else q
-            for case in cases.split():
-                at = at.at(case)
-            found.same(f"cycles {cases} {name}", at.cycles, getattr(one, name))
-    found.same("stress_protected", q.damaging_stress if old.stress_protected else 0, old.stress_protected)
-    found.same("stress_unprotected", q.at("unprotected").damaging_stress, old.stress_unprotected)
-    if clutch.spec.shaft is not None and clutch.spec.shaft.yield_strength is not None:
-        found.same("shear_yield_strength", q.shear_yield_strength, clutch.spec.shaft.shear_yield_strength)
-
-
-def _synthesis(q, clutch, found):
-    try:
-        old, _ = synthesize(clutch)
-    except (AfmcalcError, OverflowError):
-        return
-    q = q.at(balls_listed=tuple(diameters()))
-    names = "wall_angle ball_radius ball_diameter_standard pocket_depth pocket_depth_cut pocket_width ball_pitch contact_force"
-    curved = old.undercut_radius is not None
-    if curved and old.ball_diameter >= 2 * old.undercut_radius:
-        names = names.replace("pocket_width", "undercut_radius")  # a wall that cannot be cut has no width
-    for name in (names + (" wall_angle_max undercut_radius" if curved else "")).split():
-        found.same(name, q[name] if getattr(old, name) is not None else 0, getattr(old, name))
-    found.same("edge_clearance_standard", q.edge_clearance_standard, old.edge_clearance_standard, scale=1e-4)
-    found.same("travel_max", q.travel_max, old.travel_max, scale=1e-5)
-    if old.web is not None and "undercut" not in names:
-        found.same("web", q.web, old.web, scale=1e-4)
-    if not curved:
-        for name in ("contact_pressure", "contact_force_hertz"):
-            found.same(name, q[name] if getattr(old, name) is not None else 0, getattr(old, name))
-    elif old.contact_pressure is not None:
-        assert q.contact_pressure >= old.contact_pressure * (1 - 1e-9)  # on the safe side
 
 
 def compared(count: int, seed: int) -> Comparison:
@@ -231,4 +133,4 @@ def test_quantities_are_those_of_the_old_engine(seed):
 def test_a_thousand_clutches():
     found = compared(1000, 7)
     assert found.wrong == []
-    assert found.count.total() > 50_000
+    assert found.count.total() > 30_000

@@ -99,7 +99,7 @@ def series(
 def evaluate(
     spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Output], block: int = _BLOCK
 ) -> dict[str, Floats]:
-    """Evaluate quantities or functions of the clutch with arrays, SI, in place of the numbers at some paths of its spec.
+    """Evaluate what is asked of the clutch with arrays, SI, in place of the numbers at some paths of its spec.
 
     Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand
     for all their elements: those are validated, then the arrays go through the same engine as numbers do.
