@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 
 from ..engines import build
 from ..engines.protocol import Clutch
-from ..equations.calls import noted
 from ..equations.catalogue import Equation, equations
 from ..papers.claims import Row, reproduce
 from ..papers.register import Formula, register

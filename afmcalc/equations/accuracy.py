@@ -2,11 +2,9 @@
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def accuracy_factor(
     bypass_pairs: BypassPairs,
     controlled_pairs: ControlledPairs,
@@ -31,7 +29,6 @@ def accuracy_factor(
     return largest * (1 + feedback * friction_driven_min) / (least * (1 + feedback * friction_driven_max))
 
 
-@equation
 def conventional_accuracy_factor(
     bypass_pairs: BypassPairs,
     controlled_pairs: ControlledPairs,
@@ -53,7 +50,6 @@ def conventional_accuracy_factor(
     )
 
 
-@equation
 def mid_band_torque(torque_max: TorqueMax, torque_min: TorqueMin) -> Annotated[Number, "T_mid", "N*m"]:
     """Torque at the middle of the scatter band, (T_min + T_max)/2.
 
@@ -66,7 +62,6 @@ def mid_band_torque(torque_max: TorqueMax, torque_min: TorqueMin) -> Annotated[N
     return (torque_min + torque_max) / 2
 
 
-@equation
 def scatter_band(torque_max: TorqueMax, torque_min: TorqueMin) -> Scatter:
     """Torque scatter band, ΔT = T_max − T_min.
 
@@ -76,7 +71,6 @@ def scatter_band(torque_max: TorqueMax, torque_min: TorqueMin) -> Scatter:
     return torque_max - torque_min
 
 
-@equation
 def accuracy_factor_of_torques(torque_max: TorqueMax, torque_min: TorqueMin) -> AccuracyFactor:
     """Accuracy factor, T_max/T_min.
 
@@ -85,7 +79,6 @@ def accuracy_factor_of_torques(torque_max: TorqueMax, torque_min: TorqueMin) -> 
     return torque_max / torque_min
 
 
-@equation
 def accuracy_factor_worst_case(torque_max: TorqueMax, torque_min: TorqueMin) -> Annotated[Number, "K_т,w", "1"]:
     """Accuracy factor with f_1 and f_2 independent: largest over smallest torque of the four corners of their ranges.
 
@@ -95,7 +88,6 @@ def accuracy_factor_worst_case(torque_max: TorqueMax, torque_min: TorqueMin) -> 
     return torque_max / torque_min
 
 
-@equation
 def accuracy_factor_peak(peak_max: PeakMax, peak_min: PeakMin) -> Annotated[Number, "K_т,p", "1"]:
     """Accuracy factor by breakaway peaks, P(f_max)/P(f_min).
 
@@ -105,7 +97,6 @@ def accuracy_factor_peak(peak_max: PeakMax, peak_min: PeakMin) -> Annotated[Numb
     return peak_max / peak_min
 
 
-@equation
 def accuracy_factor_by_ratios(
     bypass_pairs: BypassPairs,
     controlled_pairs: ControlledPairs,
@@ -127,7 +118,6 @@ def accuracy_factor_by_ratios(
     return spread * largest * at_min / (least * at_max)
 
 
-@equation
 def slope_in_ratio_max(
     bypass_pairs: BypassPairs,
     controlled_pairs: ControlledPairs,
@@ -149,7 +139,6 @@ def slope_in_ratio_max(
     return controlled_pairs * spread * at_min * sign / ((bypass_pairs + controlled_pairs * ratio_min) * at_max**2)
 
 
-@equation
 def slope_in_ratio_min(
     bypass_pairs: BypassPairs,
     controlled_pairs: ControlledPairs,
@@ -171,7 +160,6 @@ def slope_in_ratio_min(
     return controlled_pairs * spread * largest * sign / (least**2 * at_max)
 
 
-@equation
 def torque_elasticity_in_gain(
     controlled_pairs: ControlledPairs, gain: Gain, friction_driven: FrictionDriven
 ) -> Annotated[Number, "∂ln T/∂ln C", "1"]:
@@ -184,7 +172,6 @@ def torque_elasticity_in_gain(
     return -feedback / (1 + feedback)
 
 
-@equation
 def torque_elasticity_in_friction_driving(
     bypass_pairs: BypassPairs,
     controlled_pairs: ControlledPairs,
@@ -199,7 +186,6 @@ def torque_elasticity_in_friction_driving(
     return bypass_pairs * friction_driving / (bypass_pairs * friction_driving + controlled_pairs * friction_driven)
 
 
-@equation
 def torque_elasticity_in_friction_driven(
     bypass_pairs: BypassPairs,
     controlled_pairs: ControlledPairs,

@@ -2,11 +2,9 @@
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def closing_force(nominal_torque: NominalTorque, margin: Margin, torque_per_force: TorquePerForce) -> ClosingForce:
     """Closing-spring force that gives the nominal torque at the setting, β_н T_н/[R g(f_set)].
 
@@ -16,7 +14,6 @@ def closing_force(nominal_torque: NominalTorque, margin: Margin, torque_per_forc
     return margin * nominal_torque / torque_per_force
 
 
-@equation
 def nominal_torque(torque_at_setting: TorqueAtSetting, margin: Margin) -> NominalTorque:
     """Nominal torque that the spring as set gives, T(f_set)/β_н: the inverse of ``closing_force``.
 
@@ -26,7 +23,6 @@ def nominal_torque(torque_at_setting: TorqueAtSetting, margin: Margin) -> Nomina
     return torque_at_setting / margin
 
 
-@equation
 def force_ratio(
     torque_per_force_mean: TorquePerForceMean, torque_per_force_min: TorquePerForceMin
 ) -> Annotated[Number, "F_п1/F_п2", "1"]:
@@ -38,7 +34,6 @@ def force_ratio(
     return torque_per_force_mean / torque_per_force_min
 
 
-@equation
 def scatter(
     closing_force: ClosingForce,
     mean_radius: MeanRadius,
@@ -57,7 +52,6 @@ def scatter(
     return pairs * closing_force * mean_radius * (friction_max - friction_min) / (at_min * at_max)
 
 
-@equation
 def scatter_ratio(
     margin: Margin, torque_per_force_min: TorquePerForceMin, torque_per_force_mean: TorquePerForceMean
 ) -> Annotated[Number, "ΔT_2/ΔT_1", "1"]:
@@ -69,7 +63,6 @@ def scatter_ratio(
     return margin * torque_per_force_min / torque_per_force_mean
 
 
-@equation
 def pairs_threshold(
     bypass_pairs: BypassPairs, gain: Gain, friction_min: FrictionMin, friction_mean: FrictionMean, margin: Margin
 ) -> Annotated[Number, "z_lim", "1"]:

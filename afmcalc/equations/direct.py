@@ -7,14 +7,12 @@ the balls. Conventional: z_2 = 0. All-driving: z_1 = 0. Every argument may be an
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 RECOMMENDED_REDUCED_GAIN = 5
 """Largest zC of an all-driving clutch (S22, after (6), from its reference [4])."""
 
 
-@equation
 def mean_radius_uniform_wear(inner_radius: InnerRadius, outer_radius: OuterRadius) -> MeanRadius:
     """Mean friction radius at uniform wear (p·r constant), (r_i + r_o)/2.
 
@@ -27,7 +25,6 @@ def mean_radius_uniform_wear(inner_radius: InnerRadius, outer_radius: OuterRadiu
     return (inner_radius + outer_radius) / 2
 
 
-@equation
 def mean_radius_uniform_pressure(inner_radius: InnerRadius, outer_radius: OuterRadius) -> MeanRadius:
     """Mean friction radius at uniform pressure, ⅔ (r_o³ − r_i³)/(r_o² − r_i²).
 
@@ -37,7 +34,6 @@ def mean_radius_uniform_pressure(inner_radius: InnerRadius, outer_radius: OuterR
     return 2 * (outer_radius**3 - inner_radius**3) / (3 * (outer_radius**2 - inner_radius**2))
 
 
-@equation
 def mean_pressure(
     force: AxialForce, inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi
 ) -> Annotated[Number, "p", "Pa"]:
@@ -49,7 +45,6 @@ def mean_pressure(
     return force / (pi * (outer_radius**2 - inner_radius**2))
 
 
-@equation
 def peak_pressure_uniform_wear(
     force: AxialForce, inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi
 ) -> Annotated[Number, "p_i", "Pa"]:
@@ -61,7 +56,6 @@ def peak_pressure_uniform_wear(
     return force / (2 * pi * inner_radius * (outer_radius - inner_radius))
 
 
-@equation
 def gain(mean_radius: MeanRadius, ball_circle_radius: BallCircleRadius, tan_wall_angle: TanWallAngle) -> Gain:
     """Feedback gain C = (R_cp/r)·tan α.
 
@@ -74,7 +68,6 @@ def gain(mean_radius: MeanRadius, ball_circle_radius: BallCircleRadius, tan_wall
     return mean_radius / ball_circle_radius * tan_wall_angle
 
 
-@equation
 def controlled_pairs(pairs: Pairs, bypass_pairs: BypassPairs) -> ControlledPairs:
     """Pairs whose torque passes the balls, z_2 = z − z_1.
 
@@ -84,7 +77,6 @@ def controlled_pairs(pairs: Pairs, bypass_pairs: BypassPairs) -> ControlledPairs
     return pairs - bypass_pairs
 
 
-@equation
 def reduced_gain(controlled_pairs: ControlledPairs, gain: Gain) -> Annotated[Number, "z_2 C", "1"]:
     """Reduced gain, z_2 C: the gain of the whole feedback loop per unit of friction.
 
@@ -94,7 +86,6 @@ def reduced_gain(controlled_pairs: ControlledPairs, gain: Gain) -> Annotated[Num
     return controlled_pairs * gain
 
 
-@equation
 def normal_force(
     closing_force: ClosingForce, controlled_pairs: ControlledPairs, gain: Gain, friction_driven: FrictionDriven
 ) -> NormalForce:
@@ -106,7 +97,6 @@ def normal_force(
     return closing_force / (1 + gain * controlled_pairs * friction_driven)
 
 
-@equation
 def release_force(
     closing_force: ClosingForce, controlled_pairs: ControlledPairs, gain: Gain, friction_driven: FrictionDriven
 ) -> ReleaseForce:
@@ -119,7 +109,6 @@ def release_force(
     return closing_force * feedback / (1 + feedback)
 
 
-@equation
 def torque_per_force(
     mean_radius: MeanRadius,
     bypass_pairs: BypassPairs,
@@ -140,7 +129,6 @@ def torque_per_force(
     )
 
 
-@equation
 def torque(
     closing_force: ClosingForce,
     mean_radius: MeanRadius,
@@ -167,7 +155,6 @@ def torque(
     )
 
 
-@equation
 def group_torque(
     normal_force: NormalForce, mean_radius: MeanRadius, pairs: GroupPairs, friction: GroupFriction
 ) -> Annotated[Number, "T_i", "N*m"]:
@@ -180,7 +167,6 @@ def group_torque(
     return normal_force * mean_radius * pairs * friction
 
 
-@equation
 def driving_torque(
     normal_force: NormalForce, mean_radius: MeanRadius, bypass_pairs: BypassPairs, friction_driving: FrictionDriving
 ) -> Annotated[Number, "T_1", "N*m"]:
@@ -192,7 +178,6 @@ def driving_torque(
     return group_torque(normal_force, mean_radius, bypass_pairs, friction_driving)
 
 
-@equation
 def onset_torque(
     closing_force: ClosingForce, mean_radius: MeanRadius, bypass_pairs: BypassPairs, friction_driving: FrictionDriving
 ) -> Annotated[Number, "T_1(0)", "N*m"]:
@@ -204,7 +189,6 @@ def onset_torque(
     return group_torque(closing_force, mean_radius, bypass_pairs, friction_driving)
 
 
-@equation
 def circumferential_force(
     torque: ControlledTorque, ball_circle_radius: BallCircleRadius
 ) -> Annotated[Number, "F_o", "N"]:
@@ -216,7 +200,6 @@ def circumferential_force(
     return torque / ball_circle_radius
 
 
-@equation
 def gain_limit_differentiated(bypass_pairs: BypassPairs, friction_driving_max: FrictionDrivingMax) -> GainLimit:
     """Gain above which the bypass pairs alone carry more than the regulated torque, 1/(z_1 f_1max).
 
@@ -226,7 +209,6 @@ def gain_limit_differentiated(bypass_pairs: BypassPairs, friction_driving_max: F
     return 1 / (bypass_pairs * friction_driving_max)
 
 
-@equation
 def gain_limit_all_driving(pairs: Pairs) -> GainLimit:
     """Recommended largest gain of the all-driving clutch, from zC ≤ 5.
 

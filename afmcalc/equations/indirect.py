@@ -6,11 +6,9 @@ nominal torque without release force. Every argument may be an array; shapes bro
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def gain_threshold(
     mean_radius: MeanRadius, key_friction: KeyFriction, hub_diameter: HubDiameter
 ) -> Annotated[Number, "C_thr", "1"]:
@@ -22,7 +20,6 @@ def gain_threshold(
     return 2 * mean_radius * key_friction / hub_diameter
 
 
-@equation
 def net_gain(gain: Gain, mean_radius: MeanRadius, key_friction: KeyFriction, hub_diameter: HubDiameter) -> NetGain:
     """Gain net of the key's friction while the sleeve moves off its stop, κ = C − 2 R f_1/d.
 
@@ -32,7 +29,6 @@ def net_gain(gain: Gain, mean_radius: MeanRadius, key_friction: KeyFriction, hub
     return gain - gain_threshold(mean_radius, key_friction, hub_diameter)
 
 
-@equation
 def net_gain_returning(
     gain: Gain, mean_radius: MeanRadius, key_friction: KeyFriction, hub_diameter: HubDiameter
 ) -> NetGainReturning:
@@ -44,7 +40,6 @@ def net_gain_returning(
     return gain + gain_threshold(mean_radius, key_friction, hub_diameter)
 
 
-@equation
 def torque_per_force(
     pairs: Pairs, mean_radius: MeanRadius, friction_set: FrictionSet
 ) -> Annotated[Number, "T_н/F_п1", "m"]:
@@ -56,7 +51,6 @@ def torque_per_force(
     return mean_radius * pairs * friction_set
 
 
-@equation
 def control_force(
     closing_force: IndirectClosingForce, pairs: Pairs, net_gain: NetGain, friction_set: FrictionSet
 ) -> ControlForce:
@@ -68,7 +62,6 @@ def control_force(
     return closing_force * (1 + pairs * friction_set * net_gain)
 
 
-@equation
 def sleeve_stiffness(
     closing_stiffness: ClosingStiffness,
     control_stiffness: ControlStiffness,
@@ -84,7 +77,6 @@ def sleeve_stiffness(
     return closing_stiffness + control_stiffness + pairs * closing_stiffness * friction * net_gain
 
 
-@equation
 def travel(
     pairs: Pairs,
     closing_force: IndirectClosingForce,
@@ -101,7 +93,6 @@ def travel(
     return pairs * closing_force * (friction - friction_set) * net_gain / sleeve_stiffness
 
 
-@equation
 def normal_force_seated(
     control_force: ControlForce, pairs: Pairs, net_gain: NetGain, friction: Friction
 ) -> NormalForce:
@@ -114,7 +105,6 @@ def normal_force_seated(
     return control_force / (1 + pairs * net_gain * friction)
 
 
-@equation
 def normal_force_balanced(
     control_force: TensedControlForce, pairs: Pairs, net_gain: NetGain, friction: Friction
 ) -> NormalForce:
@@ -126,7 +116,6 @@ def normal_force_balanced(
     return control_force / (1 + pairs * net_gain * friction)
 
 
-@equation
 def travel_as_made(
     closing_force: IndirectClosingForce,
     control_force: ControlForce,
@@ -143,7 +132,6 @@ def travel_as_made(
     return ((1 + pairs * net_gain * friction) * closing_force - control_force) / sleeve_stiffness
 
 
-@equation
 def normal_force_moving(
     closing_force: IndirectClosingForce,
     closing_stiffness: ClosingStiffness,
@@ -159,7 +147,6 @@ def normal_force_moving(
     return (closing_force * control_stiffness + control_force * closing_stiffness) / sleeve_stiffness
 
 
-@equation
 def torque(normal_force: NormalForce, mean_radius: MeanRadius, pairs: Pairs, friction: Friction) -> SlipTorque:
     """Slip torque of all pairs under a normal force, T = z R f N.
 
@@ -169,7 +156,6 @@ def torque(normal_force: NormalForce, mean_radius: MeanRadius, pairs: Pairs, fri
     return normal_force * mean_radius * pairs * friction
 
 
-@equation
 def release_force(torque: SlipTorque, gain: Gain, mean_radius: MeanRadius) -> ReleaseForce:
     """Release force of the balls on the sleeve, F_p = T tan α/r = T C/R.
 
@@ -179,7 +165,6 @@ def release_force(torque: SlipTorque, gain: Gain, mean_radius: MeanRadius) -> Re
     return torque * gain / mean_radius
 
 
-@equation
 def key_friction_force(
     torque: SlipTorque, key_friction: KeyFriction, hub_diameter: HubDiameter
 ) -> Annotated[Number, "F_тр", "N"]:
@@ -191,7 +176,6 @@ def key_friction_force(
     return 2 * torque * key_friction / hub_diameter
 
 
-@equation
 def stop_reaction(
     control_force: ControlForce,
     closing_force: ClosingForceAtStop,
@@ -207,7 +191,6 @@ def stop_reaction(
     return control_force - closing_force - torque * net_gain / mean_radius
 
 
-@equation
 def accuracy_factor(
     friction_min: FrictionMin,
     friction_set: FrictionSet,
@@ -229,7 +212,6 @@ def accuracy_factor(
     return rising * ((1 + pairs * net_gain * friction_min) / (1 + pairs * net_gain * friction_set))
 
 
-@equation
 def accuracy_factor_hysteresis(
     torque_max: RisingTorqueMax, torque_returning: ReturningTorqueMin
 ) -> Annotated[Number, "K_т,h", "1"]:
@@ -241,7 +223,6 @@ def accuracy_factor_hysteresis(
     return torque_max / torque_returning
 
 
-@equation
 def equivalent_gain(
     net_gain: NetGain, closing_stiffness: ClosingStiffness, control_stiffness: ControlStiffness
 ) -> Annotated[Number, "C_eff", "1"]:
@@ -253,7 +234,6 @@ def equivalent_gain(
     return net_gain * closing_stiffness / (closing_stiffness + control_stiffness)
 
 
-@equation
 def nominal_torque_ratio(pairs: Pairs, gain: Gain, friction_set: FrictionSet) -> NominalTorqueRatio:
     """Nominal torque against the base clutch of equal spring and gain, all pairs controlled, K_п = 1 + z C f_set.
 
@@ -263,7 +243,6 @@ def nominal_torque_ratio(pairs: Pairs, gain: Gain, friction_set: FrictionSet) ->
     return 1 + pairs * gain * friction_set
 
 
-@equation
 def nominal_torque_ratio_as_made(
     pairs: Pairs, gain: Gain, friction_set: FrictionSet, normal_force: NormalForce, closing_force: ClosingForceAtStop
 ) -> NominalTorqueRatio:
@@ -275,7 +254,6 @@ def nominal_torque_ratio_as_made(
     return (1 + pairs * gain * friction_set) * normal_force / closing_force
 
 
-@equation
 def hysteresis_ratio(net_gain: NetGain, net_gain_returning: NetGainReturning) -> Annotated[Number, "κ₊/κ", "1"]:
     """By how much friction must fall before the sleeve moves back, κ₊/κ.
 
@@ -285,7 +263,6 @@ def hysteresis_ratio(net_gain: NetGain, net_gain_returning: NetGainReturning) ->
     return net_gain_returning / net_gain
 
 
-@equation
 def seated_elasticity_in_feedback(
     pairs: Pairs, friction: Friction, feedback_part: FeedbackPart, net_gain: NetGain
 ) -> Annotated[Number, "∂ln(1 + zκf)/∂ln p", "1"]:

@@ -2,11 +2,9 @@
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def shear_stress(torque: SideTorque, polar_section_modulus: PolarSectionModulus) -> ShearStress:
     """Shear stress of a torque, τ = T/W_p.
 
@@ -16,7 +14,6 @@ def shear_stress(torque: SideTorque, polar_section_modulus: PolarSectionModulus)
     return torque / polar_section_modulus
 
 
-@equation
 def torque_unprotected(dynamic_factor: DynamicFactor, torque: SlipTorque) -> Annotated[Number, "T'", "N*m"]:
     """Torque on the unprotected side, between clutch and tool, T' = k_д T.
 
@@ -26,7 +23,6 @@ def torque_unprotected(dynamic_factor: DynamicFactor, torque: SlipTorque) -> Ann
     return dynamic_factor * torque
 
 
-@equation
 def mean_stress(stress_low: StressLow, stress_high: StressHigh) -> Annotated[Number, "τ_m", "Pa"]:
     """Mean stress of the cycle, (τ_max + τ_min)/2: what the papers take as damaging.
 
@@ -36,7 +32,6 @@ def mean_stress(stress_low: StressLow, stress_high: StressHigh) -> Annotated[Num
     return (stress_high + stress_low) / 2
 
 
-@equation
 def stress_amplitude(stress_low: StressLow, stress_high: StressHigh) -> Annotated[Number, "τ_a", "Pa"]:
     """Amplitude of the cycle, (τ_max − τ_min)/2.
 
@@ -46,7 +41,6 @@ def stress_amplitude(stress_low: StressLow, stress_high: StressHigh) -> Annotate
     return (stress_high - stress_low) / 2
 
 
-@equation
 def equivalent_stress_sensitivity(
     stress_low: StressLow, stress_high: StressHigh, sensitivity: MeanStressSensitivity
 ) -> EquivalentStress:
@@ -59,7 +53,6 @@ def equivalent_stress_sensitivity(
     return stress_amplitude(stress_low, stress_high) + sensitivity * mean_stress(stress_low, stress_high)
 
 
-@equation
 def equivalent_stress_goodman(
     stress_low: StressLow, stress_high: StressHigh, ultimate_strength: UltimateStrength
 ) -> EquivalentStress:
@@ -72,7 +65,6 @@ def equivalent_stress_goodman(
     return amplitude * ultimate_strength / (ultimate_strength - mean)
 
 
-@equation
 def cycles(
     endurance_limit: EnduranceLimit, stress: DamagingStress, exponent: FatigueExponent, base_cycles: BaseCycles
 ) -> Cycles:
@@ -84,7 +76,6 @@ def cycles(
     return base_cycles * (endurance_limit / stress) ** exponent
 
 
-@equation
 def damage(
     endurance_limit: EnduranceLimit, stress: DamagingStress, exponent: FatigueExponent, base_cycles: BaseCycles
 ) -> Annotated[Number, "1/N_ц", "1"]:
@@ -96,7 +87,6 @@ def damage(
     return (stress / endurance_limit) ** exponent / base_cycles
 
 
-@equation
 def cycles_of_mean_damage(mean_damage: MeanDamage) -> Cycles:
     """Slips to failure from the mean damage of a slip, N_ц = 1/D_m.
 
@@ -106,7 +96,6 @@ def cycles_of_mean_damage(mean_damage: MeanDamage) -> Cycles:
     return 1 / mean_damage
 
 
-@equation
 def cycles_of_band(
     endurance_limit: EnduranceLimit,
     polar_section_modulus: PolarSectionModulus,

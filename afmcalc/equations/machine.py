@@ -2,11 +2,9 @@
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def rated_torque(power: RatedPower, speed: RatedSpeed) -> RatedTorque:
     """Rated torque of the motor, M_н = P_н/ω_н: 9550 N·m times P in kW over n in rpm.
 
@@ -16,7 +14,6 @@ def rated_torque(power: RatedPower, speed: RatedSpeed) -> RatedTorque:
     return power / speed
 
 
-@equation
 def torque_at_clutch(rated_torque: RatedTorque, ratio: DriveRatio, efficiency: Efficiency) -> TorqueAtClutch:
     """Rated torque of the motor at the clutch, T_дв = M_н i η.
 
@@ -26,7 +23,6 @@ def torque_at_clutch(rated_torque: RatedTorque, ratio: DriveRatio, efficiency: E
     return rated_torque * ratio * efficiency
 
 
-@equation
 def torque_asked_for(
     torque_at_clutch: TorqueAtClutch, service_factor: ServiceFactor
 ) -> Annotated[Number, "T_маш", "N*m"]:
@@ -38,7 +34,6 @@ def torque_asked_for(
     return service_factor * torque_at_clutch
 
 
-@equation
 def starting_torque(
     torque_at_clutch: TorqueAtClutch, starting_torque_ratio: StartingTorqueRatio
 ) -> Annotated[Number, "T_пуск", "N*m"]:
@@ -50,7 +45,6 @@ def starting_torque(
     return starting_torque_ratio * torque_at_clutch
 
 
-@equation
 def polar_section_modulus(diameter: ShaftDiameter, pi: Pi) -> PolarSectionModulus:
     """Polar section modulus of a round shaft, W_p = π d_в³/16.
 
@@ -60,7 +54,6 @@ def polar_section_modulus(diameter: ShaftDiameter, pi: Pi) -> PolarSectionModulu
     return pi * diameter**3 / 16
 
 
-@equation
 def shear_yield_strength(yield_strength: YieldStrength) -> Annotated[Number, "τ_т", "Pa"]:
     """Yield strength in shear, τ_т = σ_т/√3.
 

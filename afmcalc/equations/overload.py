@@ -5,11 +5,9 @@ One material, set at f_min. u = (z − z_1) C f_min and v = (z − z_1) C f are 
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def loop_gain(controlled_pairs: ControlledPairs, gain: Gain, friction: Friction) -> LoopGain:
     """Loop gain, v = (z − z_1) C f.
 
@@ -19,7 +17,6 @@ def loop_gain(controlled_pairs: ControlledPairs, gain: Gain, friction: Friction)
     return controlled_pairs * gain * friction
 
 
-@equation
 def expected_torque(
     pairs: Pairs, closing_force: ClosingForce, mean_radius: MeanRadius, friction: Friction, loop_gain: LoopGain
 ) -> ExpectedTorque:
@@ -31,7 +28,6 @@ def expected_torque(
     return pairs * closing_force * mean_radius * friction / (1 + loop_gain)
 
 
-@equation
 def machine_torque(nominal_torque: ClutchNominalTorque, margin: Margin) -> MachineTorque:
     """Nominal torque of the machine, T_н.маш = T_н.муф/β_н.
 
@@ -41,7 +37,6 @@ def machine_torque(nominal_torque: ClutchNominalTorque, margin: Margin) -> Machi
     return nominal_torque / margin
 
 
-@equation
 def potential_torque(
     pairs: Pairs,
     closing_force: ClosingForce,
@@ -59,7 +54,6 @@ def potential_torque(
     return pairs * closing_force * mean_radius * friction * share / (margin * (1 + loop_gain_min))
 
 
-@equation
 def potential_torque_risen(
     potential_torque: PotentialTorque, loop_gain: LoopGain, risen_load: RisenLoad
 ) -> Annotated[Number, "T_п(ΔT)", "N*m"]:
@@ -71,7 +65,6 @@ def potential_torque_risen(
     return potential_torque - loop_gain * risen_load
 
 
-@equation
 def load_rise(potential_torque: PotentialTorque, machine_torque: MachineTorque, loop_gain: LoopGain) -> LoadRise:
     """Load rise until slip, ΔT' = (T_п − T_н.маш)/(1 + v).
 
@@ -81,7 +74,6 @@ def load_rise(potential_torque: PotentialTorque, machine_torque: MachineTorque, 
     return (potential_torque - machine_torque) / (1 + loop_gain)
 
 
-@equation
 def load_rise_at_min(
     pairs: Pairs,
     closing_force: ClosingForce,
@@ -98,7 +90,6 @@ def load_rise_at_min(
     return pairs * closing_force * mean_radius * friction_min * (margin - 1) / (margin * (1 + loop_gain_min))
 
 
-@equation
 def actuation_factor(
     loop_gain: LoopGain, loop_gain_min: LoopGainMin, friction: Friction, friction_min: FrictionMin, margin: Margin
 ) -> Annotated[Number, "A", "1"]:
@@ -111,7 +102,6 @@ def actuation_factor(
     return risen / (margin * (1 + loop_gain_min))
 
 
-@equation
 def actuation_torque_published(
     potential_torque: PotentialTorque, load_rise: LoadRise
 ) -> Annotated[Number, "T_ср", "N*m"]:
@@ -123,7 +113,6 @@ def actuation_torque_published(
     return potential_torque - load_rise
 
 
-@equation
 def actuation_torque_equilibrium(
     machine_torque: MachineTorque, load_rise: LoadRise
 ) -> Annotated[Number, "T_eq", "N*m"]:
@@ -135,7 +124,6 @@ def actuation_torque_equilibrium(
     return machine_torque + load_rise
 
 
-@equation
 def interval_low(
     friction_min: FrictionMin, margin: Margin, loop_gain_min: LoopGainMin
 ) -> Annotated[Number, "f_low", "1"]:
@@ -147,7 +135,6 @@ def interval_low(
     return friction_min / (margin + (margin - 1) * loop_gain_min)
 
 
-@equation
 def interval_high(reduced_gain: ReducedGain) -> Annotated[Number, "f_high", "1"]:
     """Friction at which v = 1, 1/((z − z_1) C): the other end of the interval where T_ср < T_муф.
 
@@ -157,7 +144,6 @@ def interval_high(reduced_gain: ReducedGain) -> Annotated[Number, "f_high", "1"]
     return 1 / reduced_gain
 
 
-@equation
 def discriminant(margin: Margin, loop_gain_min: LoopGainMin) -> Annotated[Number, "D", "1"]:
     """Discriminant of (17), D = (β_н + (β_н − 2) u)²: a perfect square, never negative.
 
@@ -168,7 +154,6 @@ def discriminant(margin: Margin, loop_gain_min: LoopGainMin) -> Annotated[Number
     return root * root
 
 
-@equation
 def accuracy_factor_expected(
     expected_torque: ExpectedTorque, nominal_torque: ClutchNominalTorque
 ) -> Annotated[Number, "K_т,exp", "1"]:
@@ -180,7 +165,6 @@ def accuracy_factor_expected(
     return expected_torque / nominal_torque
 
 
-@equation
 def accuracy_factor_actual(
     actuation_torque: ActuationTorque, nominal_torque: ClutchNominalTorque
 ) -> Annotated[Number, "K_т,act", "1"]:
@@ -192,7 +176,6 @@ def accuracy_factor_actual(
     return actuation_torque / nominal_torque
 
 
-@equation
 def accuracy_factor_equilibrium(
     torque_max: EquilibriumTorqueMax, torque_min: EquilibriumTorqueMin
 ) -> Annotated[Number, "K_т,eq", "1"]:
@@ -204,7 +187,6 @@ def accuracy_factor_equilibrium(
     return torque_max / torque_min
 
 
-@equation
 def optimal_reduced_gain(friction_max: FrictionMax) -> Annotated[Number, "(zC)_opt", "1"]:
     """Reduced gain at which the actual accuracy is best, 1/f_max.
 
@@ -214,7 +196,6 @@ def optimal_reduced_gain(friction_max: FrictionMax) -> Annotated[Number, "(zC)_o
     return 1 / friction_max
 
 
-@equation
 def potential_torque_gain_of_differentiated(
     pairs: Pairs,
     bypass_pairs: BypassPairs,
@@ -238,7 +219,6 @@ def potential_torque_gain_of_differentiated(
     return pairs * closing_force * mean_radius * friction * bypass / (margin * all_driving * differentiated)
 
 
-@equation
 def friction_bound(pairs: Pairs, margin: Margin, reduced_gain: ReducedGainOfPairs) -> Friction:
     """Friction below which S22 (10) is positive, 1/[zC (z − 1)(β_н − 1)] + z/(zC).
 

@@ -6,11 +6,9 @@ quadratic in x; of its roots the larger is stable, and the one a sleeve that lea
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def gain_at(gain: InitialGain, gain_slope: GainSlope, travel: Travel) -> Annotated[Number, "C(x)", "1"]:
     """Gain where the sleeve has travelled to, C(x) = C_0 + C_1 x.
 
@@ -20,7 +18,6 @@ def gain_at(gain: InitialGain, gain_slope: GainSlope, travel: Travel) -> Annotat
     return gain + gain_slope * travel
 
 
-@equation
 def slope_feedback(pairs: Pairs, friction: Friction, gain_slope: GainSlope) -> SlopeFeedback:
     """Feedback that a metre of travel adds, w = z f C_1.
 
@@ -30,7 +27,6 @@ def slope_feedback(pairs: Pairs, friction: Friction, gain_slope: GainSlope) -> S
     return pairs * friction * gain_slope
 
 
-@equation
 def tangent_stiffness_squared(
     closing_force: IndirectClosingForce,
     closing_stiffness: ClosingStiffness,
@@ -49,7 +45,6 @@ def tangent_stiffness_squared(
     return raised * raised - 4 * slope_feedback * springs
 
 
-@equation
 def sleeve_stiffness(
     straight_stiffness: StraightStiffness,
     closing_force: IndirectClosingForce,
@@ -64,7 +59,6 @@ def sleeve_stiffness(
     return (straight_stiffness + slope_feedback * closing_force + tangent_stiffness) / 2
 
 
-@equation
 def travel(
     closing_force: IndirectClosingForce, normal_force: NormalForce, closing_stiffness: ClosingStiffness
 ) -> Travel:
@@ -76,7 +70,6 @@ def travel(
     return (closing_force - normal_force) / closing_stiffness
 
 
-@equation
 def leaving_friction(
     closing_force: IndirectClosingForce, control_force: ControlForce, pairs: Pairs, net_gain: NetGain
 ) -> LeavingFriction:
@@ -88,7 +81,6 @@ def leaving_friction(
     return (control_force / closing_force - 1) / (pairs * net_gain)
 
 
-@equation
 def constant_torque_slope(
     closing_stiffness: ClosingStiffness,
     control_stiffness: ControlStiffness,
@@ -104,7 +96,6 @@ def constant_torque_slope(
     return (closing_stiffness + control_stiffness) / (pairs * leaving_friction * closing_force)
 
 
-@equation
 def jumping_slope(
     sleeve_stiffness: LeavingStiffness,
     pairs: Pairs,
@@ -119,7 +110,6 @@ def jumping_slope(
     return sleeve_stiffness / (pairs * leaving_friction * closing_force)
 
 
-@equation
 def force_elasticity_in_feedback(
     closing_stiffness: ClosingStiffness,
     pairs: Pairs,
@@ -135,7 +125,6 @@ def force_elasticity_in_feedback(
     return -pairs * closing_stiffness * friction * feedback_part / tangent_stiffness
 
 
-@equation
 def force_elasticity_in_control_stiffness(
     closing_stiffness: ClosingStiffness,
     control_stiffness: ControlStiffness,
@@ -151,7 +140,6 @@ def force_elasticity_in_control_stiffness(
     return closing_stiffness * control_stiffness * travel / (tangent_stiffness * normal_force)
 
 
-@equation
 def force_elasticity_in_control_force(
     closing_stiffness: ClosingStiffness,
     control_force: ControlForce,
@@ -166,7 +154,6 @@ def force_elasticity_in_control_force(
     return closing_stiffness * control_force / (tangent_stiffness * normal_force)
 
 
-@equation
 def force_elasticity_in_closing_spring(
     spring_part: SpringPart,
     control_stiffness: ControlStiffness,

@@ -5,11 +5,9 @@ The second half solves the laws for gain, pairs, radius or stiffness.
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def tan_wall_angle(gain: Gain, ball_circle_radius: BallCircleRadius, mean_radius: MeanRadius) -> TanWallAngle:
     """Tangent of the wall angle that gives a gain, tan α = C r/R.
 
@@ -19,7 +17,6 @@ def tan_wall_angle(gain: Gain, ball_circle_radius: BallCircleRadius, mean_radius
     return gain * ball_circle_radius / mean_radius
 
 
-@equation
 def ball_radius(
     travel: Travel, face_gap: FaceGap, edge_clearance: EdgeClearance, sin_wall_angle: SinWallAngle
 ) -> BallRadius:
@@ -31,7 +28,6 @@ def ball_radius(
     return (travel + face_gap + 2 * edge_clearance) / (2 * sin_wall_angle)
 
 
-@equation
 def edge_clearance(
     ball_radius: BallRadius, travel: Travel, face_gap: FaceGap, sin_wall_angle: SinWallAngle
 ) -> EdgeClearance:
@@ -43,7 +39,6 @@ def edge_clearance(
     return ball_radius * sin_wall_angle - (travel + face_gap) / 2
 
 
-@equation
 def pocket_depth(ball_radius: BallRadius, sin_wall_angle: SinWallAngle, face_gap: FaceGap) -> PocketDepth:
     """Pocket depth to the virtual apex, where the walls would meet, h_1 = r_ш/sin α − s/2.
 
@@ -53,7 +48,6 @@ def pocket_depth(ball_radius: BallRadius, sin_wall_angle: SinWallAngle, face_gap
     return ball_radius / sin_wall_angle - face_gap / 2
 
 
-@equation
 def pocket_depth_from_travel(
     ball_radius: BallRadius,
     sin_wall_angle: SinWallAngle,
@@ -69,7 +63,6 @@ def pocket_depth_from_travel(
     return ball_radius * cos_wall_angle * cos_wall_angle / sin_wall_angle + travel / 2 + edge_clearance
 
 
-@equation
 def pocket_depth_cut(ball_radius: BallRadius, face_gap: FaceGap) -> Annotated[Number, "h_c", "m"]:
     """Depth to cut a pocket to, h_c = r_ш − s/2: the lowest point of the ball below the face.
 
@@ -79,7 +72,6 @@ def pocket_depth_cut(ball_radius: BallRadius, face_gap: FaceGap) -> Annotated[Nu
     return ball_radius - face_gap / 2
 
 
-@equation
 def pocket_width(pocket_depth: PocketDepth, tan_wall_angle: TanWallAngle) -> PocketWidth:
     """Width of the pocket's mouth at the face, b = 2 h_1 tan α.
 
@@ -89,7 +81,6 @@ def pocket_width(pocket_depth: PocketDepth, tan_wall_angle: TanWallAngle) -> Poc
     return 2 * pocket_depth * tan_wall_angle
 
 
-@equation
 def ball_pitch(ball_circle_radius: BallCircleRadius, sin_half_pitch: SinHalfPitch) -> BallPitch:
     """Distance between the centres of neighbouring balls, t_ш = 2 r sin(π/n).
 
@@ -99,7 +90,6 @@ def ball_pitch(ball_circle_radius: BallCircleRadius, sin_half_pitch: SinHalfPitc
     return 2 * ball_circle_radius * sin_half_pitch
 
 
-@equation
 def web(ball_pitch: BallPitch, pocket_width: PocketWidth) -> Annotated[Number, "e", "m"]:
     """Web that is left between neighbouring pockets at the face, e = t_ш − b.
 
@@ -109,7 +99,6 @@ def web(ball_pitch: BallPitch, pocket_width: PocketWidth) -> Annotated[Number, "
     return ball_pitch - pocket_width
 
 
-@equation
 def contact_force(
     torque: PassedTorque, balls: Balls, ball_circle_radius: BallCircleRadius, cos_wall_angle: CosWallAngle
 ) -> ContactForce:
@@ -121,7 +110,6 @@ def contact_force(
     return torque / (balls * ball_circle_radius * cos_wall_angle)
 
 
-@equation
 def hertz_contact_modulus(
     ball_modulus: BallModulus, ball_poisson: BallPoisson, wall_modulus: WallModulus, wall_poisson: WallPoisson
 ) -> ContactModulus:
@@ -133,7 +121,6 @@ def hertz_contact_modulus(
     return 1 / ((1 - ball_poisson * ball_poisson) / ball_modulus + (1 - wall_poisson * wall_poisson) / wall_modulus)
 
 
-@equation
 def hertz_allowable_force(
     allowable_pressure: AllowablePressure, ball_radius: BallRadius, contact_modulus: ContactModulus, pi: Pi
 ) -> AllowableForce:
@@ -145,7 +132,6 @@ def hertz_allowable_force(
     return pi**3 * allowable_pressure**3 * ball_radius**2 / (6 * contact_modulus**2)
 
 
-@equation
 def hertz_pressure(
     allowable_pressure: AllowablePressure, force: ContactForce, allowable_force: AllowableForce
 ) -> Annotated[Number, "p_0", "Pa"]:
@@ -157,7 +143,6 @@ def hertz_pressure(
     return allowable_pressure * (force / allowable_force) ** (1 / 3)
 
 
-@equation
 def gain_for_accuracy_factor(
     bypass_pairs: BypassPairs,
     controlled_pairs: ControlledPairs,
@@ -181,7 +166,6 @@ def gain_for_accuracy_factor(
     return (ordinary - accuracy_factor) / (controlled_pairs * fall)
 
 
-@equation
 def gain_for_torque(
     torque: WantedTorque,
     closing_force: ClosingForce,
@@ -200,7 +184,6 @@ def gain_for_torque(
     return (closing_force * mean_radius * carried / torque - 1) / (controlled_pairs * friction_driven)
 
 
-@equation
 def controlled_pairs_for_accuracy_factor(
     gain: Gain, accuracy_factor: WantedAccuracyFactor, friction_min: FrictionMin, friction_max: FrictionMax
 ) -> ControlledPairs:
@@ -212,7 +195,6 @@ def controlled_pairs_for_accuracy_factor(
     return (friction_max / friction_min - accuracy_factor) / (gain * friction_max * (accuracy_factor - 1))
 
 
-@equation
 def controlled_pairs_for_torque(
     torque: WantedTorque,
     closing_force: ClosingForce,
@@ -232,7 +214,6 @@ def controlled_pairs_for_torque(
     return (torque - arm * bypass_pairs * friction_driving) / (friction_driven * (arm - gain * torque))
 
 
-@equation
 def mean_radius_for_torque(
     torque: WantedTorque,
     closing_force: ClosingForce,
@@ -251,7 +232,6 @@ def mean_radius_for_torque(
     return torque * (1 + gain * controlled_pairs * friction_driven) / (closing_force * carried)
 
 
-@equation
 def net_gain_for_control_force(
     control_force: ControlForce, closing_force: IndirectClosingForce, pairs: Pairs, friction_set: FrictionSet
 ) -> NetGain:
@@ -263,7 +243,6 @@ def net_gain_for_control_force(
     return (control_force - closing_force) / (pairs * closing_force * friction_set)
 
 
-@equation
 def net_loop_gain_linear(
     friction_min: FrictionMin,
     friction_set: FrictionSet,
@@ -282,7 +261,6 @@ def net_loop_gain_linear(
     return rising - accuracy_factor * friction_min * (springs * friction_set + closing_stiffness * friction_max)
 
 
-@equation
 def net_loop_gain_constant(
     friction_min: FrictionMin,
     friction_max: FrictionMax,
@@ -298,7 +276,6 @@ def net_loop_gain_constant(
     return (closing_stiffness + control_stiffness) * (friction_max - accuracy_factor * friction_min)
 
 
-@equation
 def net_loop_gain_for_accuracy_factor(
     friction_min: FrictionMin,
     friction_set: FrictionSet,
@@ -319,7 +296,6 @@ def net_loop_gain_for_accuracy_factor(
     return 2 * constant / ((linear**2 + 4 * square * constant) ** 0.5 - linear)
 
 
-@equation
 def net_gain_for_accuracy_factor(loop: NetLoopGain, pairs: Pairs) -> NetGain:
     """Net gain of the indirect clutch for a wanted K_т.
 
@@ -331,7 +307,6 @@ def net_gain_for_accuracy_factor(loop: NetLoopGain, pairs: Pairs) -> NetGain:
     return loop / pairs
 
 
-@equation
 def pairs_for_accuracy_factor_indirect(loop: NetLoopGain, net_gain: NetGain) -> Pairs:
     """Pairs of the indirect clutch for a wanted K_т.
 
@@ -341,7 +316,6 @@ def pairs_for_accuracy_factor_indirect(loop: NetLoopGain, net_gain: NetGain) -> 
     return loop / net_gain
 
 
-@equation
 def stiffness_ratio_for_accuracy_factor(
     friction_min: FrictionMin,
     friction_set: FrictionSet,

@@ -7,11 +7,9 @@ alike in both ξ is half of it, as in S21.
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def path_steepening(
     gain_slope: GainSlope, ball_circle_radius: BallCircleRadius, mean_radius: MeanRadius
 ) -> PathSteepening:
@@ -23,7 +21,6 @@ def path_steepening(
     return gain_slope * ball_circle_radius / mean_radius
 
 
-@equation
 def path_tangent(
     tan_wall_angle: TanAngleAtStop, path_steepening: PathSteepening, path_depth: PathDepth
 ) -> TanWallAngle:
@@ -35,7 +32,6 @@ def path_tangent(
     return tan_wall_angle + path_steepening * path_depth
 
 
-@equation
 def path(tan_wall_angle: TanAngleAtStop, path_steepening: PathSteepening, path_depth: PathDepth) -> PathPlace:
     """Path of the ball's centre in a sleeve, Y = ξ tan α_0 + Y'' ξ²/2.
 
@@ -45,7 +41,6 @@ def path(tan_wall_angle: TanAngleAtStop, path_steepening: PathSteepening, path_d
     return path_depth * tan_wall_angle + path_steepening * path_depth * path_depth / 2
 
 
-@equation
 def wall_axial(
     path_depth: PathDepth, ball_radius: BallRadius, sin_wall_angle: SinAngleAtBall
 ) -> Annotated[Number, "ξ_w", "m"]:
@@ -57,7 +52,6 @@ def wall_axial(
     return path_depth - ball_radius * sin_wall_angle
 
 
-@equation
 def wall_around(
     path: PathPlace, ball_radius: BallRadius, cos_wall_angle: CosAngleAtBall
 ) -> Annotated[Number, "Y_w", "m"]:
@@ -69,7 +63,6 @@ def wall_around(
     return path + ball_radius * cos_wall_angle
 
 
-@equation
 def contact_depth(
     ball_radius: BallRadius, sin_wall_angle: SinAngleAtBall, path_depth: PathDepth, face_gap: FaceGap
 ) -> Annotated[Number, "h_w", "m"]:
@@ -82,7 +75,6 @@ def contact_depth(
     return ball_radius * sin_wall_angle - path_depth - face_gap / 2
 
 
-@equation
 def path_radius(path_steepening: PathSteepening, cos_wall_angle: CosAngleAtBall) -> PathRadius:
     """Radius of curvature of the path, ρ = 1/(Y'' cos³α): no ball as large can run on it without undercutting the wall.
 
@@ -92,7 +84,6 @@ def path_radius(path_steepening: PathSteepening, cos_wall_angle: CosAngleAtBall)
     return 1 / (path_steepening * cos_wall_angle * cos_wall_angle * cos_wall_angle)
 
 
-@equation
 def hertz_relative_radius(ball_radius: BallRadius, path_radius: PathRadius) -> Annotated[Number, "R_e", "m"]:
     """Radius of a ball that presses a flat as this one does a convex wall, R_e = 2 r_ш (ρ − r_ш)/(2 ρ − r_ш).
 

@@ -30,7 +30,6 @@ WRITERS = {
     "png": (["plot", "accuracy", SPEC, "-o"], "x.png"),
     "paper": (["plot", "paper", "F11-2", "-o"], "x.svg"),
     "dxf": (["plot", "pocket", SPEC, "-o"], "x.dxf"),
-    "profile": (["plot", "pocket", CONFIGS / "constant-torque.toml", "--profile"], "x.csv"),
     "report": (["report", SPEC, "--set", "adjustment.margin=1", "--date", "1", "-o"], "x.html"),
     "history": (["simulate", *EVENT, "--history"], "x.csv"),
     "event": (["simulate", *EVENT, "-o"], "x.toml"),
@@ -74,7 +73,6 @@ def test_a_file_that_exists_is_replaced_by_force_alone(case, undrawn, afmcalc, t
 PAIRS = {
     "simulate": (["simulate", *EVENT, "--output", "a.toml", "--history", "b.csv"], ["a.toml", "b.csv"]),
     "init": (["init", "a.toml", "--schema"], ["a.toml", "afmcalc.schema.json"]),
-    "plot": (["plot", "pocket", SPEC, "-o", "a.svg", "--profile", "b.csv"], ["a.svg", "b.csv"]),
     "report": (["report", SPEC, "--pdf", "-o", "a.html"], ["a.html", "a.pdf"]),
 }
 """Commands that write two files, and which."""
