@@ -13,8 +13,10 @@ from ..laws.terms import term_of
 from .terms import Term
 
 _NO_EQUATIONS = ("arrays", "catalogue", "terms", "wiring")
-_AS_LAWS = ("accuracy", "adjustment", "direct", "indirect", "life", "machine", "overload", "pocket", "synthesis")
-"""Modules of equations that the laws replace."""
+_AS_LAWS = ("accuracy", "adjustment", "direct", "indirect", "life", "machine", "overload", "pocket", "wall")
+"""Modules of equations that the laws replace; of ``synthesis`` all but the inverse laws."""
+
+_INVERSE = re.compile("_for_(?!control_force)|net_loop_gain")
 
 
 class Equation(NamedTuple):
@@ -46,6 +48,7 @@ def equations() -> dict[str, Equation]:
         if module.__name__.rpartition(".")[2] not in _AS_LAWS:
             functions = inspect.getmembers(module, inspect.isfunction)
             found += [equation_of(*each) for each in functions if each[1].__module__ == module.__name__]
+    found = [each for each in found if not each.name.startswith("synthesis.") or _INVERSE.search(each.name)]
     return {each.name: each for each in found if each.result.unit}
 
 
