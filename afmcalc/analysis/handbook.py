@@ -14,8 +14,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, NamedTuple
 
-from ..engines import build
-from ..engines.protocol import Clutch
+from ..engines import Clutch, build
 from ..engines.quantities import NotedStep
 from ..equations.catalogue import Equation, equation_of, equations
 from ..papers.claims import Row, reproduce

@@ -63,7 +63,12 @@ def figure_2() -> PaperFigure:
         for number, low in (("1", 0.1), ("2", 0.2))
     ]
     right = [
-        curve(number, f"left root, f_min = {low:g}", reduced, overload.friction_at_equal_potential(low, MARGIN, gains[low]))
+        curve(
+            number,
+            f"left root, f_min = {low:g}",
+            reduced,
+            overload.friction_at_equal_potential(low, MARGIN, gains[low]),
+        )
         for number, low in (("3", 0.1), ("5", 0.2))
     ]
     shown = reduced[reduced >= 1]
@@ -203,7 +208,10 @@ def p19() -> Found:
 
 def p20() -> Found:
     """Safe range of f_min with fewer driving pairs."""
-    limits = [float(overload.friction_at_unit_loop_gain((4 - z1) * direct.DIFFERENTIATED["gain_limit"](z1, HIGH))) for z1 in (1, 2, 3)]
+    limits = [
+        float(overload.friction_at_unit_loop_gain((4 - z1) * direct.DIFFERENTIATED["gain_limit"](z1, HIGH)))
+        for z1 in (1, 2, 3)
+    ]
     text = say("1/[(z − z_1) C] for z_1 = 1, 2, 3: {limits:.3f}", limits=limits)
     return Found(text, verdict(limits[0] > limits[1] > limits[2]))
 
@@ -239,7 +247,9 @@ def p22() -> Found:
     friction = np.linspace(LOW, HIGH, 101)
     rises = bool(np.all(np.diff(friction / indirect.sleeve_stiffness(20e3, 10e3, 8, friction, net)) > 0))
     ends = [float(overload.friction_at_equal_potential(low, MARGIN, 5 * low)) for low in (0.1, 0.2)]
-    thresholds = [float(adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"](1, 1.6, 0.15, 0.33, margin)) for margin in (1.25, 1.5)]
+    thresholds = [
+        float(adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"](1, 1.6, 0.15, 0.33, margin)) for margin in (1.25, 1.5)
+    ]
     text = say(
         "rises: {rises}; {ends:.3f}; z > {thresholds:.3f}",
         rises=term("yes" if rises else "no"),

@@ -112,7 +112,7 @@ ON_IMPORT = """
     sys.meta_path.insert(0, Aim())
 """
 MOMENTS = {
-    **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.main", "typer", "pydantic", "afmcalc.engines.direct", "numpy", "matplotlib")},
+    **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.main", "typer", "pydantic", "afmcalc.engines.selection", "numpy", "matplotlib")},
     "before a file is replaced": "replace = os.replace; os.replace = lambda *names: (strike(), replace(*names))",
     "after a file is replaced": "replace = os.replace; os.replace = lambda *names: (replace(*names), strike())",
     "while a destructor runs": f"{textwrap.dedent(ON_IMPORT).format('pydantic').replace('strike()', 'kept.clear()')}"

@@ -25,7 +25,8 @@ from afmcalc.analysis.design.search import search as searched
 from afmcalc.analysis.overload import overload
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
-from afmcalc.equations import adjustment, synthesis
+from afmcalc.equations import synthesis
+from afmcalc.laws import adjustment
 from afmcalc.spec import make_spec
 from afmcalc.spec.edit import with_values
 from afmcalc.spec.lists import diameters
