@@ -17,7 +17,6 @@ from ..engines import Clutch
 from ..engines.parts import checks_of_spec
 from ..equations import drive as law
 from ..equations.arrays import Floats, Values
-from ..equations.calls import unnoted
 from ..errors import CalculationError
 from ..findings import Finding, Level, finding
 from ..laws import control_unit
@@ -233,7 +232,6 @@ _WIDE = 0.05
 """Width of the bracket κ … κ₊, relative to the value, beyond which it is said."""
 
 
-@unnoted()
 def simulate(
     clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
 ) -> tuple[SimulateResult, list[Finding]]:

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..engines.quantities import Quantities
 from ..engines.selection import Wired, quantities_of
+from ..errors import given
 from ..findings import Finding, finding
 from ..laws.arrays import next_listed
 from ..messages import say
@@ -184,8 +185,8 @@ def _curve_findings(spec: Spec, result: SynthesisResult, sizes: Sequence[float])
     limit = result.undercut_radius
     if limit is None:
         return
-    key = "gain_slope" if given(clutch.spec.control_unit).pocket is None else "pocket"
-    yield finding("ball-slides-in-seat", "info", path=f"control_unit.{key}")
+    unit = given(spec.control_unit)
+    yield finding("ball-slides-in-seat", "info", path=f"control_unit.{'pocket' if unit.pocket else 'gain_slope'}")
     if result.ball_diameter >= 2 * limit:
         path = "control_unit.ball_diameter" if result.ball_diameter_standard is None else "control_unit.gain_slope"
         needed, value, gain = 2 * result.ball_radius, result.ball_diameter, _gain_that_can_be_cut(spec, sizes)

@@ -12,7 +12,6 @@ from ..engines import Clutch
 from ..engines.layout import inertia_of, parts_of, sizes_of
 from ..equations import drive as law
 from ..equations.arrays import V, is_array
-from ..equations.calls import unnoted
 from ..equations.terms import Number
 from ..messages import say
 from ..spec.models import EventKind
@@ -87,7 +86,6 @@ class Train:
         return self.load + (self.overload - self.load) * self.passed(time)
 
 
-@unnoted()
 def inertias_of(clutch: Clutch) -> tuple[Number, Number]:
     """J_2 and J_h, kg·m²: as given, else of the layout, which the rules then see to; a direct clutch has no J_h."""
     driven: Number = clutch.spec.drive.driven_inertia
@@ -99,7 +97,6 @@ def inertias_of(clutch: Clutch) -> tuple[Number, Number]:
     return driven, hub
 
 
-@unnoted()
 def train_of(clutch: Clutch) -> Train:
     """Return the drive of a clutch.
 

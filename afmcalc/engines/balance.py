@@ -56,26 +56,26 @@ class Balance:
 
     def travel(self, friction: Values) -> Values:
         """Where the sleeve comes to from its stop, friction rising, m: the first place that holds it."""
-        left, of = self._left(friction), (friction, self.net_gain, self.closing.set_force)
+        left = self._left(friction)
         if self.straight:
             end = self.closing.deflection + 0.0 * (self.net_gain * friction)
-            return root(left, self._slope(friction), end, of=of)
+            return root(left, self._slope(friction), end)
         tried = self._tried(self.closing.deflection, friction)
         # at the stop itself it is not: a steep wall lets it jump off from there
         holds: Any = (left(tried) >= 0) & (tried > 0)
         low, high = _first(tried, holds)
-        return root(left, self._slope(friction), high, low, of)
+        return root(left, self._slope(friction), high, low)
 
     def travel_returning(self, friction: Values, start: Values) -> Values:
         """Where it comes back to from ``start``, friction falling, m: the last place that holds it; 0 at the stop."""
         if self.straight:
             return smaller(self.travel(friction), start)
-        left, of = self._left(friction), (friction, self.net_gain, self.closing.set_force)
+        left = self._left(friction)
         tried = self._tried(start, friction)[::-1]
         holds: Any = left(tried) <= 0
         high, low = _first(tried, holds)
         slope = self._slope(friction)
-        return chosen(holds.any(axis=0), lambda: root(left, slope, high, low, of), lambda: 0.0 * tried[0])
+        return chosen(holds.any(axis=0), lambda: root(left, slope, high, low), lambda: 0.0 * tried[0])
 
     def _tried(self, end: Values, friction: Values) -> Floats:
         """Places up to ``end`` between which the friction that holds the sleeve does not turn, for each friction."""

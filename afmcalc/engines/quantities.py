@@ -36,7 +36,7 @@ class NotedStep(NamedTuple):
     """Cases, a space between them; empty for what depends on none."""
     law: Callable[..., Any]
     arguments: dict[str, str]
-    """Argument → the quantity that stands for it: in the case f_max friction_max for friction."""
+    """Argument → the quantity that stands for it: in the case f_max friction_max for friction; none of ``apply``."""
     values: dict[str, Any]
     value: Any
 
@@ -257,11 +257,22 @@ class Quantities(Named):
             )
         return value
 
+    def apply(self, law: Callable[..., Any], *values: Any) -> Any:
+        """Return what a function gives that is no law of these; note it as a step in this case."""
+        value = law(*values)
+        if self.steps is not None:
+            given = dict(zip(_arguments(law), values, strict=True))
+            self.steps.append(NotedStep(law.__name__, self.case, law, {}, given, value))
+        return value
+
     def stands_for(self, name: str) -> str:
         """The quantity whose value one has here: ``friction_max`` for ``friction`` in the case f_max."""
         if name in self._bound:
             return self._bound[name][0]
         law = None if name in self._names else self.laws.laws.get(name)
+        if law is None and name not in self._names and (split := self.laws.case_of(name)) is not None:
+            there = self.at(split[1])
+            return there.stands_for(split[0]) + ("" if split[0] in there._bound else f"_at_{split[1]}")
         if isinstance(law, Either) and not is_array(self[law.condition]):
             return self.stands_for(law.yes if self[law.condition] else law.no)
         return self.stands_for(law.quantity) if isinstance(law, Same) else name

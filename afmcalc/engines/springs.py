@@ -8,7 +8,6 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 
 from ..equations import springs as law
 from ..equations.arrays import Values, chosen, greatest, larger, logarithm, smaller
-from ..equations.calls import derived, unnoted
 from ..spec.catalogues import Disc
 from ..spec.models import ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room, Spec
 
@@ -31,26 +30,24 @@ def root(
     slope: Callable[[Values], Values],
     end: Values,
     start: Values = 0.0,
-    of: tuple[Values, ...] = (),
 ) -> Values:
     """Where a function that rises from ``start`` to ``end`` is 0, number by number; the nearer end where it is not.
 
     Newton's steps, and halves of what is left where one would leave it: arrays as fast as numbers, of which SciPy's
-    bracketed searches take one at a time. An explanation shows the function there, and that it is for what ``of`` is.
+    bracketed searches take one at a time.
     """
     at = low = start + 0.0 * end
     high = end
-    with unnoted():
-        for _ in range(_STEPS):
-            value = rising(at)
-            below = value < 0
-            low, high = chosen(below, lambda: at, lambda: low), chosen(below, lambda: high, lambda: at)  # noqa: B023
-            step = at - value / slope(at)
-            there = chosen((step >= low) & (step <= high), lambda: step, lambda: (low + high) / 2)  # noqa: B023
-            moved, at = greatest(larger(there - at, at - there)), there
-            if not moved > _CLOSE * greatest(end):
-                break
-    return derived(at, *of, steps=rising)
+    for _ in range(_STEPS):
+        value = rising(at)
+        below = value < 0
+        low, high = chosen(below, lambda: at, lambda: low), chosen(below, lambda: high, lambda: at)  # noqa: B023
+        step = at - value / slope(at)
+        there = chosen((step >= low) & (step <= high), lambda: step, lambda: (low + high) / 2)  # noqa: B023
+        moved, at = greatest(larger(there - at, at - there)), there
+        if not moved > _CLOSE * greatest(end):
+            break
+    return at
 
 
 @dataclass(frozen=True)
@@ -117,7 +114,7 @@ class DiscCharacteristic:
 
     def force(self, deflection: Values) -> Values:
         """Force of the stack, N."""
-        each = derived(deflection / self.part.series, deflection)
+        each = deflection / self.part.series
         return self.part.parallel * law.disc_force(*self.shape, each)
 
     def stiffness(self, deflection: Values) -> Values:
@@ -127,9 +124,7 @@ class DiscCharacteristic:
 
     def deflection(self, force: Values) -> Values:
         """Deflection that gives a force, m; all discs flat where none does."""
-        _ = self.shape  # a step of the calculation, unlike the search
-        with unnoted():
-            return root(lambda at: self.force(at) - force, self.stiffness, self.end + 0.0 * force)
+        return root(lambda at: self.force(at) - force, self.stiffness, self.end + 0.0 * force)
 
     def stresses(self, deflection: float) -> tuple[float, float]:
         """Stress where the section turns (OM), and the largest tension at the edges II and III, Pa."""
@@ -220,14 +215,13 @@ class SetSpring:
         """As set, m."""
         if self.disc is None:
             return self.set_force / self.straight_stiffness
-        disc, at = self.disc, self.disc.deflection(self.set_force)
-        return derived(at, steps=lambda at: (disc.force(at), disc.stiffness(at)))
+        return self.disc.deflection(self.set_force)
 
     def force(self, further: Values) -> Values:
         """Force when pressed together so much further than as set, N."""
         if self.disc is None:
             return self.set_force + self.straight_stiffness * further
-        return self.disc.force(derived(self.deflection + further, further))
+        return self.disc.force(self.deflection + further)
 
     def stiffness(self, further: Values) -> Values:
         """Slope of the force there, N/m."""

@@ -6,11 +6,9 @@ shaft (k, d) – tool. Every argument may be an array; shapes broadcast. Radians
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def ring_inertia(
     mass: RingMass, outer_diameter: RingOuterDiameter, inner_diameter: RingInnerDiameter
 ) -> Annotated[Number, "J", "kg*m^2"]:
@@ -22,7 +20,6 @@ def ring_inertia(
     return mass * (outer_diameter * outer_diameter + inner_diameter * inner_diameter) / 8
 
 
-@equation
 def shaft_damping(
     damping_ratio: DampingRatio, stiffness: ShaftStiffness, driven_inertia: DrivenInertia
 ) -> ShaftDamping:
@@ -34,7 +31,6 @@ def shaft_damping(
     return 2 * damping_ratio * (stiffness * driven_inertia) ** 0.5
 
 
-@equation
 def shaft_torque(
     stiffness: ShaftStiffness, twist: Twist, damping: ShaftDamping, twist_rate: TwistRate
 ) -> Annotated[Number, "T_s", "N*m"]:
@@ -46,7 +42,6 @@ def shaft_torque(
     return stiffness * twist + damping * twist_rate
 
 
-@equation
 def inertia_torque(
     speed: SpeedBeforeLock, stiffness: ShaftStiffness, driven_inertia: DrivenInertia
 ) -> Annotated[Number, "T_J", "N*m"]:
@@ -59,7 +54,6 @@ def inertia_torque(
     return speed * (stiffness * driven_inertia) ** 0.5
 
 
-@equation
 def stop_torque(
     driven_inertia: DrivenInertia, deceleration: Deceleration, torque: SlipTorque, load_torque: LoadBefore
 ) -> Annotated[Number, "T_a", "N*m"]:
@@ -73,7 +67,6 @@ def stop_torque(
     return steady + (steady * (steady + 2 * (torque - load_torque))) ** 0.5
 
 
-@equation
 def stribeck_ratio(static_ratio: StaticRatio, decay: StribeckDecay) -> Annotated[Number, "f(v)/f", "1"]:
     """Friction at a sliding speed over sliding friction, f(v)/f = 1 + (r_s − 1) e, e = exp(−R|v|/v_s).
 
@@ -83,7 +76,6 @@ def stribeck_ratio(static_ratio: StaticRatio, decay: StribeckDecay) -> Annotated
     return 1 + (static_ratio - 1) * decay
 
 
-@equation
 def motor_slip(speed: MotorSpeed, synchronous_speed: SynchronousSpeed) -> MotorSlip:
     """Slip of an induction motor, s = 1 − ω/ω_s.
 
@@ -93,7 +85,6 @@ def motor_slip(speed: MotorSpeed, synchronous_speed: SynchronousSpeed) -> MotorS
     return 1 - speed / synchronous_speed
 
 
-@equation
 def kloss_torque(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSlip, slip: MotorSlip) -> MotorTorque:
     """Torque of an induction motor, M = 2 M_b/(s/s_b + s_b/s), written so that s = 0 gives 0.
 
@@ -103,7 +94,6 @@ def kloss_torque(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSli
     return 2 * breakdown_torque * slip * breakdown_slip / (slip * slip + breakdown_slip * breakdown_slip)
 
 
-@equation
 def kloss_slip(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSlip, torque: MotorRunTorque) -> MotorSlip:
     """Slip at which an induction motor runs under a torque, s = s_b [M_b/M − √((M_b/M)² − 1)].
 
@@ -114,7 +104,6 @@ def kloss_slip(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSlip,
     return breakdown_slip * (ratio - (ratio * ratio - 1) ** 0.5)
 
 
-@equation
 def sticking_torque(
     drive_torque: DriveTorque, drive_inertia: DriveInertia, load_torque: LoadTorque, load_inertia: LoadInertia
 ) -> Annotated[Number, "T*", "N*m"]:
@@ -127,7 +116,6 @@ def sticking_torque(
     return (drive_torque * load_inertia + load_torque * drive_inertia) / (drive_inertia + load_inertia)
 
 
-@equation
 def slip_acceleration(
     drive_torque: DriveTorque,
     drive_inertia: DriveInertia,
@@ -143,7 +131,6 @@ def slip_acceleration(
     return (drive_torque - torque) / drive_inertia - (torque - load_torque) / load_inertia
 
 
-@equation
 def normal_force_rate(
     normal_force: NormalForce, balance: BalancedNormalForce, lag: ForceLag
 ) -> Annotated[Number, "N'", "N/s"]:
@@ -155,7 +142,6 @@ def normal_force_rate(
     return (balance - normal_force) / lag
 
 
-@equation
 def torque_growth(
     closing_force: ClosingForce,
     mean_radius: MeanRadius,
@@ -175,7 +161,6 @@ def torque_growth(
     return closing_force * mean_radius * pairs / (release * release)
 
 
-@equation
 def judder_damping(
     torque_growth: TorqueGrowth, mean_radius: MeanRadius, static_ratio: StaticRatio, stribeck_speed: StribeckSpeed
 ) -> Annotated[Number, "d_min", "N*m*s/rad"]:

@@ -2,11 +2,9 @@
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def spline_share(
     spline_friction: SplineFriction, friction: Friction, mean_radius: MeanRadius, spline_radius: SplineRadius
 ) -> SplineShare:
@@ -18,7 +16,6 @@ def spline_share(
     return spline_friction * friction * mean_radius / spline_radius
 
 
-@equation
 def next_force_closing(
     normal_force: NearerNormalForce, share: SplineShare, share_next: NextSplineShare
 ) -> NextNormalForce:
@@ -30,7 +27,6 @@ def next_force_closing(
     return normal_force * (1 - share) / (1 + share_next)
 
 
-@equation
 def next_force_opening(
     normal_force: NearerNormalForce, share: SplineShare, share_next: NextSplineShare
 ) -> NextNormalForce:
@@ -42,7 +38,6 @@ def next_force_opening(
     return normal_force * (1 + share) / (1 - share_next)
 
 
-@equation
 def ball_mass(density: Density, ball_radius: BallRadius, pi: Pi) -> BallMass:
     """Mass of a ball, ρ (4/3) π r_ш³.
 
@@ -51,7 +46,6 @@ def ball_mass(density: Density, ball_radius: BallRadius, pi: Pi) -> BallMass:
     return 4 * pi * density * ball_radius**3 / 3
 
 
-@equation
 def centrifugal_thrust(
     balls: Balls,
     ball_mass: BallMass,
@@ -67,7 +61,6 @@ def centrifugal_thrust(
     return balls * ball_mass * speed * speed * ball_circle_radius * tan_wall_angle / 2
 
 
-@equation
 def force_lost_by_wear(stiffness: FollowingStiffness, pairs: Pairs, wear: PairWear) -> Annotated[Number, "ΔF", "N"]:
     """Spring force lost when every pair has worn, c_п z δ.
 

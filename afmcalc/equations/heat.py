@@ -2,11 +2,9 @@
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def run_down_time(
     inertia: MotorInertia, speed: MotorSpeedAtSlip, torque: SlipTorque, motor_torque: MotorTorque
 ) -> SlipDuration:
@@ -18,7 +16,6 @@ def run_down_time(
     return inertia * speed / (torque - motor_torque)
 
 
-@equation
 def run_down_energy(
     inertia: MotorInertia, speed: MotorSpeedAtSlip, torque: SlipTorque, motor_torque: MotorTorque
 ) -> TripHeat:
@@ -30,7 +27,6 @@ def run_down_energy(
     return inertia * speed * speed * torque / (2 * (torque - motor_torque))
 
 
-@equation
 def speed_after(
     speed: MotorSpeedAtSlip, inertia: MotorInertia, torque: SlipTorque, motor_torque: MotorTorque, time: Time
 ) -> MotorSpeed:
@@ -42,7 +38,6 @@ def speed_after(
     return speed - (torque - motor_torque) * time / inertia
 
 
-@equation
 def slip_energy(torque: SlipTorque, speed: SlipSpeedStart, speed_end: SlipSpeedEnd, time: SlipDuration) -> TripHeat:
     """Heat of a slip whose speed changes evenly, T (ω_0 + ω) t/2.
 
@@ -52,7 +47,6 @@ def slip_energy(torque: SlipTorque, speed: SlipSpeedStart, speed_end: SlipSpeedE
     return torque * (speed + speed_end) * time / 2
 
 
-@equation
 def friction_area(inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi) -> PairArea:
     """Area of a pair of faces, π (r_o² − r_i²).
 
@@ -62,7 +56,6 @@ def friction_area(inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi) 
     return pi * (outer_radius**2 - inner_radius**2)
 
 
-@equation
 def specific_work(energy: TripHeat, pairs: Pairs, area: PairArea) -> Annotated[Number, "q_A", "J/m^2"]:
     """Specific work of a trip, Q/(z A).
 
@@ -72,7 +65,6 @@ def specific_work(energy: TripHeat, pairs: Pairs, area: PairArea) -> Annotated[N
     return energy / (pairs * area)
 
 
-@equation
 def slip_power(torque: SlipTorque, speed: SlipSpeed) -> SlipPower:
     """Power of a slip, T ω.
 
@@ -81,7 +73,6 @@ def slip_power(torque: SlipTorque, speed: SlipSpeed) -> SlipPower:
     return torque * speed
 
 
-@equation
 def power_density(power: SlipPower, pairs: Pairs, area: PairArea) -> Annotated[Number, "q", "W/m^2"]:
     """Power per area of a pair, P/(z A).
 
@@ -91,7 +82,6 @@ def power_density(power: SlipPower, pairs: Pairs, area: PairArea) -> Annotated[N
     return power / (pairs * area)
 
 
-@equation
 def temperature_rise(energy: TripHeat, mass: DiscsMass, specific_heat: SpecificHeat) -> TripRise:
     """Mean rise of temperature of the discs by a trip, Q/(m c).
 
@@ -101,7 +91,6 @@ def temperature_rise(energy: TripHeat, mass: DiscsMass, specific_heat: SpecificH
     return energy / (mass * specific_heat)
 
 
-@equation
 def effusivity(conductivity: Conductivity, density: Density, specific_heat: SpecificHeat) -> Effusivity:
     """Square root of k ρ c, by which bodies in contact share the heat.
 
@@ -111,7 +100,6 @@ def effusivity(conductivity: Conductivity, density: Density, specific_heat: Spec
     return (conductivity * density * specific_heat) ** 0.5
 
 
-@equation
 def face_admittance(
     effusivity: Effusivity, root: TransformRoot, through: HeatThrough
 ) -> Annotated[Number, "Y", "W/m^2/K"]:
@@ -124,7 +112,6 @@ def face_admittance(
     return effusivity * root * through
 
 
-@equation
 def heated_depth(mass: DiscsMass, density: Density, pairs: Pairs, area: PairArea) -> DiscDepth:
     """Depth of disc that a face has to heat, m/(ρ z A).
 
@@ -134,7 +121,6 @@ def heated_depth(mass: DiscsMass, density: Density, pairs: Pairs, area: PairArea
     return mass / (density * pairs * area)
 
 
-@equation
 def fourier_number(
     conductivity: Conductivity, density: Density, specific_heat: SpecificHeat, time: Time, depth: DiscDepth
 ) -> Annotated[Number, "Fo", "1"]:
@@ -145,7 +131,6 @@ def fourier_number(
     return conductivity * time / (density * specific_heat * depth * depth)
 
 
-@equation
 def share_of_rise(
     temperature: ReachedTemperature, ambient: StartTemperature, temperature_limit: TemperatureLimit
 ) -> Annotated[Number, "η_Θ", "1"]:
@@ -157,7 +142,6 @@ def share_of_rise(
     return (temperature - ambient) / (temperature_limit - ambient)
 
 
-@equation
 def trips_without_cooling(
     temperature_limit: TemperatureLimit, ambient: StartTemperature, rise: TripRise
 ) -> Annotated[Number, "n_Θ", "1"]:
@@ -169,7 +153,6 @@ def trips_without_cooling(
     return (temperature_limit - ambient) / rise
 
 
-@equation
 def trips_per_time(
     cooling: Cooling, temperature_limit: TemperatureLimit, ambient: SurroundingTemperature, energy: TripHeat
 ) -> Annotated[Number, "ν", "1/s"]:
@@ -181,7 +164,6 @@ def trips_per_time(
     return cooling * (temperature_limit - ambient) / energy
 
 
-@equation
 def trips_to_wear_out(
     pairs: Pairs, area: PairArea, lining: LiningThickness, wear: SpecificWear, energy: TripHeat
 ) -> Annotated[Number, "n_w", "1"]:
@@ -193,7 +175,6 @@ def trips_to_wear_out(
     return pairs * area * lining / (wear * energy)
 
 
-@equation
 def setting_loss_per_wear(
     stiffness: FollowingStiffness, pairs: Pairs, force: PackForce
 ) -> Annotated[Number, "ΔF/(F δ)", "1/m"]:
@@ -205,7 +186,6 @@ def setting_loss_per_wear(
     return stiffness * pairs / force
 
 
-@equation
 def time_between_trips(
     mass: DiscsMass, specific_heat: SpecificHeat, cooling: Cooling, logarithm: CoolingLogarithm
 ) -> Annotated[Number, "t_p", "s"]:

@@ -6,11 +6,9 @@ sleeve moves off its stop the friction at the key counts as κ, while it returns
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def travel(turn: Turn, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: GainSlope) -> Travel:
     """Travel of the sleeve for a turn of the balls, x = 2 R φ/[C + √(C² + 2 C_1 R φ)]; R φ/C of a straight wall.
 
@@ -21,7 +19,6 @@ def travel(turn: Turn, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: Ga
     return 2 * mean_radius * turn / (gain + reached)
 
 
-@equation
 def turn(travel: Travel, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: GainSlope) -> Turn:
     """Turn of the balls for a travel of the sleeve, φ = (C + ½ C_1 x) x/R.
 
@@ -31,7 +28,6 @@ def turn(travel: Travel, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: 
     return (gain + gain_slope * travel / 2) * travel / mean_radius
 
 
-@equation
 def travel_rate(turn_rate: TurnRate, mean_radius: MeanRadius, gain: GainAtSleeve) -> TravelRate:
     """Speed of the sleeve for a speed of the turn, x' = R φ'/C.
 
@@ -41,7 +37,6 @@ def travel_rate(turn_rate: TurnRate, mean_radius: MeanRadius, gain: GainAtSleeve
     return mean_radius * turn_rate / gain
 
 
-@equation
 def tensed_force(
     control_force: ControlForce, control_stiffness: ControlStiffness, travel: Travel
 ) -> TensedControlForce:
@@ -53,7 +48,6 @@ def tensed_force(
     return control_force + control_stiffness * travel
 
 
-@equation
 def spring_moment(
     mean_radius: MeanRadius,
     closing_force: ClosingForceAtStop,
@@ -70,7 +64,6 @@ def spring_moment(
     return mean_radius * (control_force - closing_force + (closing_stiffness + control_stiffness) * travel)
 
 
-@equation
 def torsional_stiffness(
     closing_stiffness: ClosingStiffness,
     control_stiffness: ControlStiffness,
@@ -89,7 +82,6 @@ def torsional_stiffness(
     return mean_radius * springs / (net_gain * gain)
 
 
-@equation
 def sleeve_inertia(mass: SleeveMass, mean_radius: MeanRadius, gain: Gain, net_gain: NetGainEitherWay) -> SleeveInertia:
     """Inertia with which a sleeve's mass counts in φ, μ = m R²/(C κ).
 
@@ -99,7 +91,6 @@ def sleeve_inertia(mass: SleeveMass, mean_radius: MeanRadius, gain: Gain, net_ga
     return mass * mean_radius * mean_radius / (gain * net_gain)
 
 
-@equation
 def ball_torque_moving(
     spring_moment: SpringMoment,
     net_gain: NetGainEitherWay,
@@ -120,7 +111,6 @@ def ball_torque_moving(
     )
 
 
-@equation
 def normal_force_at_stop(
     control_force: ControlForce, net_gain: NetGainEitherWay, ball_torque: BallTorque, mean_radius: MeanRadius
 ) -> NormalForce:
@@ -133,7 +123,6 @@ def normal_force_at_stop(
     return control_force - net_gain * ball_torque / mean_radius
 
 
-@equation
 def slip_torque_at_stop(
     friction_pairs: PairsTimesFriction,
     mean_radius: MeanRadius,
@@ -151,7 +140,6 @@ def slip_torque_at_stop(
     return friction_pairs * pressed / (1 + friction_pairs * net_gain * torque_share)
 
 
-@equation
 def centrifugal_moment(
     mass: SleeveMass, mean_radius: MeanRadius, gain: GainAtSleeve, gain_slope: GainSlope, travel_rate: TravelRate
 ) -> Annotated[Number, "M_m", "N*m"]:

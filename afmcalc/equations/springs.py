@@ -2,11 +2,9 @@
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
 def disc_factor_load(diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, pi: Pi) -> FactorLoad:
     """Factor of a disc spring's load, K_1 = ((δ − 1)/δ)²/{π[(δ + 1)/(δ − 1) − 2/ln δ]}.
 
@@ -17,7 +15,6 @@ def disc_factor_load(diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, 
     return ((ratio - 1) / ratio) ** 2 / (pi * ((ratio + 1) / (ratio - 1) - 2 / logarithm))
 
 
-@equation
 def disc_factor_membrane(
     diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, pi: Pi
 ) -> Annotated[Number, "K_2", "1"]:
@@ -29,7 +26,6 @@ def disc_factor_membrane(
     return 6 * ((diameter_ratio - 1) / logarithm - 1) / (pi * logarithm)
 
 
-@equation
 def disc_factor_bending(
     diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, pi: Pi
 ) -> Annotated[Number, "K_3", "1"]:
@@ -41,7 +37,6 @@ def disc_factor_bending(
     return 3 * (diameter_ratio - 1) / (pi * logarithm)
 
 
-@equation
 def disc_flats_first(
     thickness: ThicknessWithoutFlats, reduced_thickness: ReducedThickness, free_height: FreeHeight
 ) -> FlatsFirst:
@@ -54,7 +49,6 @@ def disc_flats_first(
     return reduced**2 / ((height / 4 - reduced + 0.75) * (5 * height / 8 - reduced + 0.375))
 
 
-@equation
 def disc_flats_second(
     first: FlatsFirst,
     thickness: ThicknessWithoutFlats,
@@ -69,7 +63,6 @@ def disc_flats_second(
     return first * (thickness / reduced_thickness) ** 3 * (5 * (free_height / thickness - 1) ** 2 / 32 + 1)
 
 
-@equation
 def disc_factor_flats(first: FlatsFirst, second: FlatsSecond) -> FactorFlats:
     """Factor of a disc spring with flats.
 
@@ -79,7 +72,6 @@ def disc_factor_flats(first: FlatsFirst, second: FlatsSecond) -> FactorFlats:
     return ((first**2 / 4 + second) ** 0.5 - first / 2) ** 0.5
 
 
-@equation
 def disc_force(
     modulus: YoungModulus,
     poisson: PoissonRatio,
@@ -100,7 +92,6 @@ def disc_force(
     return rigid * (square * (cone_height - deflection) * (cone_height - deflection / 2) + thickness**2)
 
 
-@equation
 def disc_stiffness(
     modulus: YoungModulus,
     poisson: PoissonRatio,
@@ -121,7 +112,6 @@ def disc_stiffness(
     return rigid * (square * (cone_height**2 - 3 * cone_height * deflection + 3 * deflection**2 / 2) + thickness**2)
 
 
-@equation
 def disc_stress(
     modulus: YoungModulus,
     poisson: PoissonRatio,
@@ -143,7 +133,6 @@ def disc_stress(
     return rigid * (factor_flats * membrane * (cone_height - deflection / 2) + bending * thickness)
 
 
-@equation
 def stack_length(
     parallel: ParallelDiscs, series: SeriesPacks, free_height: FreeHeight, thickness: DiscThickness
 ) -> FreeLength:
@@ -154,7 +143,6 @@ def stack_length(
     return series * (free_height + (parallel - 1) * thickness)
 
 
-@equation
 def stack_force_with_friction(
     force: StackForce, parallel: ParallelDiscs, surface_friction: SurfaceFriction, edge_friction: EdgeFriction
 ) -> Annotated[Number, "F_R", "N"]:
@@ -166,7 +154,6 @@ def stack_force_with_friction(
     return force / (1 - surface_friction * (parallel - 1) - edge_friction)
 
 
-@equation
 def ring_mass(
     density: Density, outer_diameter: OuterDiameter, inner_diameter: InnerDiameter, thickness: DiscThickness, pi: Pi
 ) -> SpringMass:
@@ -178,7 +165,6 @@ def ring_mass(
     return density * pi * (outer_diameter**2 - inner_diameter**2) * thickness / 4
 
 
-@equation
 def coil_stiffness(
     shear_modulus: ShearModulus, wire_diameter: WireDiameter, coil_diameter: CoilDiameter, turns: CoilTurns
 ) -> Annotated[Number, "R", "N/m"]:
@@ -190,7 +176,6 @@ def coil_stiffness(
     return shear_modulus * wire_diameter**4 / (8 * coil_diameter**3 * turns)
 
 
-@equation
 def coil_correction(wire_diameter: WireDiameter, coil_diameter: CoilDiameter) -> CoilCorrection:
     """Factor of a coil's curvature (Bergsträßer), (w + ½)/(w − ¾), w = D/d.
 
@@ -201,7 +186,6 @@ def coil_correction(wire_diameter: WireDiameter, coil_diameter: CoilDiameter) ->
     return (index + 0.5) / (index - 0.75)
 
 
-@equation
 def coil_stress(
     force: SpringForce, wire_diameter: WireDiameter, coil_diameter: CoilDiameter, correction: CoilCorrection, pi: Pi
 ) -> ShearStress:
@@ -213,7 +197,6 @@ def coil_stress(
     return correction * 8 * force * coil_diameter / (pi * wire_diameter**3)
 
 
-@equation
 def coil_solid_length(wire_diameter: LargestWireDiameter, turns: CoilTurns) -> Annotated[Number, "L_c", "m"]:
     """Length of a coil spring pressed solid, (n + 2) d.
 
@@ -223,7 +206,6 @@ def coil_solid_length(wire_diameter: LargestWireDiameter, turns: CoilTurns) -> A
     return (turns + 2) * wire_diameter
 
 
-@equation
 def coil_least_gap(
     wire_diameter: WireDiameter, coil_diameter: CoilDiameter, turns: CoilTurns
 ) -> Annotated[Number, "S_a", "m"]:
@@ -235,7 +217,6 @@ def coil_least_gap(
     return turns * (0.0015 * coil_diameter**2 / wire_diameter + 0.1 * wire_diameter)
 
 
-@equation
 def coil_mass(
     density: Density, wire_diameter: WireDiameter, coil_diameter: CoilDiameter, turns: CoilTurns, pi: Pi
 ) -> SpringMass:
@@ -247,7 +228,6 @@ def coil_mass(
     return density * pi * pi * wire_diameter**2 * coil_diameter * (turns + 2) / 4
 
 
-@equation
 def coil_endurance(amplitude: EnduredAmplitude, mean: EnduredMean, ultimate: ShearStrength) -> EnduredStress:
     """Shear stress that alternates about 0 and a wire bears for ever, S_se = S_sa/(1 − S_sm/S_su).
 
@@ -257,7 +237,6 @@ def coil_endurance(amplitude: EnduredAmplitude, mean: EnduredMean, ultimate: She
     return amplitude / (1 - mean / ultimate)
 
 
-@equation
 def coil_upper_stress(
     lower_stress: LowerStress, endurance: EnduredStress, ultimate: ShearStrength
 ) -> Annotated[Number, "τ_O", "Pa"]:
@@ -269,7 +248,6 @@ def coil_upper_stress(
     return (2 * endurance * ultimate + lower_stress * (ultimate - endurance)) / (ultimate + endurance)
 
 
-@equation
 def coil_buckling_root(
     coil_diameter: CoilDiameter, free_length: FreeLength, modulus_ratio: ModulusRatio, seating: SeatingFactor, pi: Pi
 ) -> BucklingRoot:
@@ -282,7 +260,6 @@ def coil_buckling_root(
     return 1 - (1 - modulus_ratio) / (0.5 + modulus_ratio) * slender**2
 
 
-@equation
 def coil_buckling_deflection(
     free_length: FreeLength, modulus_ratio: ModulusRatio, root: BucklingRoot
 ) -> Annotated[Number, "s_K", "m"]:

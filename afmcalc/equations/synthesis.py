@@ -1,163 +1,10 @@
-"""Synthesis: the control unit for a travel and a gain (S21; handbook, chapter 5), the clutch for an accuracy or torque.
-
-The second half solves the laws for gain, pairs, radius or stiffness.
-"""
+"""The laws solved for gain, pairs, radius or stiffness: the clutch for an accuracy or a torque."""
 
 from typing import Annotated
 
-from .calls import equation
 from .terms import *
 
 
-@equation
-def tan_wall_angle(gain: Gain, ball_circle_radius: BallCircleRadius, mean_radius: MeanRadius) -> TanWallAngle:
-    """Tangent of the wall angle that gives a gain, tan α = C r/R.
-
-    Source: S21 (24).
-    Validity: C ≥ 0.
-    """
-    return gain * ball_circle_radius / mean_radius
-
-
-@equation
-def ball_radius(
-    travel: Travel, face_gap: FaceGap, edge_clearance: EdgeClearance, sin_wall_angle: SinWallAngle
-) -> BallRadius:
-    """Ball radius for a travel, r_ш = (x_max + s + 2 y)/(2 sin α).
-
-    Source: S21 (23).
-    Validity: α > 0.
-    """
-    return (travel + face_gap + 2 * edge_clearance) / (2 * sin_wall_angle)
-
-
-@equation
-def edge_clearance(
-    ball_radius: BallRadius, travel: Travel, face_gap: FaceGap, sin_wall_angle: SinWallAngle
-) -> EdgeClearance:
-    """Clearance that a given ball leaves, y = r_ш sin α − (x_max + s)/2: the inverse of (23).
-
-    Source: S21 (23).
-    Validity: α > 0.
-    """
-    return ball_radius * sin_wall_angle - (travel + face_gap) / 2
-
-
-@equation
-def pocket_depth(ball_radius: BallRadius, sin_wall_angle: SinWallAngle, face_gap: FaceGap) -> PocketDepth:
-    """Pocket depth to the virtual apex, where the walls would meet, h_1 = r_ш/sin α − s/2.
-
-    Source: S21 (20).
-    Validity: α > 0.
-    """
-    return ball_radius / sin_wall_angle - face_gap / 2
-
-
-@equation
-def pocket_depth_from_travel(
-    ball_radius: BallRadius,
-    sin_wall_angle: SinWallAngle,
-    cos_wall_angle: CosWallAngle,
-    travel: Travel,
-    edge_clearance: EdgeClearance,
-) -> Annotated[Number, "h_2", "m"]:
-    """Pocket depth from the travel, h_2 = r_ш cos α cot α + x_max/2 + y; equal to h_1.
-
-    Source: S21 (22), (21).
-    Validity: α > 0.
-    """
-    return ball_radius * cos_wall_angle * cos_wall_angle / sin_wall_angle + travel / 2 + edge_clearance
-
-
-@equation
-def pocket_depth_cut(ball_radius: BallRadius, face_gap: FaceGap) -> Annotated[Number, "h_c", "m"]:
-    """Depth to cut a pocket to, h_c = r_ш − s/2: the lowest point of the ball below the face.
-
-    Source: Geometry of S21 (20): the ball's centre lies s/2 above the face.
-    Validity: The walls end under the ball, h_c ≤ h_1.
-    """
-    return ball_radius - face_gap / 2
-
-
-@equation
-def pocket_width(pocket_depth: PocketDepth, tan_wall_angle: TanWallAngle) -> PocketWidth:
-    """Width of the pocket's mouth at the face, b = 2 h_1 tan α.
-
-    Source: Geometry of S21 (20): the walls meet at the virtual apex.
-    Validity: Straight walls.
-    """
-    return 2 * pocket_depth * tan_wall_angle
-
-
-@equation
-def ball_pitch(ball_circle_radius: BallCircleRadius, sin_half_pitch: SinHalfPitch) -> BallPitch:
-    """Distance between the centres of neighbouring balls, t_ш = 2 r sin(π/n).
-
-    Source: Geometry: chord of the ball circle.
-    Validity: n ≥ 2.
-    """
-    return 2 * ball_circle_radius * sin_half_pitch
-
-
-@equation
-def web(ball_pitch: BallPitch, pocket_width: PocketWidth) -> Annotated[Number, "e", "m"]:
-    """Web that is left between neighbouring pockets at the face, e = t_ш − b.
-
-    Source: Geometry: chord of the ball circle.
-    Validity: e > 0; otherwise the pockets cut into each other.
-    """
-    return ball_pitch - pocket_width
-
-
-@equation
-def contact_force(
-    torque: PassedTorque, balls: Balls, ball_circle_radius: BallCircleRadius, cos_wall_angle: CosWallAngle
-) -> ContactForce:
-    """Normal force on one ball, F_n = T/(n r cos α).
-
-    Source: S21, contact force after (24), mended (M10).
-    Validity: All balls share the torque alike; T is what passes the balls (direct clutches: T_2).
-    """
-    return torque / (balls * ball_circle_radius * cos_wall_angle)
-
-
-@equation
-def hertz_contact_modulus(
-    ball_modulus: BallModulus, ball_poisson: BallPoisson, wall_modulus: WallModulus, wall_poisson: WallPoisson
-) -> ContactModulus:
-    """Contact modulus E_c from 1/E_c = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2.
-
-    Source: Johnson, Contact Mechanics (1985), (4.2a).
-    Validity: Elastic half-spaces.
-    """
-    return 1 / ((1 - ball_poisson * ball_poisson) / ball_modulus + (1 - wall_poisson * wall_poisson) / wall_modulus)
-
-
-@equation
-def hertz_allowable_force(
-    allowable_pressure: AllowablePressure, ball_radius: BallRadius, contact_modulus: ContactModulus, pi: Pi
-) -> AllowableForce:
-    """Force at which a ball on a flat reaches the allowable pressure, F = π³ p_0,allow³ r²/(6 E_c²).
-
-    Source: Johnson, Contact Mechanics (1985), (4.24) with R = r (ball on flat).
-    Validity: Elastic, frictionless, contact small against the ball; the wall is flat.
-    """
-    return pi**3 * allowable_pressure**3 * ball_radius**2 / (6 * contact_modulus**2)
-
-
-@equation
-def hertz_pressure(
-    allowable_pressure: AllowablePressure, force: ContactForce, allowable_force: AllowableForce
-) -> Annotated[Number, "p_0", "Pa"]:
-    """Largest contact pressure under a force, p_0 = p_0,allow (F_n/F_n,allow)^{1/3}.
-
-    Source: Johnson, Contact Mechanics (1985), (4.24), (4.30): p_0³ grows as the force, whatever the curvatures.
-    Validity: Elastic, frictionless, contact small against the ball.
-    """
-    return allowable_pressure * (force / allowable_force) ** (1 / 3)
-
-
-@equation
 def gain_for_accuracy_factor(
     bypass_pairs: BypassPairs,
     controlled_pairs: ControlledPairs,
@@ -181,7 +28,6 @@ def gain_for_accuracy_factor(
     return (ordinary - accuracy_factor) / (controlled_pairs * fall)
 
 
-@equation
 def gain_for_torque(
     torque: WantedTorque,
     closing_force: ClosingForce,
@@ -200,7 +46,6 @@ def gain_for_torque(
     return (closing_force * mean_radius * carried / torque - 1) / (controlled_pairs * friction_driven)
 
 
-@equation
 def controlled_pairs_for_accuracy_factor(
     gain: Gain, accuracy_factor: WantedAccuracyFactor, friction_min: FrictionMin, friction_max: FrictionMax
 ) -> ControlledPairs:
@@ -212,7 +57,6 @@ def controlled_pairs_for_accuracy_factor(
     return (friction_max / friction_min - accuracy_factor) / (gain * friction_max * (accuracy_factor - 1))
 
 
-@equation
 def controlled_pairs_for_torque(
     torque: WantedTorque,
     closing_force: ClosingForce,
@@ -232,7 +76,6 @@ def controlled_pairs_for_torque(
     return (torque - arm * bypass_pairs * friction_driving) / (friction_driven * (arm - gain * torque))
 
 
-@equation
 def mean_radius_for_torque(
     torque: WantedTorque,
     closing_force: ClosingForce,
@@ -251,19 +94,6 @@ def mean_radius_for_torque(
     return torque * (1 + gain * controlled_pairs * friction_driven) / (closing_force * carried)
 
 
-@equation
-def net_gain_for_control_force(
-    control_force: ControlForce, closing_force: IndirectClosingForce, pairs: Pairs, friction_set: FrictionSet
-) -> NetGain:
-    """Net gain that a control spring asks for, κ = (F_п2 − F_п1)/(z F_п1 f_set); C is κ + 2 R f_1/d.
-
-    Source: S21 (5).
-    Validity: F_п2 ≥ F_п1.
-    """
-    return (control_force - closing_force) / (pairs * closing_force * friction_set)
-
-
-@equation
 def net_loop_gain_linear(
     friction_min: FrictionMin,
     friction_set: FrictionSet,
@@ -282,7 +112,6 @@ def net_loop_gain_linear(
     return rising - accuracy_factor * friction_min * (springs * friction_set + closing_stiffness * friction_max)
 
 
-@equation
 def net_loop_gain_constant(
     friction_min: FrictionMin,
     friction_max: FrictionMax,
@@ -298,7 +127,6 @@ def net_loop_gain_constant(
     return (closing_stiffness + control_stiffness) * (friction_max - accuracy_factor * friction_min)
 
 
-@equation
 def net_loop_gain_for_accuracy_factor(
     friction_min: FrictionMin,
     friction_set: FrictionSet,
@@ -319,7 +147,6 @@ def net_loop_gain_for_accuracy_factor(
     return 2 * constant / ((linear**2 + 4 * square * constant) ** 0.5 - linear)
 
 
-@equation
 def net_gain_for_accuracy_factor(loop: NetLoopGain, pairs: Pairs) -> NetGain:
     """Net gain of the indirect clutch for a wanted K_т.
 
@@ -331,7 +158,6 @@ def net_gain_for_accuracy_factor(loop: NetLoopGain, pairs: Pairs) -> NetGain:
     return loop / pairs
 
 
-@equation
 def pairs_for_accuracy_factor_indirect(loop: NetLoopGain, net_gain: NetGain) -> Pairs:
     """Pairs of the indirect clutch for a wanted K_т.
 
@@ -341,7 +167,6 @@ def pairs_for_accuracy_factor_indirect(loop: NetLoopGain, net_gain: NetGain) -> 
     return loop / net_gain
 
 
-@equation
 def stiffness_ratio_for_accuracy_factor(
     friction_min: FrictionMin,
     friction_set: FrictionSet,

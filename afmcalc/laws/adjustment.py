@@ -62,7 +62,7 @@ def _force_ratio(torque_per_force_at_f_mean, torque_per_force_at_f_min):
     return torque_per_force_at_f_mean / torque_per_force_at_f_min
 
 
-def _scatter_ratio(margin, torque_per_force_at_f_min, torque_per_force_at_f_mean):
+def _scatter_ratio_direct(margin, torque_per_force_at_f_min, torque_per_force_at_f_mean):
     """Bands of the two methods on a direct clutch, ΔT_2/ΔT_1 = β_н g(f_min)/g(f_cp), which is T_min2/T_н.
 
     Source: S19 (10), (11) mended (M6); handbook, chapter 4.
@@ -99,5 +99,5 @@ def _pairs_threshold(bypass_pairs, gain, friction_min, friction_mean, margin):
     return (1 / friction_min - margin / friction_mean) / ((margin - 1) * gain) + bypass_pairs
 
 
-DIRECT = {"force_ratio": _force_ratio, "scatter_ratio": _scatter_ratio}
+DIRECT = {"force_ratio": _force_ratio, "scatter_ratio": _scatter_ratio_direct}
 DIRECT_ONE_MATERIAL = {"pairs_threshold": _pairs_threshold, "scatter_of_one_material": _scatter_of_one_material}

@@ -166,7 +166,7 @@ def contact_force_hertz(allowable_pressure, ball_radius_chosen, contact_modulus)
     Source: Johnson, Contact Mechanics (1985), (4.24) with R = r (ball on flat).
     Validity: Elastic, frictionless, contact small against the ball; the wall is flat.
     """
-    return math.pi**3 * allowable_pressure**3 * ball_radius_chosen**2 / (6 * contact_modulus**2)
+    return (math.pi * allowable_pressure) ** 3 * ball_radius_chosen**2 / (6 * contact_modulus**2)
 
 
 def contact_pressure(allowable_pressure, contact_force, contact_force_hertz):

@@ -26,7 +26,7 @@ def mean_radius(inner_radius, outer_radius):
     return (inner_radius + outer_radius) / 2
 
 
-def _mean_radius(inner_radius, outer_radius):
+def _mean_radius_uniform_pressure(inner_radius, outer_radius):
     """Mean friction radius at uniform pressure, ⅔ (r_o³ − r_i³)/(r_o² − r_i²).
 
     Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
@@ -71,7 +71,7 @@ def _gain(mean_radius, ball_circle_radius, tan_wall_angle):
     return mean_radius / ball_circle_radius * tan_wall_angle
 
 
-def _tan_wall_angle(wall_angle):
+def _tan_of_wall_angle(wall_angle):
     """Tangent of the wall angle, tan α.
 
     Source: Definition.
@@ -80,8 +80,8 @@ def _tan_wall_angle(wall_angle):
     return tan(wall_angle)
 
 
-UNIFORM_PRESSURE = {"mean_radius": _mean_radius}
-WALL_ANGLE_GIVEN = {"gain": _gain, "tan_wall_angle": _tan_wall_angle}
+UNIFORM_PRESSURE = {"mean_radius": _mean_radius_uniform_pressure}
+WALL_ANGLE_GIVEN = {"gain": _gain, "tan_wall_angle": _tan_of_wall_angle}
 ONE_FRICTION = {
     f"friction_{group}{end}": Same(f"friction{end}")
     for group in ("driving", "driven")

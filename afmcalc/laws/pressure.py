@@ -18,7 +18,7 @@ def _peak_pressure(pack_force_at_rest, inner_radius, outer_radius):
     Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
     Validity: p·r constant; full rings.
     """
-    return pack_force_at_rest / (2 * math.pi * inner_radius * (outer_radius - inner_radius))
+    return pack_force_at_rest / (2 * inner_radius * math.pi * (outer_radius - inner_radius))
 
 
 UNIFORM_WEAR = {"peak_pressure": _peak_pressure}

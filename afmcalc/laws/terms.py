@@ -318,3 +318,8 @@ def term_of(name: str) -> QuantityTerm:
     quantity, _, case = name.rpartition("_at_")
     own = term_of(quantity)
     return QuantityTerm(f"{own.symbol}({CASES[case]})", own.unit, own.meaning)
+
+
+def quantity_of(name: str) -> str:
+    """Return the quantity that one in a case is of: ``torque`` of ``torque_at_f_max``."""
+    return name if name in TERMS else quantity_of(name.rpartition("_at_")[0])

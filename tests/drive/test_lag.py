@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from afmcalc.drive.cases import outcome_of
 from afmcalc.drive.train import Engine
-from afmcalc.equations import overload
+from afmcalc.laws import overload
 
 ALL_DRIVING = {"variant": "all-driving", "control_unit": {"gain": 0.625}, "friction": {"static_ratio": None, "stribeck_speed": None}}  # fmt: skip
 

@@ -6,6 +6,7 @@ from strategies import p5
 
 from afmcalc.analysis.accuracy import accuracy
 from afmcalc.analysis.adjust import adjust
+from afmcalc.analysis.clutch_findings import clutch_findings
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.life import life
 from afmcalc.analysis.solve.solve import solve
@@ -23,6 +24,10 @@ def clutch(*overrides, **blocks):
     return build(p5(*overrides, **blocks))
 
 
+def told(own):
+    return codes(clutch_findings(own.spec, own.quantities))
+
+
 def codes(findings):
     return {finding.code for finding in findings}
 
@@ -32,10 +37,10 @@ def test_the_torque_does_not_know_the_friction():
     assert held.gain_slope == held.constant_torque_slope == pytest.approx(BEST, rel=1e-15)
     assert held.torque(np.linspace(0.1, 5, 1000)) == pytest.approx(160, rel=1e-12)
     # back under load it is S/κ₊ of the same places: between T_н κ/κ₊ at the stop and T_н
-    kappa, back = 0.4 + BEST * held.travel(0.8), 1.6 + BEST * held.travel(0.8)
-    assert held.torque_returning(0.8 * kappa / back) == pytest.approx(160 * kappa / back, rel=1e-12)
-    assert held.torque_returning(0.1 * 0.4 / 1.6) == pytest.approx(160 * 0.4 / 1.6, rel=1e-12)
-    assert held.accuracy_factor_hysteresis == pytest.approx(160 / held.torque_returning(0.1))
+    kappa, back = 0.4 + BEST * held.at(0.8)["travel"], 1.6 + BEST * held.at(0.8)["travel"]
+    assert held.at(0.8 * kappa / back)["torque_returning"] == pytest.approx(160 * kappa / back, rel=1e-12)
+    assert held.at(0.1 * 0.4 / 1.6)["torque_returning"] == pytest.approx(160 * 0.4 / 1.6, rel=1e-12)
+    assert held.accuracy_factor_hysteresis == pytest.approx(160 / held.at(0.1)["torque_returning"])
 
 
 @pytest.mark.parametrize(
@@ -45,9 +50,9 @@ def test_the_torque_does_not_know_the_friction():
 def test_a_torque_that_falls_is_said(slope, found):
     """D(f_set) = (20 + 10 + 8·20·0.1·0.4) N/mm over 8·0.1·2 kN: 22.75 1/m."""
     given = f"control_unit.gain_slope={slope}"
-    assert codes(clutch(given).findings()) & {"torque-falls-with-travel", "torque-jumps"} == found
+    assert told(clutch(given)) & {"torque-falls-with-travel", "torque-jumps"} == found
     never = clutch(given, "friction.mean=0.8", "adjustment.method=mean-friction")
-    assert not codes(never.findings()) & {"torque-falls-with-travel", "torque-jumps"}, "it rests all the way"
+    assert not told(never) & {"torque-falls-with-travel", "torque-jumps"}, "it rests all the way"
 
 
 def test_every_analysis_of_a_pocket_that_holds():
@@ -72,7 +77,7 @@ def test_life_where_the_torque_jumps():
         "control_unit.gain_slope=30", "adjustment.method=mean-friction", "closing_spring.force=75 kN",
         "closing_spring.stiffness=1500 N/mm", "control_spring.stiffness=750 N/mm", "fatigue.ultimate_strength=5 GPa",
     )  # fmt: skip
-    assert "torque-jumps" in codes(steep.findings())
+    assert "torque-jumps" in told(steep)
     torque, part = steep.torque(np.linspace(0.1, 0.8, 400_001)), steep.spec.fatigue
     assert torque.max() == pytest.approx(float(steep.torque_max), rel=1e-5)
     high = torque / part.polar_section_modulus / 2

@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.equations.catalogue import equations
-from afmcalc.equations.indirect import sleeve_stiffness
-from afmcalc.equations.overload import actuation_factor
+from afmcalc.laws.indirect import sleeve_stiffness
+from afmcalc.laws.overload import actuation_factor
 
 UNITS = pint.UnitRegistry()
 

@@ -3,7 +3,7 @@
 import sympy as sp
 from proofs.symbols import *
 
-from afmcalc.equations import adjustment, direct, indirect, life, overload
+from afmcalc.laws import adjustment, direct, indirect, life, overload
 
 RATIONAL = sp.Rational
 
@@ -12,7 +12,7 @@ def numbers_of_s19():
     """S19, the example and fig. 2 (M7, M8, M22, M24, M25, M44, M45)."""
 
     def threshold(gain):
-        return adjustment.pairs_threshold(1, gain, RATIONAL(15, 100), RATIONAL(33, 100), RATIONAL(5, 4))
+        return adjustment._pairs_threshold(1, gain, RATIONAL(15, 100), RATIONAL(33, 100), RATIONAL(5, 4))
 
     yield "P1: z > 8.197 with C = 1.6", threshold(RATIONAL(8, 5)) - RATIONAL(1082, 132)
     yield "M7: the printed 9.23 is C = 1.4", sp.Integer(round(threshold(RATIONAL(7, 5)) * 1000)) - 9225
@@ -20,7 +20,7 @@ def numbers_of_s19():
 
     def cycles(low, high):
         mean = life.mean_stress(*(life.shear_stress(torque, RATIONAL(15, 10**6)) for torque in (low, high)))
-        return life.cycles(400 * 10**6, mean, 6, 10**7)
+        return life.cycles_of_line(10**7, 400 * 10**6, mean, 6)
 
     def band(scatter):
         return life.cycles_of_band(400 * 10**6, RATIONAL(15, 10**6), 200, scatter, 6, 10**7)
@@ -40,7 +40,7 @@ def numbers_of_s19():
     yield "M22: N/N_0 there is 8^6", cycles(200, 1300) / 10**7 - 8**6
     factor, first, second = positive("k dT_1 dT_2")
     yield "M24: one factor keeps the order of the bands", factor * first / (factor * second) - first / second
-    bands = [adjustment.scatter(force, R, z, z - 1, C, fmin, fmax) for force in (F, q * F)]
+    bands = [adjustment._scatter_of_one_material(force, R, z, z - 1, C, fmin, fmax) for force in (F, q * F)]
     least = [direct.torque(force, R, 1, z - 1, C, fmin, fmin) for force in (F, q * F)]
     yield "M25: T_min2/T_min1 = ΔT_2/ΔT_1", least[1] / least[0] - bands[1] / bands[0]
     yield "M25: T_min2 = 200·627/500", RATIONAL(200 * 627, 500) - RATIONAL(2508, 10)
@@ -48,9 +48,11 @@ def numbers_of_s19():
 
 def numbers_of_s21():
     """S21, what its gain in capacity costs (M27) and the sleeve in slip (M48), with the data of fig. 2."""
-    kappa, back = (gain(C, R, fk, d) for gain in (indirect.net_gain, indirect.net_gain_returning))
-    control = indirect.control_force(F, z, kappa, fmin)
-    nominal = direct.group_torque(F, R, z, fmin)
+    kappa, back = (
+        gain(C, indirect.gain_threshold(R, fk, d)) for gain in (indirect.net_gain, indirect.net_gain_returning)
+    )
+    control = indirect.control_force_set(F, z, kappa, fmin)
+    nominal = indirect.torque(F, R, z, fmin)
     data = {C: 1, z: 8, R: RATIONAL(1, 10), d: RATIONAL(1, 20), fk: RATIONAL(15, 100), fmin: RATIONAL(1, 10)}
     yield (
         "M27: T_н is that of a direct clutch with spring F_п2 and gain κ",
@@ -60,13 +62,13 @@ def numbers_of_s21():
     at_one = same_pack.subs(data)
     yield "M27: capacity at equal force on the pack", same_pack - (1 + z * C * fmin) / (1 + z * kappa * fmin)
     yield "M27: 1.364 at C = 1", sp.Integer(round(at_one * 1000)) - 1364
-    yield Refutation("M27: not K_п = 1.8", at_one - indirect.nominal_torque_ratio(z, C, fmin).subs(data))
+    yield Refutation("M27: not K_п = 1.8", at_one - indirect.nominal_torque_ratio(z, C, fmin, 1, 1).subs(data))
     yield "M27: both springs are 2.32 F_п1", (control / F + 1).subs(data) - RATIONAL(232, 100)
 
     # the sleeve held at x, where it came to at f_max: what the key bears at a lower f
     held = F - x
-    reached = held + direct.group_torque(held, R, z, fmax) * kappa / R
-    torque = direct.group_torque(held, R, z, f)
+    reached = held + indirect.torque(held, R, z, fmax) * kappa / R
+    torque = indirect.torque(held, R, z, f)
     share = (held + indirect.release_force(torque, C, R) - reached) / (2 * torque * fk / d)
     yield "M48: share of the key's friction", share - (C - kappa * fmax / f) / (2 * R * fk / d)
     yield "M48: 1 at f_max", share.subs(f, fmax) - 1
@@ -89,7 +91,7 @@ def numbers_of_s22():
     expected = overload.expected_torque(1, 1, 1, high, q * high) / overload.expected_torque(1, 1, 1, low, q * low)
     published = sp.together(factor(q) * expected)
     for bypass, actual in ((1, RATIONAL(133, 20)), (2, RATIONAL(9, 2)), (3, RATIONAL(25, 4))):
-        reduced = (4 - bypass) * direct.gain_limit_differentiated(bypass, high)
+        reduced = (4 - bypass) * direct._gain_limit_breakaway(bypass, high)
         larger = sp.Max(1, factor(reduced))
         yield f"M46: actual K_т for z_1 = {bypass}, C by (24)", larger * expected.subs(q, reduced) - actual
     fifth = RATIONAL(1, 5)
@@ -101,7 +103,7 @@ def numbers_of_s22():
         (4, RATIONAL(11, 4), RATIONAL(133, 20)),
         (8, RATIONAL(15, 8), RATIONAL(333, 40)),
     ):
-        reduced = (pairs - 1) * direct.gain_limit_differentiated(1, high)
+        reduced = (pairs - 1) * direct._gain_limit_breakaway(1, high)
         yield f"M50: expected K_т, z_1 = 1, z = {pairs}", expected.subs(q, reduced) - of_expected
         yield f"M50: actual K_т, z_1 = 1, z = {pairs}", factor(reduced) * expected.subs(q, reduced) - of_actual
     yield "M50: expected K_т, all-driving at zC = 5", expected.subs(q, 5) - RATIONAL(12, 5)

@@ -11,7 +11,6 @@ import numpy as np
 from ...engines.layout import TOUCHES, PartName, SectionPart, Sizes, overlap, parts_of
 from ...engines.quantities import Quantities
 from ...engines.selection import as_set, laws_for
-from ...equations import wall
 from ...equations.effects import force_lost_by_wear
 from ...errors import given
 from ...laws import adjustment, control_unit, curved_wall, direct, pack, pressure
@@ -476,10 +475,10 @@ class CurvedCandidates(Candidates):
         depth = radius
         for _ in range(_NEWTON_STEPS):
             angle = np.arctan(curved_wall.tan_wall_angle_at_ball(self.tangent, self.steepening, depth))
-            left = wall.contact_depth(radius, np.sin(angle), depth, gap)
+            left = -curved_wall.wall_axial(depth, radius, angle) - gap / 2
             depth = depth + left / (1 - radius * self.steepening * np.cos(angle) ** 3)
-        around = wall.path(self.tangent, self.steepening, depth)
-        return 2 * wall.wall_around(around, radius, np.cos(angle))
+        around = curved_wall.path_around(self.tangent, self.steepening, depth)
+        return 2 * curved_wall.wall_around(around, radius, angle)
 
 
 def _bearing(share: Numbers) -> tuple[Numbers, Numbers]:

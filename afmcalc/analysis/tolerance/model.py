@@ -18,8 +18,7 @@ from ...spec import Spec
 from ...spec.edit import value_at, with_key, with_values
 from ...spec.keys import scatter_at
 from ...spec.tolerance import FRICTION, Distribution, Tolerance, percentage
-from ..answers import Answers
-from ..life import dynamic_factor
+from ..simulate import simulate
 
 Array: TypeAlias = NDArray[np.float64]
 _NEVER = 1e-20
@@ -330,9 +329,10 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
             continue
         raise clutch.spec.refused(f"tolerance.fields.{path}", message)
     spec = clutch.spec
-    if spec.fatigue is not None:
+    if spec.fatigue is not None and spec.drive.dynamic_factor is None:
         # the life of every sample takes that of the nominal clutch
-        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec, Answers(clutch))})
+        factor = 1.0 if spec.drive.event is None else simulate(clutch)[0].largest_dynamic_factor
+        spec = with_values(spec, {"drive.dynamic_factor": factor})
     if as_made:
         spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
     if clutch.spec.kind.travels:

@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...engines import Clutch
-from ...equations import life as law
 from ...equations.arrays import Values
 from ...errors import given
+from ...laws import life as law
 from ...spec.tolerance import FRICTION, Tolerance
 from .model import Array, Input, Model, normal_probability, normal_score
 from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, QuantileRow
