@@ -169,7 +169,7 @@ def contact_pressure_at_ball(contact_force_at_ball, contact_radius_at_ball, cont
     Source: Johnson, Contact Mechanics (1985), (4.24).
     Validity: Elastic, frictionless, contact small against the ball.
     """
-    return (6 * contact_force_at_ball * contact_modulus**2 / (math.pi**3 * contact_radius_at_ball**2)) ** (1 / 3)
+    return (6 * contact_force_at_ball * contact_modulus**2 / contact_radius_at_ball**2) ** (1 / 3) / math.pi
 
 
 def contact_pressure(contact_pressure_at_ball_at_along_wall):
