@@ -30,6 +30,7 @@ def test_uses_are_of_equations_and_name_commands():
         assert commands == sorted(set(commands))
 
 
+@pytest.mark.slow
 def test_every_formula_is_reached_or_says_why_not():
     """A function is calculated by a command; a formula without one is covered by others. Else the entry says why."""
     reached = {entry.id: bool(entry.function and commands_of(entry.function)) for entry in register()}
