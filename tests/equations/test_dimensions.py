@@ -103,7 +103,7 @@ POWERS = {"life.cycles", "life.damage", "life.cycles_of_band", "synthesis.least_
 @given(st.lists(st.floats(0.05, 3), min_size=10, max_size=10))
 def test_floats_and_arrays_agree(values):
     """The same function on an array of one gives the float, to the last bit but for powers."""
-    for equation in equations().values():
+    for equation in (equations()[name] for name in OWN):
         arguments = dict(zip(equation.arguments, values, strict=False))
         if equation.name in POWERS:
             continue
