@@ -9,6 +9,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ...drive.result import dynamic_factor
 from ...engines import Clutch, build, parameters
 from ...equations import indirect
 from ...equations.arrays import Values
@@ -18,8 +19,6 @@ from ...spec import Spec
 from ...spec.edit import value_at, with_key, with_values
 from ...spec.keys import scatter_at
 from ...spec.tolerance import FRICTION, Distribution, Tolerance, percentage
-from ..answers import Answers
-from ..life import dynamic_factor
 
 Array: TypeAlias = NDArray[np.float64]
 _NEVER = 1e-20
@@ -337,7 +336,9 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     spec = clutch.spec
     if spec.fatigue is not None:
         # the life of every sample takes that of the nominal clutch
-        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec, Answers(clutch))})
+        from ..simulate import simulate
+
+        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec.drive, lambda: simulate(clutch)[0])})
     if as_made:
         spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
     if clutch.sleeve is not None:
