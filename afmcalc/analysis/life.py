@@ -8,12 +8,12 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
-from ..drive.result import SimulateResult
+from ..drive.result import SimulateResult, dynamic_factor
 from ..engines import build
 from ..engines.quantities import Laws, Quantities
 from ..engines.selection import NAMES, Wired, by_rule
 from ..equations.arrays import Floats, Values
-from ..errors import AfmcalcError
+from ..errors import AfmcalcError, given
 from ..findings import Finding, finding
 from ..laws import life as law
 from ..laws import machine, pack
@@ -106,7 +106,7 @@ def life(
         answers = Answers(build(spec))
         if spec.drive.dynamic_factor is not None:  # it may be smaller than that of the event
             underrated = [remark for remark in answers.ask("simulate")[1] if remark.code == "dynamic-factor-exceeded"]
-    factor = dynamic_factor(spec, answers)
+    factor = dynamic_factor(spec.drive, lambda: given(answers).of(SimulateResult))
     own = by_rule(clutch, model).at(dynamic_factor=factor)
     sides = {"protected": own, "unprotected": own.at("unprotected")}
     with np.errstate(all="ignore"):
@@ -130,14 +130,6 @@ _SIDES = {
     "unprotected_forecast": ("unprotected", "forecast"),
 }
 """Side, as set and from the mean friction on → its cases."""
-
-
-def dynamic_factor(spec: Spec, answers: Answers | None) -> float:
-    """Dynamic factor of the unprotected side: as given, else the largest T_peak/T of the event, else 1."""
-    given = spec.drive.dynamic_factor
-    if given is not None or answers is None or spec.drive.event is None:
-        return 1.0 if given is None else given
-    return answers.of(SimulateResult).largest_dynamic_factor
 
 
 def _require(spec: Spec, model: StressRule) -> None:
@@ -225,8 +217,8 @@ def life_sweep(clutch: Wired, model: StressRule, axes: Sequence[Axis], factor: f
     def factor_of(point: "Clutch") -> Values:
         from .simulate import dynamic_factors
 
-        given = point.spec.drive.dynamic_factor
-        return given if given is not None else factor if same_event else dynamic_factors(point)
+        own = point.spec.drive.dynamic_factor
+        return own if own is not None else factor if same_event else dynamic_factors(point)
 
     def unprotected(point: "Clutch") -> Values:
         return lives_of(by_rule(point, model).at(dynamic_factor=factor_of(point)).at("unprotected"))
@@ -269,13 +261,13 @@ def life_of(need: "Requirements", least: Floats, most: Floats) -> Floats:
     """
     import numpy as np
 
-    given: dict[str, Any] = {"torque_min": least, "torque_max": most}
+    known: dict[str, Any] = {"torque_min": least, "torque_max": most}
     for path in ("fatigue", "shaft", "drive"):
         if (block := getattr(need, path)) is not None:
-            given |= {name: value for key, name in NAMES[path].items() if (value := getattr(block, key)) is not None}
-    if "shaft_diameter" in given:
-        given.pop("polar_section_modulus", None)
-    own = Quantities(_OF_PART, given)
+            known |= {name: value for key, name in NAMES[path].items() if (value := getattr(block, key)) is not None}
+    if "shaft_diameter" in known:
+        known.pop("polar_section_modulus", None)
+    own = Quantities(_OF_PART, known)
     with np.errstate(all="ignore"):
         lives = [
             np.where(load["damaging_stress"] <= load["endurance_limit"], np.inf, load["cycles"])
@@ -303,8 +295,8 @@ def band_axis(text: str, clutch: Wired) -> Axis:
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
     band = float(clutch.quantities["scatter"])
-    _, separator, given = text.partition("=")
-    values = parse_values(text, given, "N*m") if separator else np.linspace(0.5 * band, 2 * band, 26)
+    _, separator, values_given = text.partition("=")
+    values = parse_values(text, values_given, "N*m") if separator else np.linspace(0.5 * band, 2 * band, 26)
     if bool((values < 0).any()):
         raise AfmcalcError("--sweep {text:.80}: a scatter band is not negative", text=text)
     return Axis("dT", key, values)

@@ -14,6 +14,7 @@ from afmcalc.analysis.tolerance.model import Model, inputs_of, with_setting
 from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
+from afmcalc.spec import read_spec
 
 BEST = 18.75
 """C_1* of P5's clutch: (20 + 10) N/mm/(8·0.1·2 kN)."""
@@ -123,3 +124,11 @@ def test_where_pockets_hold_the_torque_an_elasticity_is_one_side_s():
     assert min(factors[0], factors[2]) > 1.0005
     said = [[each.limit for each in findings if each.code == "elasticity-one-sided"] for _, findings in told]
     assert said == [[], [pytest.approx(BEST)], []]
+
+
+def test_a_kink_of_any_key_is_told():
+    """The sleeve leaves its stop just at f_min: below it the stop still bears a part of the control spring."""
+    made = build(read_spec("example:indirect", ["control_spring.force=6608", "friction.min=0.3"]))
+    (told,) = [each for each in accuracy(made)[1] if each.code.startswith("elasticity-one-sided")]
+    assert (told.code, told.path) == ("elasticity-one-sided", "friction.min")
+    assert "control_spring.force" in told.message

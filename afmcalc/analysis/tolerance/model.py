@@ -9,6 +9,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ...drive.result import dynamic_factor
 from ...engines import Clutch, build
 from ...engines.selection import quantities_of
 from ...equations.arrays import Values
@@ -18,7 +19,6 @@ from ...spec import Spec
 from ...spec.edit import value_at, with_key, with_values
 from ...spec.keys import scatter_at
 from ...spec.tolerance import FRICTION, Distribution, Tolerance, percentage
-from ..simulate import simulate
 
 Array: TypeAlias = NDArray[np.float64]
 _NEVER = 1e-20
@@ -331,8 +331,9 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     spec = clutch.spec
     if spec.fatigue is not None and spec.drive.dynamic_factor is None:
         # the life of every sample takes that of the nominal clutch
-        factor = 1.0 if spec.drive.event is None else simulate(clutch)[0].largest_dynamic_factor
-        spec = with_values(spec, {"drive.dynamic_factor": factor})
+        from ..simulate import simulate
+
+        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec.drive, lambda: simulate(clutch)[0])})
     if as_made:
         spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
     if clutch.spec.kind.travels:
