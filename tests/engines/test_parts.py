@@ -89,7 +89,7 @@ def test_a_coil_that_the_sleeve_presses_solid():
     stiffness = rate(14e-3, 70e-3, 4)
     given = f"control_spring.stiffness={stiffness}"
     plain = build(read_spec(INDIRECT, [given]))
-    set_at, travel = plain.control_force / stiffness, plain.travel(0.8)
+    set_at, travel = plain.control_force / stiffness, plain.at(0.8)["travel"]
     free = 6 * 14e-3 + set_at + travel / 2
     sizes = {"wire_diameter": 14e-3, "coil_diameter": 70e-3, "turns": 4, "free_length": free}
     told = found_by(INDIRECT, given, coil("control_spring", **sizes))["coil-solid"]
