@@ -37,7 +37,6 @@ Gain = Annotated[Number, "C", "1", "feedback gain"]
 ClosingForce = Annotated[Number, "F_п", "N", "closing-spring force as set"]
 NormalForce = Annotated[Number, "N", "N", "normal force on the pairs"]
 SlipTorque = Annotated[Number, "T", "N*m", "slip torque"]
-GainLimit = Annotated[Number, "C_max", "1", "largest feedback gain"]
 
 # Friction
 Friction = Annotated[Number, "f", "1", "coefficient of friction"]
@@ -52,17 +51,13 @@ FrictionDrivenMin = Annotated[Number, "f_2min", "1", "smallest friction of the c
 FrictionDrivenMax = Annotated[Number, "f_2max", "1", "largest friction of the controlled pairs"]
 
 # Adjustment
-Margin = Annotated[Number, "β_н", "1", "torque margin"]
 
 # Overload
-RisenLoad = Annotated[Number, "ΔT", "N*m", "rise of the load above the nominal torque of the machine"]
 
 # Machine and shaft
-Efficiency = Annotated[Number, "η", "1", "efficiency between motor and clutch"]
 
 # Life
 ShearStress = Annotated[Number, "τ", "Pa", "shear stress"]
-Cycles = Annotated[Number, "N_ц", "1", "cycles to failure"]
 
 # Indirect regulation
 NetGain = Annotated[Number, "κ", "1", "C − 2 R f_1/d, gain net of the key's friction"]

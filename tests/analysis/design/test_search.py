@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from afmcalc.analysis.design.design import design, refinement
 from afmcalc.analysis.design.search import Survey, _culled, by_radius, by_tile, front, ranks, search, separable
-from afmcalc.equations import adjustment, synthesis
+from afmcalc.equations import synthesis
+from afmcalc.laws import adjustment
 from afmcalc.spec.requirements import make_requirements
 from afmcalc.variants import VARIANTS
 
