@@ -50,12 +50,6 @@ FrictionDriven = Annotated[Number, "f_2", "1", "friction of the controlled pairs
 FrictionDrivenMin = Annotated[Number, "f_2min", "1", "smallest friction of the controlled pairs"]
 FrictionDrivenMax = Annotated[Number, "f_2max", "1", "largest friction of the controlled pairs"]
 
-# Adjustment
-
-# Overload
-
-# Machine and shaft
-
 # Life
 ShearStress = Annotated[Number, "τ", "Pa", "shear stress"]
 
