@@ -22,7 +22,6 @@ WRITERS = {
     "x.md": ["materials", "-o"],
     "x.svg": ["plot", "accuracy", SPEC, "-o"],
     "x.dxf": ["plot", "pocket", SPEC, "-o"],
-    "profile.csv": ["plot", "pocket", CONFIGS / "constant-torque.toml", "--profile"],
     "x.html": ["report", SPEC, "--set", "adjustment.margin=1", "--date", "1", "-o"],
     "history.csv": ["simulate", *EVENT, "--history"],
     "event.toml": ["simulate", *EVENT, "-o"],
@@ -52,7 +51,6 @@ def test_a_file_that_exists_is_replaced_by_force_alone(name, undrawn, afmcalc, t
 PAIRS = {
     "simulate": (["simulate", *EVENT, "--output", "a.toml", "--history", "b.csv"], ["a.toml", "b.csv"]),
     "init": (["init", "a.toml", "--schema"], ["a.toml", "afmcalc.schema.json"]),
-    "plot": (["plot", "pocket", SPEC, "-o", "a.svg", "--profile", "b.csv"], ["a.svg", "b.csv"]),
     "report": (["report", SPEC, "--pdf", "-o", "a.html"], ["a.html", "a.pdf"]),
 }
 """Commands that write two files, and which."""
