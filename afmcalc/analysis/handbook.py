@@ -17,12 +17,13 @@ from typing import Any, NamedTuple
 
 from ..engines import Clutch, build
 from ..engines.quantities import NotedStep
-from ..engines.selection import CURVED, KEYS, VARIANTS, laws_for
+from ..engines.selection import CURVED, KEYS, laws_for
 from ..equations.catalogue import Equation, equation_of, equations
 from ..papers.claims import Row, reproduce
 from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
+from ..variants import VARIANTS
 from .answers import Answers
 from .asking import names_asked
 from .explain.explain import noting, shown, steps_of

@@ -23,6 +23,7 @@ from ..laws import (
 )
 from ..laws.arrays import is_array
 from ..messages import say
+from ..variants import VARIANTS, Variant
 from .quantities import Case, Laws, Quantities
 
 if TYPE_CHECKING:
@@ -32,14 +33,6 @@ Part: TypeAlias = ModuleType | Mapping[str, Any]
 
 _EVERY: tuple[Part, ...] = (life, accuracy, adjustment, pressure, machine, pack)
 _DIRECT: tuple[Part, ...] = (*_EVERY, direct, adjustment.DIRECT)
-VARIANTS: dict[str, tuple[Part, ...]] = {
-    "conventional": (*_DIRECT, direct.CONVENTIONAL),
-    "differentiated": (*_DIRECT, control_unit, direct.DIFFERENTIATED),
-    "all-driving": (*_DIRECT, control_unit, direct.ALL_DRIVING),
-    "indirect": (*_EVERY, control_unit, indirect),
-}
-"""Laws of a variant; a later part replaces what an earlier one has of the same name."""
-
 METHODS: dict[str, Part] = {"min-friction": pack.SET_AT_MIN, "mean-friction": pack.SET_AT_MEAN}
 _METHODS_UNLIKE: dict[str, Part] = {"min-friction": unlike.SET_AT_MIN, "mean-friction": unlike.SET_AT_MEAN}
 
@@ -63,7 +56,8 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
     """Return the laws of a variant that is set by a method, with what the keys that are given choose among them."""
     unlike_materials = "friction_driving_min" in keys
     slips, slips_from_mean = {"friction": "friction_slips"}, life.FORECAST_OF_SLIPS
-    parts: list[Part] = [*VARIANTS[variant], METHODS[method]]
+    kind = VARIANTS[variant]
+    parts: list[Part] = [*_parts_of(kind), METHODS[method]]
     if unlike_materials:
         parts.append(unlike)
         parts.append(_METHODS_UNLIKE[method])
@@ -71,11 +65,11 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
         slips_from_mean = {"torque_high": "torque_max_from_mean", **unlike.OF_SLIPS_FROM_MEAN}
     else:
         parts.append(pack.ONE_FRICTION)
-        if variant in ("differentiated", "all-driving"):
+        if kind.overload and not kind.travels:
             parts.append(overload)
-        if variant != "indirect":
+        if not kind.travels:
             parts.append(adjustment.DIRECT_ONE_MATERIAL)
-    if variant == "indirect":
+    if kind.travels:
         parts += _sleeve(keys)
     parts += [part for key, chosen in KEYS.items() if key in keys for part in chosen]
     cases: dict[str, Case] = {"slips": slips}
@@ -84,6 +78,16 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
     laws = Laws(*parts, cases=cases)
     laws.made_by = laws_for, variant, method, keys
     return laws
+
+
+def _parts_of(kind: Variant) -> tuple[Part, ...]:
+    """Laws of a variant; a later part replaces what an earlier one has of the same name."""
+    if kind.travels:
+        return (*_EVERY, control_unit, indirect)
+    if not kind.controlled:
+        return (*_DIRECT, direct.CONVENTIONAL)
+    bypass = kind.bypass(1, None)  # a number of its own, whatever the pairs
+    return (*_DIRECT, control_unit, direct.DIFFERENTIATED if bypass else direct.ALL_DRIVING, {"bypass_pairs": bypass})
 
 
 def _sleeve(keys: frozenset[str]) -> Iterator[Part]:

@@ -12,7 +12,7 @@ from random_clutches import random_clutches
 
 from afmcalc.engines import selection
 from afmcalc.engines.quantities import Laws, MissingError, Quantities, laws_in
-from afmcalc.engines.selection import NAMES, VARIANTS, laws_for, quantities_of
+from afmcalc.engines.selection import NAMES, laws_for, quantities_of
 from afmcalc.equations.catalogue import equations
 from afmcalc.errors import AfmcalcError
 from afmcalc.laws import (
@@ -35,6 +35,7 @@ from afmcalc.laws.terms import CASES, TERMS, term_of
 from afmcalc.laws.wiring import Either, Same
 from afmcalc.papers.register import register
 from afmcalc.spec import make_spec, read_spec
+from afmcalc.variants import VARIANTS
 
 MODULES = (
     *(

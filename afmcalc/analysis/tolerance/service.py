@@ -93,7 +93,7 @@ def service_of(model: Model) -> list[Slip]:
     bend = None if not clutch.spec.kind.travels else float(clutch.friction_leaving)
     while True:
         slips = _slips(frictions, model.correlation, count, bend)
-        last, life = life, float(life_of(model, clutch, slips))
+        last, life = life, life_of(model, clutch, slips).item()
         most = _MOST if len(frictions) < 2 else _MOST_OF_TWO
         if count >= most or len(slips) == 1 or abs(life / last - 1) < _ENOUGH:
             return slips
@@ -122,12 +122,20 @@ def _slips(frictions: list[Input], correlation: float, count: int, bend: float |
     return slips
 
 
-def life_of(model: Model, clutch: Clutch, slips: list[Slip]) -> Values:
+def life_of(model: Model, clutch: Clutch, slips: list[Slip]) -> Array:
     """Slips to failure of the protected side (Miner), of one clutch or many: each does the damage 1/N of its torque."""
-    damage: Values = 0.0
-    for slip in slips:
-        damage = damage + slip.share * damage_of(clutch, clutch.torque(*model.frictions(slip.frictions)))
-    return law.cycles_of_mean_damage(damage)
+    damage, block = np.zeros(1), 256
+    for first in range(0, len(slips), block):
+        own = slips[first : first + block]
+        # the slips on an axis before that of the clutches
+        shares, *columns = (
+            np.array(column)[:, None]
+            for column in ([slip.share for slip in own], *zip(*(slip.frictions.values() for slip in own), strict=True))
+        )
+        torque = clutch.torque(*model.frictions(dict(zip(own[0].frictions, columns, strict=True))))
+        damage = damage + (shares * damage_of(clutch, torque)).sum(axis=0)
+    life: Array = law.cycles_of_mean_damage(damage)
+    return life
 
 
 def damage_of(clutch: Clutch, torque: Values) -> Values:
