@@ -85,3 +85,8 @@ def asked_by(kind: type[Result], clutch: Quantities) -> dict[str, str]:
     """Return what the fields of a result, of a sweep say, ask of a clutch: field → quantity, of those that it has."""
     names = {question.field: question.names[0] for question in _questions(kind)}
     return {field: name for field, name in names.items() if name in clutch}
+
+
+def names_asked(kind: type[Result]) -> list[str]:
+    """Return the quantities that the fields of a result ask for."""
+    return [name for question in _questions(kind) for name in question.names]

@@ -12,16 +12,19 @@ import tomllib
 from collections.abc import Callable
 from functools import cache
 from importlib.resources import files
+from itertools import product
 from typing import Any, NamedTuple
 
 from ..engines import Clutch, build
 from ..engines.quantities import NotedStep
+from ..engines.selection import CURVED, KEYS, VARIANTS, laws_for
 from ..equations.catalogue import Equation, equation_of, equations
 from ..papers.claims import Row, reproduce
 from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
 from .answers import Answers
+from .asking import names_asked
 from .explain.explain import noting, shown, steps_of
 from .explain.formula import FormulaText, Leaf, symbol_latex
 from .figures import Request, gathered
@@ -165,8 +168,26 @@ def _parts(equation: Equation) -> list[Callable[..., Any]]:
 
 
 def commands_of(name: str) -> list[str]:
-    """Commands that calculate an equation: what their steps tell, and of what is not explained a list."""
-    return sorted({command for _, command, _ in _steps().get(name, [])}.union(_uses().get(name, ())))
+    """Commands that calculate an equation: by what they ask, by the steps of examples, and others by a list."""
+    steps = {command for _, command, _ in _steps().get(name, [])}
+    return sorted(steps.union(_asking().get(name, ()), _uses().get(name, ())))
+
+
+@cache
+def _asking() -> dict[str, set[str]]:
+    """Law → commands whose results ask for what needs it, in any variant, with any one option."""
+    found: dict[str, set[str]] = {}
+    for variant, option, force in product(VARIANTS, ("", *KEYS, *CURVED, "control_force_made"), ("closing_force", "")):
+        if (option in CURVED or option == "control_force_made") and variant != "indirect":
+            continue
+        keys = frozenset({option, force} - {""})
+        laws = laws_for(variant, "mean-friction", keys)
+        for command in EXPLAINED:
+            for name in names_asked(ANALYSES[command].result_class):
+                for need in laws.needs(name, keys):
+                    if callable(law := laws.laws.get(need)):
+                        found.setdefault(equation_of(need, law).name, set()).add(command)
+    return found
 
 
 @cache

@@ -209,6 +209,8 @@ class Quantities(Named):
         bound = {name: bound[name] for name in own if name in bound}
         root = self._root
         key = frozenset((name, value if type(value) is float else _identity(value)) for name, value in own.items())
+        if self.steps is not None:  # equal frictions stand for different quantities
+            key |= frozenset(bound.items())
         if key not in family:
             scope = object.__new__(Quantities)
             scope.laws, scope.steps, scope._root, scope._own, scope._bound = self.laws, self.steps, root, own, bound

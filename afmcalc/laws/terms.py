@@ -154,7 +154,7 @@ load_risen | T_н.маш + ΔT | N*m | load
 loop_gain | v | 1 | loop gain at f
 machine_torque | T_н.маш | N*m | nominal torque of the machine
 margin | β_н | 1 | torque margin
-margin_in_spring | β_н | 1 | torque margin as far as it is in the spring
+margin_in_spring | β_п | 1 | torque margin as far as it is in the spring
 mean_damage | D_m | 1 | mean damage of a slip over f_min … f_max
 mean_pressure | p | Pa | surface pressure in the mean
 mean_radius | R_cp | m | mean friction radius

@@ -4,6 +4,7 @@ All are set at f_min, so the clutch below its setting does not enter.
 """
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,8 @@ from ..equations.arrays import Values
 from ..laws import accuracy, control_unit, indirect, pack
 from ..messages import say
 from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
+
+_FACTOR: Any = indirect.STRAIGHT["accuracy_factor_as_set"]
 
 _PAIRS, _RADIUS, _HUB, _KEY = 8, 0.1, 0.05, 0.15
 _LOW, _HIGH = 0.1, 0.8
@@ -24,7 +27,7 @@ def factor(gain: Values, stiffness: float = _CLOSING[0]) -> Values:
     """K_т of curves 1–3, (15) mended."""
     net = indirect.net_gain(gain, indirect.gain_threshold(_RADIUS, _KEY, _HUB))
     moving = (indirect.sleeve_stiffness(stiffness, _CONTROL, _PAIRS, friction, net) for friction in (_LOW, _HIGH))
-    return indirect.STRAIGHT["accuracy_factor_as_set"](_LOW, _HIGH, *moving, _PAIRS, net, _LOW)
+    return _FACTOR(_LOW, _HIGH, *moving, _PAIRS, net, _LOW)
 
 
 def base_factor(gain: Values) -> Values:

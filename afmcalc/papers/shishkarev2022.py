@@ -1,5 +1,7 @@
 """Шишкарев 2022 (S22), overload with a torque margin: figures 1–4, and the claims P9–P12, P18–P22 and P31–P37."""
 
+from typing import Any
+
 import numpy as np
 
 from ..equations.arrays import Values
@@ -7,8 +9,12 @@ from ..laws import accuracy, adjustment, direct, indirect, overload
 from ..messages import say, term
 from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
 
+_THRESHOLD: Any = adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"]
+_GAIN_LIMIT: Any = direct.DIFFERENTIATED["gain_limit"]
+_REDUCED_LIMIT: Any = direct.ALL_DRIVING["gain_limit"]
+
 MARGIN, LOW, HIGH = 1.25, 0.1, 0.8
-HIGH_GAIN = float(direct.ALL_DRIVING["gain_limit"](1))
+HIGH_GAIN = float(_REDUCED_LIMIT(1))
 """Largest zC."""
 
 
@@ -208,10 +214,7 @@ def p19() -> Found:
 
 def p20() -> Found:
     """Safe range of f_min with fewer driving pairs."""
-    limits = [
-        float(overload.friction_at_unit_loop_gain((4 - z1) * direct.DIFFERENTIATED["gain_limit"](z1, HIGH)))
-        for z1 in (1, 2, 3)
-    ]
+    limits = [float(overload.friction_at_unit_loop_gain((4 - z1) * _GAIN_LIMIT(z1, HIGH))) for z1 in (1, 2, 3)]
     text = say("1/[(z − z_1) C] for z_1 = 1, 2, 3: {limits:.3f}", limits=limits)
     return Found(text, verdict(limits[0] > limits[1] > limits[2]))
 
@@ -247,9 +250,7 @@ def p22() -> Found:
     friction = np.linspace(LOW, HIGH, 101)
     rises = bool(np.all(np.diff(friction / indirect.sleeve_stiffness(20e3, 10e3, 8, friction, net)) > 0))
     ends = [float(overload.friction_at_equal_potential(low, MARGIN, 5 * low)) for low in (0.1, 0.2)]
-    thresholds = [
-        float(adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"](1, 1.6, 0.15, 0.33, margin)) for margin in (1.25, 1.5)
-    ]
+    thresholds = [float(_THRESHOLD(1, 1.6, 0.15, 0.33, margin)) for margin in (1.25, 1.5)]
     text = say(
         "rises: {rises}; {ends:.3f}; z > {thresholds:.3f}",
         rises=term("yes" if rises else "no"),
@@ -289,7 +290,7 @@ def p33() -> Found:
 def p34() -> Found:
     """The all-driving clutch is the more accurate one, without and with the effect of the margin."""
     pairs = np.arange(2.0, 13.0)
-    reduced = (pairs - 1) * direct.DIFFERENTIATED["gain_limit"](1, HIGH)
+    reduced = (pairs - 1) * _GAIN_LIMIT(1, HIGH)
     expected, actual = np.asarray(expected_factor(reduced)), np.asarray(actual_factor(reduced))
     driving = [float(of(HIGH_GAIN)) for of in (expected_factor, actual_factor)]
     text = say(
