@@ -15,9 +15,7 @@ class Named:
     accuracy_factor_hysteresis: Values  # K_т,h, 1: accuracy factor under a load that lasts, T_max/T_ret,min
     accuracy_factor_of_path: Values  # K_т, 1: accuracy factor along the common path of f_1 and f_2
     accuracy_factor_peak: Values  # K_т,p, 1: accuracy factor by breakaway peaks (upper bound)
-    accuracy_factor_worst_case: (
-        Values  # K_т,w, 1: accuracy factor, f_1 of the bypass and f_2 of the other pairs independent
-    )
+    accuracy_factor_worst_case: Values  # K_т,w, 1: accuracy factor, f_1 of the bypass and f_2 of the other pairs independent
     actuation_factor: Values  # A, 1: published over expected actuation torque
     actuation_torque_equilibrium: Values  # T_eq, N*m: actuation torque at equilibrium, without misprint M12
     actuation_torque_max: Values  # T_act, N*m: the larger of T_ср and T_муф at f_max
@@ -173,9 +171,7 @@ class Named:
     no_slope: Values  # C_1, 1/m: growth of the gain with travel where no wall holds the torque
     nothing: Values  # 0, 1: nothing
     onset_torque: Values  # T_1(0), N*m: torque that the bypass pairs carry alone, before the balls take a share
-    optimal_reduced_gain: (
-        Values  # (zC)_opt, 1: reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum
-    )
+    optimal_reduced_gain: Values  # (zC)_opt, 1: reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum
     outer_radius: Values  # r_o, m: outer radius of the friction surface
     pack_force_at_rest: Values  # N(0), N: force on the pack of the clutch at rest
     pairs: Values  # z, 1: friction pairs

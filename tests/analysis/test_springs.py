@@ -82,7 +82,7 @@ def test_every_part_gives_what_is_wanted_within_the_room():
     result, found = springs(own, top=1000)
     assert result.closing_found == len(result.closing) > 20
     assert result.control_found == len(result.control) > 20
-    travel, worn = own.travel(0.8), 8 * 0.5e-3
+    travel, worn = own.at(0.8)["travel"], 8 * 0.5e-3
     cases = (
         (result.closing, 2000, 4e5, (travel, 0), (20e-3, *ROOM[1:])),
         (result.control, own.control_force, 2e5, (worn, travel), (30e-3, 200e-3, 0.3)),
@@ -116,7 +116,7 @@ def test_every_part_gives_what_is_wanted_within_the_room():
 def test_no_shorter_stack_is_missed():
     """Against every stack of up to 6 × 80 discs without flats."""
     own = clutch(INDIRECT, *room("closing_spring", inner=20e-3), *room("control_spring"))
-    travel, shortest = own.travel(0.8), math.inf
+    travel, shortest = own.at(0.8)["travel"], math.inf
     for size in discs():
         if size.reduced_thickness is not None or size.inner_diameter < 20e-3 or size.outer_diameter > 160e-3:
             continue
@@ -180,8 +180,8 @@ def test_what_the_springs_go_through():
     assert (direct.relaxes, direct.compresses, direct.follows) == (4e-3, 0, 8)
     own = clutch(INDIRECT, "heat.lining=0.5e-3")
     closing, control = own.spring_demands()
-    assert (closing.relaxes, closing.follows) == (own.travel(0.8), None)
-    assert (control.relaxes, control.compresses, control.follows) == (4e-3, own.travel(0.8), 8)
+    assert (closing.relaxes, closing.follows) == (own.at(0.8)["travel"], None)
+    assert (control.relaxes, control.compresses, control.follows) == (4e-3, own.at(0.8)["travel"], 8)
     assert control.force == own.control_force
 
 

@@ -51,7 +51,7 @@ def test_the_next_standard_ball_not_smaller(spec, gap, clearance):
 def test_the_balls_of_a_direct_clutch_carry_only_t_2():
     clutch = build(read_spec())
     result, _ = synthesize(clutch)
-    carried = clutch.release_force(0.8) * 0.05 / math.tan(result.wall_angle)
+    carried = clutch.at(0.8)["release_force"] * 0.05 / math.tan(result.wall_angle)
     assert result.contact_force * 6 * math.cos(result.wall_angle) * 0.05 == pytest.approx(carried)
     assert carried < clutch.torque(0.8)
 

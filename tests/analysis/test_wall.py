@@ -184,7 +184,7 @@ def test_the_contact_where_it_is_used_most():
     assert found.contact_basis == "hertz-ball-on-curved-wall"
     used, forces = [], []
     for friction in np.linspace(0.1, 0.8, 200):
-        angle = math.atan((clutch.gain + clutch.gain_slope * clutch.travel(friction)) * 0.5)
+        angle = math.atan((clutch.gain + clutch.gain_slope * clutch.at(friction)["travel"]) * 0.5)
         force = clutch.torque(friction) / (6 * 0.05 * math.cos(angle))
         forces.append(force)
         rho = 1 / (375 * 0.5 * math.cos(angle) ** 3)

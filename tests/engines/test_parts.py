@@ -5,6 +5,7 @@ import math
 import pytest
 from conftest import CONFIGS
 
+from afmcalc.analysis.clutch_findings import clutch_findings
 from afmcalc.analysis.springs.springs import option_of, part_of, springs
 from afmcalc.engines import build
 from afmcalc.engines.parts import INNER, PartCheck
@@ -30,7 +31,8 @@ def rate(wire, diameter, turns, count=1):
 
 
 def found_by(path, *overrides):
-    return {each.code: each for each in build(read_spec(path, overrides)).findings()}
+    spec = read_spec(path, overrides)
+    return {each.code: each for each in clutch_findings(spec, build(spec).quantities)}
 
 
 def test_check_judges_the_stress_of_a_coil(afmcalc):
@@ -88,7 +90,7 @@ def test_a_coil_that_the_sleeve_presses_solid():
     stiffness = rate(14e-3, 70e-3, 4)
     given = f"control_spring.stiffness={stiffness}"
     plain = build(read_spec(INDIRECT, [given]))
-    set_at, travel = plain.control_force / stiffness, plain.travel(0.8)
+    set_at, travel = plain.control_force / stiffness, plain.at(0.8)["travel"]
     free = 6 * 14e-3 + set_at + travel / 2
     sizes = {"wire_diameter": 14e-3, "coil_diameter": 70e-3, "turns": 4, "free_length": free}
     told = found_by(INDIRECT, given, coil("control_spring", **sizes))["coil-solid"]
@@ -140,11 +142,13 @@ def test_a_coil_that_moves_at_every_trip(cycles, loading, level):
     assert (own.loading, own.stress_correction) == (loading, pytest.approx(factor))
     upper = 8 * 4500 * 36e-3 / (math.pi * 8e-3**3)
     assert own.stress == pytest.approx(factor * upper)
-    lower = upper * (1 - clutch.travel(0.8) * rate(8e-3, 36e-3, 5.5) / 4500)
+    lower = upper * (1 - clutch.at(0.8)["travel"] * rate(8e-3, 36e-3, 5.5) / 4500)
     ultimate = 0.67 * (1980 - 740 * math.log10(8))
     alternating = factor * (upper - lower) / 2e6 / (241 / (1 - 379 / ultimate))
     assert alternating + factor * (upper + lower) / 2e6 / ultimate > 1 or level is None
-    assert {each.code: each.level for each in clutch.findings()}.get("coil-fatigue") == level
+    assert {each.code: each.level for each in clutch_findings(clutch.spec, clutch.quantities)}.get(
+        "coil-fatigue"
+    ) == level
 
 
 @pytest.mark.slow
@@ -154,14 +158,18 @@ def test_what_is_found_holds_what_is_named(path):
     room = {"inner_diameter": 0.02, "outer_diameter": 0.08, "length": 0.06}
     spec = read_spec(path, [f"closing_spring.room.{name}={value}" for name, value in room.items()])
     result, _ = springs(build(spec), top=1000)
-    before = build(spec).findings()
+    before = clutch_findings(spec, build(spec).quantities)
     assert {each.kind for each in result.closing} == {"disc", "coil"}
     for each in result.closing[::7]:
         values = {"disc": None, "coil": None, "stiffness": each.stiffness} | {each.kind: part_of(each)}
         named = spec
         for name, value in values.items():
             named = with_values(named, {f"closing_spring.{name}": value})
-        after = [own for own in build(named).findings() if own.path and own.path.startswith("closing_spring.")]
+        after = [
+            own
+            for own in clutch_findings(named, build(named).quantities)
+            if own.path and own.path.startswith("closing_spring.")
+        ]
         # of any disc it is said that its curve counts
         assert [own for own in after if own not in before and own.code != "curved-springs"] == []
 

@@ -65,10 +65,10 @@ def test_every_analysis_of_a_pocket_that_holds():
     assert (solved.accuracy_factor, result.value < BEST) == (pytest.approx(1.2), True)
     assert {"solve-replaces", "solve-another-value"} <= codes(findings), "the pocket it had, and a slope beyond C_1*"
     shown = {step.function: step for step in explain("accuracy", held.spec)[0].steps}
-    assert shown["pocket.constant_torque_slope"].substituted.startswith("(20000 N/m + 10000 N/m)")
-    assert {"pocket.tangent_stiffness_squared", "pocket.sleeve_stiffness", "pocket.travel"} <= set(shown)
+    assert shown["indirect.constant_torque_slope"].substituted.startswith("(20000 N/m + 10000 N/m)")
+    assert {"curved.tangent_stiffness_squared", "curved.sleeve_stiffness_curved", "curved.travel_moving"} <= set(shown)
     straight, _ = explain("torque", clutch().spec)
-    assert not any(step.function.startswith("pocket.") for step in straight.steps), "a straight wall is S21's own law"
+    assert not any(step.function.startswith("curved.") for step in straight.steps), "a straight wall is S21's own law"
 
 
 def test_life_where_the_torque_jumps():

@@ -13,6 +13,7 @@ from pydantic import TypeAdapter, ValidationError
 from sources import REFUSED
 from strategies import direct_specs
 
+from afmcalc.analysis.clutch_findings import clutch_findings
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, FileError, SpecError
 from afmcalc.spec import Spec, make_spec, models, read_spec, resolved, to_toml
@@ -85,7 +86,7 @@ def test_radius_models():
 def test_material_gives_the_range_and_is_echoed():
     spec = make_spec(changed(friction={"material": "moulded-dry"}))
     assert spec.friction.range == (0.25, 0.35, 0.45)
-    (finding,) = [f for f in build(spec).findings() if f.code == "material"]
+    (finding,) = [f for f in clutch_findings(spec, build(spec).quantities) if f.code == "material"]
     assert "0.25…0.45" in finding.message
     assert "Juvinall" in finding.message
     assert resolved(make_spec(resolved(spec))) == resolved(spec)

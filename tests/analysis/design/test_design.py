@@ -182,7 +182,7 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
         width is None or (radius > width / 2 and pack / (2 * math.pi * radius * width) <= limits.surface_pressure * over),
         limits.outer_diameter is None or 2 * radius + width <= limits.outer_diameter * over,
         limits.reduced_gain is None or clutch.reduced_gain <= limits.reduced_gain * over,
-        not limits.gain_limit or clutch.gain_limit is None or clutch.gain <= clutch.gain_limit * over,
+        not limits.gain_limit or clutch.gain <= clutch.quantities.get("gain_limit", math.inf) * over,
         variant != "indirect" or fixed.hub_diameter <= 2 * radius - (width or 0.0),
     ]  # fmt: skip
     if (material := need.friction.material) is not None and width is not None:
@@ -195,7 +195,7 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
         ball, travel = ball_of(need, clutch, made), made.travel_max
         held.append(ball is not None)
     if turn is not None and clutch.gain == 0 and limits.contact_force is not None:
-        moment = clutch.ball_torque(need.friction.range.max)
+        moment = clutch.at(need.friction.range.max).get("driven_torque", 0.0)
         held.append(moment / (fixed.balls * circle) <= limits.contact_force * over)
     if not all(held):
         return None

@@ -6,17 +6,27 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import sympy
+from afmcalc.analysis.explain.trace import CallReader, distinct
+from afmcalc.equations.calls import noted
 from conftest import CONFIGS, S21, fewer
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.accuracy import accuracy
+<<<<<<< HEAD
 from afmcalc.analysis.explain.explain import explain, noting, shown, steps_of
 from afmcalc.analysis.explain.formula import Expression, FormulaText, Leaf
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equation_of, equations
+=======
+from afmcalc.analysis.explain.explain import explain
+from afmcalc.analysis.explain.formula import FormulaText
+from afmcalc.analysis.registry import ANALYSES, EXPLAINED
+from afmcalc.engines import build
+from afmcalc.equations.catalogue import equations
+>>>>>>> w-t3
 from afmcalc.errors import AfmcalcError
 from afmcalc.spec import make_spec, read_spec, resolved
 
