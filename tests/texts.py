@@ -30,7 +30,7 @@ SAYING = (
 @cache
 def texts() -> set[Key]:
     """Context and text of every literal and every entry of a table that is worded."""
-    sources = (_literals(), _tables(), _pages(), _fields(), _equations(), _papers(), _examples())
+    sources = (_literals(), _tables(), _pages(), _fields(), _equations(), _cases(), _papers(), _examples())
     return {key for source in sources for key in source if worded(key[1])}
 
 
@@ -133,6 +133,12 @@ def _equations() -> Iterator[Key]:
     for each in equations().values():
         terms = (term.meaning for term in (*each.arguments.values(), each.result))
         yield from (("", text) for text in (each.about, each.validity, each.source, *terms) if text)
+
+
+def _cases() -> Iterator[Key]:
+    from afmcalc.laws.terms import CASES
+
+    yield from (("", words) for words in CASES.values())
 
 
 def _papers() -> Iterator[Key]:
