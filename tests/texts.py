@@ -30,7 +30,7 @@ SAYING = (
 @cache
 def texts() -> set[Key]:
     """Context and text of every literal and every entry of a table that is worded."""
-    sources = (_literals(), _tables(), _pages(), _fields(), _equations(), _papers(), _examples())
+    sources = (_literals(), _tables(), _pages(), _fields(), _equations(), _terms(), _papers(), _examples())
     return {key for source in sources for key in source if worded(key[1])}
 
 
@@ -133,6 +133,14 @@ def _equations() -> Iterator[Key]:
     for each in equations().values():
         terms = (term.meaning for term in (*each.arguments.values(), each.result))
         yield from (("", text) for text in (each.about, each.validity, each.source, *terms) if text)
+
+
+def _terms() -> Iterator[Key]:
+    """Meanings of what has a unit: else it is not shown; and how cases are called."""
+    from afmcalc.laws.terms import CASES, TERMS
+
+    meanings = (each.meaning for each in TERMS.values() if each.unit)
+    yield from (("", text) for text in (*meanings, *CASES.values()))
 
 
 def _papers() -> Iterator[Key]:
