@@ -169,7 +169,7 @@ def contact_pressure_at_ball(allowable_pressure, contact_force_at_ball, contact_
     Source: Johnson, Contact Mechanics (1985), (4.24), (4.30).
     Validity: Elastic, frictionless, contact small against the ball.
     """
-    allowable = math.pi**3 * allowable_pressure**3 * contact_radius_at_ball**2 / (6 * contact_modulus**2)
+    allowable = (math.pi * allowable_pressure) ** 3 * contact_radius_at_ball**2 / (6 * contact_modulus**2)
     return allowable_pressure * (contact_force_at_ball / allowable) ** (1 / 3)
 
 
