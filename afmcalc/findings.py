@@ -85,8 +85,8 @@ def told_once(findings: Iterable[Finding]) -> list[Finding]:
 
 
 FINDINGS: Mapping[str, str] = {
-    "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
-    "friction from f_min to f_max is taken as equally likely, and the life is that of the mean damage (Miner)",
+    "slips-averaged": "every slip swings the load from 0 to T(f) and back; every friction from f_min to f_max is taken "
+    "as equally likely, and the life is that of the mean damage (Miner)",
     "bad-spec": "{where}: {problem}",
     # torque, accuracy, overload, compare
     "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",
@@ -97,6 +97,8 @@ FINDINGS: Mapping[str, str] = {
     "(misprint M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
     "elasticity-one-sided": "at C_1 = C_1* = {limit:.4g 1/mm} K_т has its least value with a kink: each relative "
     "sensitivity holds for a change to one side only",
+    "elasticity-one-sided/key": "K_т has a kink here: the relative sensitivity to {paths} holds for a smaller value "
+    "only",
     "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
     "the spring as set, not as the surplus force of the mean-friction setting",
     "narrower-below-nominal": "the narrower band is that of {method}, with which the torque falls to {value:.5g N·m} "
@@ -216,8 +218,6 @@ FINDINGS: Mapping[str, str] = {
     "wall-undercut/gain": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
     "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: a gain of "
     "{gain:.4g} makes it possible; so do softer springs, a smaller gap or clearance",
-    "both-sleeves-unstable": "with the curved wall in both sleeves nothing makes the ball share the travel equally: "
-    "F_o (tan α_1 − tan α_2) drives it on into the steeper wall. Give it a cage, or profile one sleeve",
     "ball-slides-in-seat": "the ball stays seated in the sleeve with the straight walls and slides there: the gain is "
     "that of rolling only as far as its friction is small",
     "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
@@ -251,9 +251,6 @@ FINDINGS: Mapping[str, str] = {
     # effects
     "splines-lock": "μ_s f R/r_s reaches {value:.3g}: from {limit:g} on a disc locks in its spline, and the pack no "
     "longer follows spring and balls",
-    "cams-lock": "the friction of the walls leaves a gain of {value:.3g}, no more than {limit:.3g}: the cams are not "
-    "driven up, the clutch is an ordinary one",
-    "cams-stay": "the friction of the walls, {value:.3g}, is not below cot α = {limit:.3g}: no cam slides back",
     "force-used-up": "{path} takes {value:.5g kN} from the {limit:.5g kN} that press the pack: nothing is left of it",
     "effect-on-accuracy": "{effect}: K_т lies between {low:.4g} and {high:.4g}, the law says {limit:.4g}",
     "effect-on-torque": "{effect}: the torque changes by up to {value:+.1%}",
@@ -313,8 +310,6 @@ FINDINGS: Mapping[str, str] = {
     "room-not-given": "{path}.inner_diameter, {path}.outer_diameter or {path}.length is not given: nothing "
     "bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
-    "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g kN}, more than the "
-    "allowable {limit:.5g kN}: the curved wall pushes the ball across it",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g MPa…}{high:g MPa} of {name}",

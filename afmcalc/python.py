@@ -2,13 +2,14 @@
 
 import os
 import typing
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from . import __version__, engines
 from .analysis.registry import ANALYSES, SpringKind, SpringOrder, StressRule
-from .engines.protocol import Clutch as Engine
+from .engines import Clutch as Engine
+from .engines.quantities import Quantities
 from .equations.arrays import Floats
 from .errors import BEYOND_NUMBERS, VARIABLE, CalculationError, chosen_language
 from .findings import Finding
@@ -47,19 +48,19 @@ chosen_language("", {VARIABLE: os.environ.get(VARIABLE, "en")})  # refuses anoth
 class Clutch:
     """A clutch that is asked by a method for each command: ``clutch.accuracy()``, ``clutch.life(sweep="dT")``.
 
-    An answer is the result of the command, with ``findings``, ``spec``, ``to_dict()`` and ``to_dataframe()``. What the
-    engine gives, as numbers or arrays of any shape, the clutch has too: ``clutch.accuracy_factor``, which type checkers
-    know as ``clutch.engine.accuracy_factor``.
+    An answer is the result of the command, with ``findings``, ``spec``, ``to_dict()``, ``to_dataframe()``. Quantities
+    are asked by name, in SI: ``clutch["accuracy_factor"]``; what depends on friction in a case, ``clutch.at("f_max")``,
+    or at a friction, ``clutch.at(friction=0.3).torque``.
     """
 
     def __init__(self, spec: Spec | Mapping[str, object]) -> None:
         """Build the clutch of a spec."""
-        self.engine: Engine = engines.build(spec)
+        self._engine: Engine = engines.build(spec)
 
     @property
     def spec(self) -> Spec:
         """The spec it was built from."""
-        return self.engine.spec
+        return self._engine.spec
 
     def with_(self, keys: Mapping[str, object] | None = None, /, **named: object) -> "Clutch":
         """Return the clutch with other values of some keys, by name, symbol or path; None removes a key.
@@ -98,7 +99,7 @@ class Clutch:
 
         from .analysis.simulate import history
 
-        moments = [moment.to_dict() for moment in history(self.engine, _pairs(friction)).moments]
+        moments = [moment.to_dict() for moment in history(self._engine, _pairs(friction)).moments]
         names = [name for name, value in moments[0].items() if value is not None]
         return {name: np.array([moment[name] for moment in moments]) for name in names}
 
@@ -123,7 +124,7 @@ class Clutch:
         from .analysis.solve.solve import parse_target
 
         target, value, questions = parse_target(f"{target}={wanted}")
-        result, solved, findings = _asked("solve", self.engine, name, target, value, beyond_limit=beyond_limit)
+        result, solved, findings = _asked("solve", self._engine, name, target, value, beyond_limit=beyond_limit)
         return _answered("solve", solved.spec, result, [*questions, *findings])
 
     def springs(
@@ -151,18 +152,28 @@ class Clutch:
     def torque(self, *friction: Any, **named: Any) -> object:
         """Slip torque, N·m, at a friction or an array of them; without one what the command gives."""
         if friction or named:
-            return self.engine.torque(*friction, **named)
+            return self._engine.torque(*friction, **named)
         return self._ask("torque")
 
-    if not TYPE_CHECKING:
+    def at(self, case: str = "", /, **values: Any) -> Quantities:
+        """Quantities in a case (``f_max``), or with other values of some (``friction``): numbers, or arrays of them.
 
-        def __getattr__(self, name: str) -> object:
-            """Return what the engine gives."""
-            return getattr(self.engine, name)
+        Raises:
+            LookupError: no such case or quantity; says what is near.
+        """
+        return self._engine.quantities.at(case, **values)
 
-    def __dir__(self) -> Iterator[str]:
-        """List what the engine gives too."""
-        yield from {*super().__dir__(), *dir(self.engine)}
+    def __getitem__(self, name: str) -> Any:
+        """Return a quantity that depends on no case, or in one: ``clutch["torque_at_f_max"]``.
+
+        Raises:
+            LookupError: no such quantity, or one that needs a case; says what is near, or which cases there are.
+        """
+        return self._engine.quantities[name]
+
+    def names(self) -> list[str]:
+        """Quantities that can be asked, some of them only in a case or at a friction."""
+        return self.at("f_max").names()
 
     def __reduce__(self) -> tuple[type["Clutch"], tuple[Spec]]:
         """Copy and pickle the spec; the clutch is built from it."""
@@ -173,14 +184,14 @@ class Clutch:
         return f"<{self.spec.variant} clutch of {self.spec.label}>"
 
     def _ask(self, command: str, *arguments: object, **options: object) -> Any:
-        return _answered(command, self.spec, *_asked(command, self.engine, *arguments, **options))
+        return _answered(command, self.spec, *_asked(command, self._engine, *arguments, **options))
 
     def _axes(self, sweep: Sweep, *, band: bool = False) -> "list[Axis]":
         if not sweep:
             return []
         from .analysis.life import parse_axes
 
-        return parse_axes([sweep] if isinstance(sweep, str) else sweep, self.engine, band=band)
+        return parse_axes([sweep] if isinstance(sweep, str) else sweep, self._engine, band=band)
 
 
 def _asked(command: str, *arguments: object, **options: object) -> Any:
@@ -228,7 +239,7 @@ build = Clutch
 def compare(*clutches: Clutch | str | PathLike[str], variants: bool = False) -> "CompareResult":
     """Several clutches, or files of specs, side by side; with ``variants`` one as every variant it can be built as."""
     compared = [clutch if isinstance(clutch, Clutch) else load(clutch) for clutch in clutches or (None,)]
-    answer = _asked("compare", [clutch.engine for clutch in compared], variants=variants)
+    answer = _asked("compare", [clutch._engine for clutch in compared], variants=variants)
     return _answered("compare", compared[0].spec, *answer)
 
 

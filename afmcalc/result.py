@@ -66,6 +66,10 @@ class Shown:
     """``name`` → what people read in place of a name, of each in a list, or of each key of a dictionary."""
     steps: bool = False
     """Whether a list holds the steps of an explanation."""
+    asked: bool = False
+    """Whether the value is a quantity of a clutch, as ``analysis.asking`` asks it."""
+    quantity: str = ""
+    """Its name, where it is not that of the field."""
 
     def __call__(self, schema: dict[str, Any]) -> None:
         """Write what a program wants to know."""

@@ -94,8 +94,11 @@ class Variant:
         return self.bypass(1, driving_pairs) + 1 if self.controlled else 1
 
 
+_breakaway: Any = direct.DIFFERENTIATED["gain_limit"]
+_recommended: Any = direct.ALL_DRIVING["gain_limit"]
+
 BREAKAWAY_LIMIT = GainLimit(
-    most=direct.gain_limit_differentiated,
+    most=_breakaway,
     code="gain-above-limit",
     quantity="feedback gain",
     symbol="C ≤ 1/(z_1 f_1max)",
@@ -104,12 +107,12 @@ BREAKAWAY_LIMIT = GainLimit(
 """Above it the bypass pairs alone carry more than the regulated torque (F11, after (20), S22 (24))."""
 
 REDUCED_LIMIT = GainLimit(
-    most=lambda pairs, friction_max: direct.gain_limit_all_driving(pairs),
+    most=lambda pairs, friction_max: _recommended(pairs),
     code="reduced-gain-above-limit",
     quantity="reduced gain",
-    symbol=f"zC ≤ {direct.RECOMMENDED_REDUCED_GAIN}",
-    rule=f"zC = {direct.RECOMMENDED_REDUCED_GAIN}",
-    reduced=direct.RECOMMENDED_REDUCED_GAIN,
+    symbol="zC ≤ 5",
+    rule="zC = 5",
+    reduced=5,
 )
 """Recommended by S22."""
 
@@ -155,7 +158,6 @@ VARIANTS: dict[str, Variant] = {
             takes=(
                 "control_unit.gain_slope",
                 "control_unit.pocket",
-                "control_unit.profiled",
                 "control_unit.sleeve_mass",
                 "drive.hub_inertia",
             ),

@@ -88,8 +88,8 @@ def test_other_values_of_keys():
     assert other.torque(0.2) == pytest.approx(1000 * 0.1 * 4 * 0.2 / (1 + 4 * 1.2 * 0.2))
     assert (other.spec.friction.max, other.spec.control_unit.wall_angle) == (0.5, None)
     assert clutch.spec.control_unit.gain is None
-    assert other.with_(gain=None, wall_angle=math.radians(14)).gain == pytest.approx(gain)
-    assert clutch.with_(gain=None).gain == pytest.approx(gain), "nothing takes the place of the angle"
+    assert other.with_(gain=None, wall_angle=math.radians(14))["gain"] == pytest.approx(gain)
+    assert clutch.with_(gain=None)["gain"] == pytest.approx(gain), "nothing takes the place of the angle"
     assert package.load(None, {"margin": None}).spec.adjustment.margin == 1
     assert clutch.with_(nominal_torque=100.0).torque(0.1) == pytest.approx(100)
     for wrong, says in (({"gian": 1}, "did you mean"), ({"gain": -1}, "gain"), ({"pairs": 4.5}, "whole")):
@@ -107,13 +107,36 @@ def test_a_clutch_and_an_answer_can_be_copied_and_kept():
         assert isinstance(other, package.Clutch)
         assert (other.spec, other.torque()) == (clutch.spec, clutch.torque())
         assert (answer, str(answer), answer.findings) == (swept, str(swept), swept.findings)
-    assert clutch.accuracy_factor == clutch.engine.accuracy_factor == clutch.accuracy().accuracy_factor
-    for each in (clutch, swept):
-        assert "accuracy_factor" in dir(each)
+    assert clutch["accuracy_factor"] == clutch.accuracy().accuracy_factor
+    for each, name in ((clutch, "accuracy"), (swept, "accuracy_factor")):
+        assert name in dir(each)
         with pytest.raises(AttributeError, match="nothing"):
             _ = each.nothing
     solved = package.load().solve("C", "accuracy_factor", 2.0)
-    assert package.build(solved.spec).accuracy_factor == pytest.approx(2)
+    assert package.build(solved.spec)["accuracy_factor"] == pytest.approx(2)
+
+
+def test_quantities_are_asked_by_name():
+    """What depends on friction is asked in a case or at a friction; who misspells a name is told what is near."""
+    clutch, friction = package.load("example:default"), np.linspace(0.1, 0.8, 1001)
+    assert clutch["accuracy_factor"] == clutch.accuracy().accuracy_factor
+    assert clutch.at("f_max").torque == clutch["torque_at_f_max"] == clutch.torque(0.8)
+    assert clutch.at(friction=friction).torque.tolist() == clutch.torque(friction).tolist()
+    assert clutch.at("f_max", gain=0.0).torque > clutch.at("f_max").torque
+    assert {"torque", "accuracy_factor", "gain"} <= {*clutch.names()}
+    assert {"torque", "gain"} <= {*dir(clutch.at("f_min"))}
+    assert "travel" not in clutch.names(), "it has no sleeve"
+    for ask, says in (
+        (lambda: clutch["torque"], "torque needs friction.* in a case: .*f_min, f_mean, f_max"),
+        (lambda: clutch["torqe"], "did you mean 'torque'"),
+        (lambda: clutch["travel"], "no quantity 'travel'"),
+        (lambda: clutch.at("f_mx"), "did you mean 'f_max'"),
+        (lambda: clutch.at(frition=0.2), "did you mean 'friction'"),
+    ):
+        with pytest.raises(LookupError, match=says):
+            ask()
+    with pytest.raises(AttributeError, match="did you mean 'torque'"):
+        _ = clutch.at("f_max").torqe
 
 
 def test_an_answer_shows_itself():

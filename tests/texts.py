@@ -39,7 +39,7 @@ SAYING = [
 @cache
 def texts() -> set[Key]:
     """Context and text of every literal and every entry of a table that is worded."""
-    sources = (_literals(), _tables(), _pages(), _fields(), _equations(), _papers(), _examples())
+    sources = (_literals(), _tables(), _pages(), _fields(), _equations(), _terms(), _papers(), _examples())
     return {key for source in sources for key in source if worded(key[1])}
 
 
@@ -110,11 +110,24 @@ def below(part: Any, key: str) -> Iterator[Any]:
 
 
 def _equations() -> Iterator[Key]:
-    from afmcalc.equations.catalogue import equations
+    from afmcalc.engines import disc_balance
+    from afmcalc.equations.catalogue import equation_of, equations
+    from afmcalc.equations.terms import TERMS
 
+    for name, law in (vars(disc_balance) | disc_balance.CURVED).items():
+        if name in TERMS and callable(law) and TERMS[name].unit:
+            yield "", equation_of(name, law).source
     for each in equations().values():
         terms = (term.meaning for term in (*each.arguments.values(), each.result))
         yield from (("", text) for text in (each.about, each.validity, each.source, *terms) if text)
+
+
+def _terms() -> Iterator[Key]:
+    """Meanings of what has a unit: else it is not shown; and how cases are called."""
+    from afmcalc.equations.terms import CASES, TERMS
+
+    meanings = (each.meaning for each in TERMS.values() if each.unit)
+    yield from (("", text) for text in (*meanings, *CASES.values()))
 
 
 def _papers() -> Iterator[Key]:

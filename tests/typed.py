@@ -26,6 +26,10 @@ assert_type(clutch.explain("torque").steps[0].value, float)
 assert_type(afmcalc.compare(clutch, variants=True).clutches[0].accuracy_factor, float)
 assert_type([finding.code for finding in clutch.check().findings], list[str])
 
+at_most = clutch.at("f_max", gain=0.7)
+assert_type(at_most.torque, float | NDArray[np.float64])
+assert_type(clutch.names(), list[str])
+
 drive = afmcalc.load("example:drive")
 assert_type(drive.heat().energy.max, float | None)
 assert_type(drive.effects().accuracy_factor, float)
@@ -33,6 +37,8 @@ assert_type(drive.effects().accuracy_factor, float)
 # what there is not, type checkers refuse too
 with suppress(AttributeError):
     clutch.acuracy()  # type: ignore[attr-defined]
+with suppress(AttributeError):
+    at_most.torqe  # type: ignore[attr-defined]  # noqa: B018
 with suppress(AttributeError):
     clutch.check().pased  # type: ignore[attr-defined]  # noqa: B018
 with suppress(AttributeError):

@@ -1,11 +1,9 @@
 """What was asked of one clutch, each answer calculated once."""
 
-from contextlib import nullcontext
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ..engines.protocol import Clutch
-from ..equations.calls import unnoted
+from ..engines import Clutch, build
 from ..findings import Finding
 from ..result import Result
 from .registry import ANALYSES, StressRule
@@ -17,7 +15,10 @@ R = TypeVar("R", bound=Result)
 
 
 class Answers:
-    """A clutch with the answers to what was asked of it; each is calculated when first asked for, and kept."""
+    """A clutch with the answers to what was asked of it; each is calculated when first asked for, and kept.
+
+    Of a clutch that notes its steps (``explain``) an analysis that is not explained asks another, which does not.
+    """
 
     def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress", scattered_peaks: bool = True) -> None:
         """Ask of ``clutch``, the life by ``model``; ``scattered_peaks``: of its tolerances, those of the peaks too."""
@@ -29,12 +30,12 @@ class Answers:
         """Return result and findings of an analysis, run at most once."""
         if name not in self._answers:
             analysis = ANALYSES[name]
-            with nullcontext() if analysis.explained else unnoted():
-                if name == "tolerance":
-                    self._answers[name] = self.study.result, self.study.findings
-                else:
-                    options = {option: self._options[option] for option in analysis.options}
-                    self._answers[name] = analysis.function(self.clutch, **options)
+            if name == "tolerance":
+                self._answers[name] = self.study.result, self.study.findings
+            else:
+                options = {option: self._options[option] for option in analysis.options}
+                clutch = self.clutch if analysis.explained else self.quiet
+                self._answers[name] = analysis.function(clutch, **options)
         return self._answers[name]
 
     def of(self, kind: type[R]) -> R:
@@ -43,8 +44,13 @@ class Answers:
         return self.ask(name)[0]
 
     @cached_property
+    def quiet(self) -> Clutch:
+        """The clutch without notes of its steps."""
+        return self.clutch if self.clutch.quantities.steps is None else build(self.clutch.spec)
+
+    @cached_property
     def study(self) -> "Study":
         """The tolerance study, with what only a picture needs."""
         from .tolerance.study import study
 
-        return study(self.clutch, peaks=self._scattered_peaks)
+        return study(self.quiet, peaks=self._scattered_peaks)

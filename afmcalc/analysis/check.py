@@ -4,13 +4,14 @@ import math
 from collections.abc import Collection, Iterator
 from typing import ClassVar
 
-from ..engines.protocol import Clutch
+from ..engines import Clutch
 from ..errors import CalculationError, SpecError
 from ..findings import Finding, finding
 from ..result import Answer, described
 from ..spec.catalogues import friction_materials
 from ..spec.edit import value_at
 from .answers import Answers
+from .clutch_findings import clutch_findings
 from .limits import Utilisation, hub_findings, pressure_findings, shaft_findings, utilisations
 from .registry import ANALYSES
 from .requirements import RequirementRow, requirement_rows, simulating
@@ -89,7 +90,12 @@ def found_unsimulated(clutch: Clutch) -> list[Finding]:
 def _findings(answers: Answers, without: Collection[str]) -> list[Finding]:
     """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
     clutch = answers.clutch
-    findings = [*clutch.findings(), *pressure_findings(clutch), *hub_findings(answers), *_unusual(answers)]
+    findings = [
+        *clutch_findings(clutch.spec, clutch.quantities),
+        *pressure_findings(clutch),
+        *hub_findings(answers),
+        *_unusual(answers),
+    ]
     findings += shaft_findings(answers, simulated="simulate" not in without)
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
@@ -118,9 +124,10 @@ def _unusual(answers: Answers) -> Iterator[Finding]:
 def _figures(answers: Answers) -> Iterator[tuple[str, str, float, float, float]]:
     """Figures of the design: code of its finding, key, value, and between what it usually lies."""
     clutch = answers.clutch
-    spec, radius = clutch.spec, float(clutch.mean_radius)
+    spec, own = clutch.spec, clutch.quantities
+    radius = float(own["mean_radius"])
     blocks = ("friction.driving", "friction.driven") if spec.friction.unlike else ("friction",)
-    for path, friction in zip(blocks, clutch.friction, strict=False):
+    for path, friction in zip(blocks, spec.friction.groups, strict=False):
         # the papers have 0.1 to 0.8; dry rubber and clean metal in a vacuum are beyond, neither is a friction lining
         yield "unusual/friction", f"{path}.min", friction.min, 0.02, 1.0
         yield "unusual/friction", f"{path}.max", friction.max, 0.02, 1.0
@@ -128,11 +135,11 @@ def _figures(answers: Answers) -> Iterator[tuple[str, str, float, float, float]]
     yield "unusual/pairs", "friction_group.pairs", spec.friction_group.pairs, 1, 40
     yield "unusual/margin", "adjustment.margin", spec.adjustment.margin, 1.0, 3.0
     # over a full disc of the mean radius; linings bear 0.05 to 2 MPa
-    pressure = float(clutch.pack_force_at_rest) / (math.pi * radius**2)
+    pressure = float(own["pack_force_at_rest"]) / (math.pi * radius**2)
     yield "unusual/pressure", "closing_spring.force", pressure, 1e3, 5e6
-    springs = {"closing_spring": clutch.closing_force}
-    if clutch.sleeve is not None:
-        springs["control_spring"] = clutch.sleeve.control_force
+    springs = {"closing_spring": own["closing_force"]}
+    if spec.kind.travels:
+        springs["control_spring"] = own["control_force"]
     for name, force in springs.items():
         if stiffness := value_at(spec, f"{name}.stiffness"):
             deflection, key = float(force) / stiffness, f"{name}.stiffness"

@@ -4,34 +4,34 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import ClassVar
 
-from ..engines import build
-from ..engines.protocol import Clutch
+from ..engines import Clutch, build
 from ..errors import AfmcalcError, SpecError
 from ..findings import Finding, finding, of_clutch
 from ..messages import joined, term
-from ..result import Answer, Result, Sentence, Triple, described, quantity
+from ..result import Answer, Sentence, Triple, described
 from ..spec.edit import as_variant, with_key, with_nominal_torque
 from ..variants import VARIANTS
+from .asking import Asking, answer, asked
 from .check import found_unsimulated
-from .torque import triple
+from .clutch_findings import clutch_findings
 
 
-class ComparedClutch(Result):
+class ComparedClutch(Asking):
     """The main quantities of one clutch; it is called by its file where names are equal."""
 
     name: Sentence | None = described("clutch", optional=True)
     variant: str = described("variant")
     basis: Sentence | None = described("kept equal", optional=True)
-    closing_force: float = quantity("N", "F_п", "closing-spring force as set")
-    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
-    gain: float = quantity("1", "C", "feedback gain")
-    reduced_gain: float = quantity("1", "z_2 C", "reduced gain")
-    torque: Triple = quantity("N*m", "T", "slip torque")
-    scatter: float = quantity("N*m", "ΔT", "torque scatter band")
-    accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
-    accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks")
-    gain_limit: float | None = quantity("1", "C_max", "gain limit", optional=True)
-    travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
+    closing_force: float = asked()
+    nominal_torque: float = asked()
+    gain: float = asked()
+    reduced_gain: float = asked()
+    torque: Triple = asked()
+    scatter: float = asked()
+    accuracy_factor: float = asked()
+    accuracy_factor_peak: float = asked(description="accuracy factor by breakaway peaks")
+    gain_limit: float | None = asked(description="gain limit", optional=True)
+    travel_max: float | None = asked(optional=True)
     warnings: int = described("warnings of check (event not simulated)")
     errors: int = described("errors of check (event not simulated)")
 
@@ -73,8 +73,8 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
         if variant != clutch.spec.variant:
             try:
                 spec = as_variant(clutch.spec, variant)
-                by_torque = build(with_nominal_torque(spec, float(clutch.nominal_torque)))
-                by_force = build(with_key(spec, "closing_spring.force", float(clutch.closing_force)))
+                by_torque = build(with_nominal_torque(spec, float(clutch.quantities["nominal_torque"])))
+                by_force = build(with_key(spec, "closing_spring.force", float(clutch.quantities["closing_force"])))
             except SpecError as error:
                 lacks = joined(map(str, error.problems), "; ")
                 missing.append(finding("variant-not-possible", "info", variant=term(variant), lacks=lacks))
@@ -85,14 +85,8 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
             remarks += named
     rows.sort(key=lambda row: row.basis != "spring force")
     asked = list(clutch.spec.label.findings)
-    return CompareResult(clutches=rows), [*asked, *dict.fromkeys(remarks), *missing]
-
-
-_FIGURES = (
-    "closing_force", "nominal_torque", "gain", "reduced_gain", "scatter", "accuracy_factor", "accuracy_factor_peak",
-    "gain_limit",
-)  # fmt: skip
-"""What a row takes from the clutch as it is."""
+    told = {remark.message: remark for remark in remarks}  # once, where rounding alone sets two numbers apart
+    return CompareResult(clutches=rows), [*asked, *told.values(), *missing]
 
 
 def change(now: object, before: object) -> float | None:
@@ -110,14 +104,15 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tu
     """Row of a clutch; and what it tells itself, and what else is counted, each with what the clutch is called."""
     judged = found_unsimulated(clutch)
     counted = (remark for remark in judged if remark.level != "info")
-    row = ComparedClutch(
+    own, travels = clutch.quantities, clutch.spec.kind.travels
+    row = answer(
+        ComparedClutch,
+        own,
         name=name and term(name, "name"),
         variant=clutch.spec.variant,
         basis=basis,
-        **{figure: getattr(clutch, figure) for figure in _FIGURES},
-        torque=triple(clutch, clutch.torque),
-        travel_max=clutch.sleeve and clutch.sleeve.travel_max,
+        **({} if travels else {"travel_max": None}),
         errors=sum(remark.level == "error" for remark in judged),
         warnings=sum(remark.level == "warning" for remark in judged),
     )
-    return row, [of_clutch(remark, called) for remark in dict.fromkeys((*clutch.findings(), *counted))]
+    return row, [of_clutch(remark, called) for remark in dict.fromkeys((*clutch_findings(clutch.spec, own), *counted))]

@@ -1,23 +1,21 @@
 """Curves to draw: torque and trip over friction, accuracy and life over what is swept, with what stands beside them."""
 
-from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..engines.protocol import Clutch
-from ..equations.overload import optimal_reduced_gain
+from ..engines.selection import Wired
+from ..equations.arrays import Floats
 from ..errors import AfmcalcError, CalculationError, given
 from ..result import Result, described, quantity
 from ..spec.keys import is_whole
 from ..spec.models import Method
-from .accuracy import AccuracySweep, sweep_outputs
-from .adjust import METHODS, AdjustResult, set_by
+from .accuracy import AccuracySweep
+from .adjust import METHODS, AdjustResult
 from .answers import Answers
+from .asking import asked_by
 from .life import LifeResult, LifeSweep, band_axis, life_sweep
-from .overload import OF_TRIP, Actuation, OverloadSweep, refuse
-from .overload import SWEEP_OUTPUTS as OVERLOAD_OUTPUTS
+from .overload import OverloadSweep, refuse
 from .registry import StressRule
 from .sweep.axes import current_value, find_key, parse_axis
 from .sweep.grid import Axis, S, series
@@ -101,28 +99,28 @@ class OverloadCurve(ClutchCurve):
     )
 
 
-def torque_curve(clutch: Clutch) -> TorqueCurve:
+def torque_curve(clutch: Wired) -> TorqueCurve:
     """Calculate the torque from f_min to f_max, as set and by both adjustment methods for the same nominal torque."""
-    path = _path(clutch)
-    nominal = float(clutch.nominal_torque)
-    peak, sustained = clutch.breakaway_torque(*path), clutch.torque(*path)
-    by_method = [set_by(clutch.spec, method, nominal).torque(*path).tolist() for method in METHODS]
+    own, path = clutch.quantities, _path(clutch)
+    there = own.at(**path)
+    friction, sustained, peak = (np.asarray(there[name]) for name in (next(iter(path)), "torque", "breakaway_torque"))
+    by_min, by_mean = (own.at(case).at(**path)["torque"].tolist() for case in METHODS.values())
     return TorqueCurve(
         **_of(clutch),
-        friction=path[0].tolist(),
-        friction_driving=path[0].tolist() if clutch.spec.friction.unlike else None,
+        friction=friction.tolist(),
+        friction_driving=friction.tolist() if clutch.spec.friction.unlike else None,
         torque=sustained.tolist(),
-        torque_min_friction=by_method[0],
-        torque_mean_friction=by_method[1],
+        torque_min_friction=by_min,
+        torque_mean_friction=by_mean,
         breakaway_torque=peak.tolist() if (peak > sustained * (1 + 1e-9)).any() else None,
-        torque_returning=clutch.sleeve and np.asarray(clutch.sleeve.torque_returning(path[0])).tolist(),
-        nominal_torque=nominal,
-        margin=clutch.spec.adjustment.margin,
+        torque_returning=there["torque_returning"].tolist() if "torque_returning" in there else None,
+        nominal_torque=own["nominal_torque"],
+        margin=own["margin"],
         method=clutch.spec.adjustment.method,
     )
 
 
-def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
+def accuracy_curve(clutch: Wired, sweep: str | None) -> AccuracyCurve:
     """Calculate K_т over the gain, or over the key asked for.
 
     A range that is given is taken as it is; one of our own is refined, and reaches the clutch as it is.
@@ -130,26 +128,27 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
     text = sweep or "C"
     axis = parse_axis(text, clutch.spec)
     # what the clutch has of the key, also where it follows from others
-    follows = {"control_unit.gain": clutch.gain, "closing_spring.force": clutch.closing_force}
+    own = clutch.quantities
+    follows = {"control_unit.gain": own["gain"], "closing_spring.force": own["closing_force"]}
     value = follows.get(axis.key.path, current_value(clutch.spec, axis.key.path))
     current = None if value is None else float(value) / axis.scale
     if "=" not in text and not is_whole(axis.key.path):
         ends = [float(axis.values.min()), float(axis.values.max()), *([] if current is None else [current])]
         axis = axis._replace(values=np.linspace(min(ends), max(ends), POINTS))
-    limit = clutch.gain_limit if axis.key.path == "control_unit.gain" else None
+    limit = own["gain_limit"] if axis.key.path == "control_unit.gain" and "gain_limit" in own else None
     return AccuracyCurve(
         **_of(clutch),
-        series=_over(axis, AccuracySweep, clutch, sweep_outputs(clutch)),
+        series=_over(axis, AccuracySweep, clutch),
         about="reduced gain" if axis.name == "zC" else axis.key.description,
         symbol="zC" if axis.name == "zC" else axis.key.symbol or "",
         unit=axis.key.unit or "1",
         own=current,
-        accuracy_factor=clutch.accuracy_factor,
+        accuracy_factor=own["accuracy_factor"],
         limit=None if limit is None else limit / axis.scale,
     )
 
 
-def overload_curve(clutch: Clutch) -> OverloadCurve:
+def overload_curve(clutch: Wired) -> OverloadCurve:
     """Calculate the trip from f_min to f_max, and the accuracy over the reduced gain.
 
     The gain goes from 0 to the recommended limit 5, or as far as the clutch lies beyond it.
@@ -158,20 +157,23 @@ def overload_curve(clutch: Clutch) -> OverloadCurve:
         CalculationError: a variant S22 does not treat.
     """
     refuse(clutch)
-    friction = _path(clutch)[0]
-    trip = Actuation(clutch, friction)
-    reduced, controlled = float(clutch.reduced_gain), clutch.spec.friction_group.pairs - float(clutch.bypass_pairs)
-    gains = Axis("zC", find_key("C"), np.linspace(0.0, max(5.0, 1.2 * reduced), 401), 1 / controlled)
+    own, path = clutch.quantities, _path(clutch)
+    trip, set_at_min = own.at(**path), own.at("overload")
+    reduced = float(own["reduced_gain"])
+    gains = Axis(
+        "zC", find_key("C"), np.linspace(0.0, max(5.0, 1.2 * reduced), 401), 1 / float(own["controlled_pairs"])
+    )
+    names = ("expected_torque", "actuation_torque_published", "actuation_torque_equilibrium", "potential_torque")
     return OverloadCurve(
         **_of(clutch),
-        friction=friction.tolist(),
-        **{name: getattr(trip, name).tolist() for name in OF_TRIP if name in OverloadCurve.model_fields},
-        machine_torque=trip.machine_torque,
-        margin=clutch.spec.adjustment.margin,
-        accuracy=_over(gains, OverloadSweep, clutch, OVERLOAD_OUTPUTS),
-        bypass_pairs=int(clutch.bypass_pairs),
+        friction=path["friction"].tolist(),
+        **{name: trip[name].tolist() for name in names},
+        machine_torque=set_at_min["machine_torque"],
+        margin=own["margin"],
+        accuracy=_over(gains, OverloadSweep, clutch),
+        bypass_pairs=int(own["bypass_pairs"]),
         reduced_gain=reduced,
-        optimal_reduced_gain=optimal_reduced_gain(clutch.friction[0].max),
+        optimal_reduced_gain=own["optimal_reduced_gain"],
     )
 
 
@@ -209,23 +211,28 @@ def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
     )
 
 
-def _of(clutch: Clutch) -> dict[str, Any]:
+def _of(clutch: Wired) -> dict[str, Any]:
     """Name and variant of a clutch."""
     return {"name": clutch.spec.name, "variant": clutch.spec.variant}
 
 
-def _over(axis: Axis, kind: type[S], clutch: Clutch, outputs: Mapping[str, Callable[[Clutch], Any]]) -> S:
-    """Sweep over one axis."""
-    return given(series(kind, clutch, [axis], outputs))[0]
+def _over(axis: Axis, kind: type[S], clutch: Wired) -> S:
+    """Sweep over one axis what the series asks."""
+    return given(series(kind, clutch.spec, [axis], asked_by(kind, clutch.quantities)))[0]
 
 
-def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """f_1 and f_2 moving together from their smallest to their largest values.
+def _path(clutch: Wired) -> dict[str, Floats]:
+    """Frictions by name, those of unlike materials moving together, from their smallest to their largest values.
 
     Raises:
         CalculationError: they do not move.
     """
-    if not any(group.max > group.min for group in clutch.friction):
+    own, groups = clutch.quantities, clutch.spec.friction.groups
+    if not any(group.max > group.min for group in groups):
         raise CalculationError("the friction does not wander (min = max): there is no curve over it")
-    first, second = clutch.path(np.linspace(0.0, 1.0, POINTS))
-    return np.asarray(first), np.asarray(second)
+    shares = np.linspace(0.0, 1.0, POINTS)
+    if not clutch.spec.friction.unlike:
+        return {"friction": own["friction_min"] + shares * (own["friction_max"] - own["friction_min"])}
+    at = [0.0, own["bend_of_path"], 1.0]
+    names = ("friction_driving", "friction_driven")
+    return {name: np.interp(shares, at, [own[f"{name}_{end}"] for end in ("min", "mean", "max")]) for name in names}

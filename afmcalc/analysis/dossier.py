@@ -4,7 +4,6 @@ from contextlib import suppress
 from typing import Any, NamedTuple
 
 from ..engines import build
-from ..equations.calls import noted
 from ..errors import CalculationError, given
 from ..findings import Finding
 from ..messages import Text, term
@@ -12,8 +11,7 @@ from ..result import Result
 from ..spec import Spec
 from .answers import Answers
 from .check import CheckResult
-from .explain.explain import Derivation, derivations
-from .explain.trace import CallReader
+from .explain.explain import Derivation, derivations, noting, steps_of
 from .figures import Request, gathered
 from .registry import ANALYSES, Analysis, StressRule, Told
 
@@ -68,17 +66,14 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
 
 
 def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
-    """Ask what can be explained, and note the equations that ran; each formula is shown where it first stands."""
+    """Ask what can be explained, and note the laws applied; each formula is shown where it first stands."""
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
-    ends = {}
-    with noted() as notes:
-        answers = Answers(build(spec), model=model)
-        for each in wanted:
-            if each.applies(answers.clutch):
-                answers.ask(each.name)
-                ends[each.name] = len(notes)
-    starts, trace = [0, *ends.values()], CallReader()
-    sections = {name: trace.calls(notes[at:end]) for at, (name, end) in zip(starts, ends.items(), strict=False)}
+    answers, sections = Answers(noting(spec), model=model), {}
+    for each in wanted:
+        if each.applies(answers.clutch):
+            before = len(steps_of(answers.clutch))
+            answers.ask(each.name)
+            sections[each.name] = steps_of(answers.clutch)[before:]
     return answers, derivations(sections)
 
 

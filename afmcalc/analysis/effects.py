@@ -2,20 +2,20 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
-from ..engines.protocol import Clutch
+from ..engines import Clutch
 from ..equations import effects as law
-from ..equations import synthesis
+from ..equations import pack
 from ..equations.arrays import Values
 from ..errors import CalculationError, Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say, term
 from ..result import Answer, Result, Triple, described, quantity
 from ..spec.edit import value_at
+from .clutch_findings import clutch_findings
 
-EffectName = Literal["spline-friction", "sliding-cams", "centrifugal", "weight", "wear"]
+EffectName = Literal["spline-friction", "centrifugal", "wear"]
 NOTICEABLE = 0.05
 """Relative change, of K_т or else of the torque, that is warned of."""
 POINTS = 33
@@ -23,8 +23,6 @@ POINTS = 33
 ENDS = ("min", "mean", "max")
 STEEL = 7850.0
 """Density of a ball of bearing steel (ISO 3290-1), kg/m³."""
-GRAVITY = 9.80665
-"""Standard acceleration of gravity, m/s²."""
 STIFFNESS = "closing_spring.stiffness"
 _MOST_PAIRS = 1000
 
@@ -121,7 +119,7 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
         effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
     )
     remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
-    return result, [*clutch.findings(), *remarks, *_findings(clutch, result)]
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks, *_findings(clutch, result)]
 
 
 def effects_curve(clutch: Clutch) -> EffectsCurve:
@@ -263,47 +261,11 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
     return Bracket((closing, opening))
 
 
-def _cams(clutch: Clutch, wall_friction: float, ball_circle_radius: float) -> Bracket:
-    """Gain with the friction of the wall against the cam driven up, and driven back."""
-    over = synthesis.tan_wall_angle(1.0, ball_circle_radius, float(clutch.mean_radius))
-    tangent, path = float(clutch.gain) * over, "control_unit.wall_friction"
-    if tangent * wall_friction >= 1:
-        stay = finding("cams-stay", "error", value=wall_friction, limit=1 / tangent, path=path)
-        return Bracket((), (stay,))
-    loading = law.tan_wall_angle_loading(tangent, wall_friction) / over
-    unloading = law.tan_wall_angle_unloading(tangent, wall_friction) / over
-    held, least = _springs_held(clutch), float(clutch.gain_threshold)
-    locks = finding("cams-lock", "warning", value=loading, limit=least, path=path)
-    # where the key takes all of the gain, as much as the key takes
-    curves = replace(held, gain=max(loading, least)).torque, replace(held, gain=max(unloading, least)).torque
-    return Bracket(curves, (locks,) if loading <= least else ())
-
-
 def _centrifugal(clutch: Clutch, speed: float, balls: int, diameter: float, circle: float) -> Bracket:
     """Conical pockets, as they are and with the force of balls thrown outward."""
-    tangent = synthesis.tan_wall_angle(clutch.gain, circle, clutch.mean_radius)
+    tangent = pack.tan_wall_angle(clutch.gain, circle, clutch.mean_radius)
     mass = law.ball_mass(STEEL, diameter / 2, math.pi)
     return _weaker(clutch, float(law.centrifugal_thrust(balls, mass, speed, circle, tangent)), "drive.speed")
-
-
-def _weight(clutch: Clutch, axis: str, pressure_disc: float, discs: float) -> Bracket:
-    """The axis horizontal, and vertical: the weight presses the pack with a spring above it, else it takes from it.
-
-    The sleeve of an indirect clutch moves on the side of the spring, so that its weight adds to the control spring's
-    force as that of the pack does.
-    """
-    sign, sleeve, path = 1 if axis == "spring-above" else -1, clutch.sleeve, "friction_group.vertical_axis"
-    forces: dict[str, Any] = {"closing_force": float(clutch.closing_force)}
-    weights = {"closing_force": sign * float(law.weight_on_pack(pressure_disc, discs, GRAVITY))}
-    if sleeve is not None:
-        unit: Any = clutch.spec.control_unit
-        forces["made_control_force"] = float(sleeve.control_force)
-        weights["made_control_force"] = weights["closing_force"] + sign * GRAVITY * (unit.sleeve_mass or 0.0)
-    for name, force in forces.items():
-        if -weights[name] >= force:
-            return Bracket((), (finding("force-used-up", "error", value=-weights[name], limit=force, path=path),))
-    upright = replace(clutch, **{name: force + weights[name] for name, force in forces.items()})
-    return Bracket((upright.torque, clutch.torque))
 
 
 def _wear(clutch: Clutch, lining: float, *_: float) -> Bracket:
@@ -321,22 +283,13 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
 
 def weakened(clutch: Clutch, loss: Values) -> Clutch:
     """The clutch with less force on its pack at rest, N."""
-    if clutch.sleeve is None:
-        return replace(clutch, closing_force=clutch.closing_force - loss)
-    return replace(clutch.sleeve, made_control_force=clutch.sleeve.control_force - loss)
-
-
-def _springs_held(clutch: Clutch) -> Clutch:
-    """The clutch with its control spring, if it has one, as made: no change of the law sets it again."""
-    sleeve = clutch.sleeve
-    return clutch if sleeve is None else replace(sleeve, made_control_force=sleeve.control_force)
+    name = "control_force_made" if clutch.spec.kind.travels else "closing_force"
+    return clutch.held(**{name: clutch.pack_force_at_rest - loss})
 
 
 def with_pairs(clutch: Clutch, bypass: Values, controlled: Values) -> Clutch:
     """The clutch with pairs that count in part, its springs as they are set."""
-    if clutch.sleeve is not None:
-        bypass, controlled = 0.0, bypass + controlled
-    return replace(_springs_held(clutch), bypass_pairs=bypass, controlled_pairs=controlled)
+    return clutch.held(pairs=bypass + controlled, bypass_pairs=0.0 if clutch.spec.kind.travels else bypass)
 
 
 SOURCES: Mapping[EffectName, EffectSource] = {
@@ -345,20 +298,10 @@ SOURCES: Mapping[EffectName, EffectSource] = {
         _splines,
         term("discs held in their splines"),
     ),
-    "sliding-cams": EffectSource(
-        ("control_unit.wall_friction", "control_unit.ball_circle_radius"),
-        _cams,
-        term("cams that slide on their walls"),
-    ),
     "centrifugal": EffectSource(
         ("drive.speed", "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),
         _centrifugal,
         term("balls thrown against conical pockets"),
-    ),
-    "weight": EffectSource(
-        tuple(f"friction_group.{key}" for key in ("vertical_axis", "pressure_disc_mass", "discs_mass")),
-        _weight,
-        term("weight of the discs, axis vertical"),
     ),
     "wear": EffectSource(("heat.lining", STIFFNESS), _wear, term("wear of the lining")),
 }

@@ -29,12 +29,6 @@ class Request(NamedTuple):
     """``Answers`` of clutches, names of the papers' figures, or requirements."""
     sweep: str | None = None
     model: StressRule | None = None
-    profile: str | None = None
-    """File for the wall of a pocket, as CSV."""
-    cutter: float | None = None
-    """Diameter of the cutter that cuts it, m."""
-    chord: float | None = None
-    """How far a chord may lie off it, m."""
 
 
 class PocketSection(NamedTuple):
@@ -108,7 +102,7 @@ def check_request(name: str, request: Request) -> None:
             what=_SINGLE[plot.takes],
             count=len(request.subjects),
         )
-    for option in ("sweep", "model", "profile", "cutter", "chord"):
+    for option in ("sweep", "model"):
         if getattr(request, option) is not None and option not in plot.options:
             raise AfmcalcError("plot {name} has no use for --{option}", name=name, option=option)
 
@@ -224,4 +218,4 @@ def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
     check_request(name, request)
     (answers,) = request.subjects
     synthesis, _ = answers.ask("synthesize")
-    return shop_drawing(answers.clutch, synthesis, request.cutter, request.chord)
+    return shop_drawing(answers.clutch, synthesis)

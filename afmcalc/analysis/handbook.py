@@ -12,19 +12,22 @@ import tomllib
 from collections.abc import Callable
 from functools import cache
 from importlib.resources import files
+from itertools import product
 from typing import Any, NamedTuple
 
-from ..engines import build
-from ..engines.protocol import Clutch
-from ..equations.calls import noted
-from ..equations.catalogue import Equation, equations
+from ..engines import Clutch, build
+from ..engines.quantities import NotedStep
+from ..engines.selection import CURVED, KEYS, laws_for
+from ..equations.catalogue import Equation, equation_of, equations
 from ..papers.claims import Row, reproduce
 from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
+from ..variants import VARIANTS
 from .answers import Answers
+from .asking import names_asked
+from .explain.explain import noting, shown, steps_of
 from .explain.formula import FormulaText, Leaf, symbol_latex
-from .explain.trace import Call, CallReader
 from .figures import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
@@ -76,10 +79,12 @@ def chapter_texts(language: str) -> dict[int, str]:
 def handbook(language: str) -> Handbook:
     """Gather the handbook in a language: every formula, and every number that its chapters ask for."""
     chapters = chapter_texts(language)
-    values, plots = (re.findall(rf"\{{{kind} ([^{{}}]+)\}}", "".join(chapters.values())) for kind in ("value", "plot"))
+    names, values, plots = (
+        re.findall(rf"\{{{kind} ([^{{}}]+)\}}", "".join(chapters.values())) for kind in ("equation", "value", "plot")
+    )
     return Handbook(
         chapters,
-        {name: _entry(equation) for name, equation in equations().items()},
+        {name: _entry(equations()[name]) for name in names},
         {path: _value(*path.split()) for path in values},
         {plot: _plot(*plot.split()) for plot in plots},
         reproduce([])[0].rows,
@@ -112,37 +117,38 @@ def _plot(kind: str, example: str) -> Any:
 
 
 @cache
-def _calls() -> dict[str, tuple[str, Call]]:
-    """Equation → the first example that an explained command calculates it for, and its first call there."""
-    calls: dict[str, tuple[str, Call]] = {}
+def _steps() -> dict[str, list[tuple[str, str, NotedStep]]]:
+    """Equation → examples and explained commands that calculate it, with the first step of each."""
+    found: dict[str, dict[tuple[str, str], NotedStep]] = {}
     for example in _EXAMPLES:
         for command in EXPLAINED:
             if ANALYSES[command].applies(_clutch(example)):
-                with noted() as notes:
-                    ANALYSES[command].function(build(_clutch(example).spec))
-                for call in CallReader().calls(notes):
-                    calls.setdefault(call.equation.name, (example, call))
-    return calls
+                clutch = noting(_clutch(example).spec)
+                ANALYSES[command].function(clutch)
+                for step in shown(steps_of(clutch)):
+                    found.setdefault(equation_of(step.name, step.law).name, {}).setdefault((example, command), step)
+    return {name: [(*where, step) for where, step in steps.items()] for name, steps in found.items()}
 
 
 def _entry(equation: Equation) -> Entry:
-    example, call = _calls().get(equation.name, ("", None))
+    steps = _steps().get(equation.name, [])
+    example, _, step = steps[0] if steps else ("", "", None)
     terms = equation.arguments
     symbols = {key: term.symbol for key, term in terms.items()}
     units = {key: term.unit for key, term in terms.items()}
-    numbers = call.arguments if call else dict.fromkeys(terms, 1.0)
+    numbers = step.values if step else dict.fromkeys(terms, 1.0)
     texts = [FormulaText(part, symbols, numbers, units) for part in _parts(equation)]
     printed = [entry for entry in register() if entry.function == equation.name]
-    shown = call if len(texts) == 1 else None
+    symbol = symbol_latex(equation.result.symbol)
     return Entry(
         equation=equation,
-        latex=_set(symbol_latex(equation.result.symbol), [text.latex() for text in texts]),
-        example=example if shown else "",
-        worked=f"{symbol_latex(shown.result)} = {texts[0].latex_with_numbers()}" if shown else "",
-        value=float(shown.value) if shown else 0.0,
+        latex=_set(symbol, [text.latex() for text in texts]),
+        example=example,
+        worked=f"{symbol} = {texts[0].latex_with_numbers()}" if step else "",
+        value=float(step.value) if step else 0.0,
         printed=printed,
         proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
-        commands=_uses()[equation.name],
+        commands=commands_of(equation.name),
     )
 
 
@@ -162,7 +168,30 @@ def _parts(equation: Equation) -> list[Callable[..., Any]]:
     return [lambda place=place, **terms: equation.function(**terms)[place] for place in range(len(one))]
 
 
+def commands_of(name: str) -> list[str]:
+    """Commands that calculate an equation: by what they ask, by the steps of examples, and others by a list."""
+    steps = {command for _, command, _ in _steps().get(name, [])}
+    return sorted(steps.union(_asking().get(name, ()), _uses().get(name, ())))
+
+
+@cache
+def _asking() -> dict[str, set[str]]:
+    """Law → commands whose results ask for what needs it, in any variant, with any one option."""
+    found: dict[str, set[str]] = {}
+    for variant, option, force in product(VARIANTS, ("", *KEYS, *CURVED, "control_force_made"), ("closing_force", "")):
+        if (option in CURVED or option == "control_force_made") and variant != "indirect":
+            continue
+        keys = frozenset({option, force} - {""})
+        laws = laws_for(variant, "mean-friction", keys)
+        for command in EXPLAINED:
+            for name in names_asked(ANALYSES[command].result_class):
+                for need in laws.needs(name, keys):
+                    if callable(law := laws.laws.get(need)):
+                        found.setdefault(equation_of(need, law).name, set()).add(command)
+    return found
+
+
 @cache
 def _uses() -> dict[str, list[str]]:
-    """Equation → commands that calculate it."""
+    """Equation → commands that calculate it, besides those that explain it."""
     return tomllib.loads(_FOLDER.joinpath("uses.toml").read_text(encoding="utf-8"))

@@ -18,10 +18,10 @@ from ..drive.heat import (
     run_down,
 )
 from ..drive.result import EnergySource, HeatResult
-from ..engines.protocol import Clutch
+from ..engines import Clutch
+from ..engines.quantities import Quantities
 from ..equations import heat as law
 from ..equations.arrays import Values
-from ..equations.calls import derived, unnoted
 from ..errors import CalculationError, Problem, SpecError, given
 from ..findings import Finding, Level, finding
 from ..messages import joined, measured, say, term
@@ -31,6 +31,7 @@ from ..spec.catalogues import Material, friction_materials
 from ..spec.models import Heat, missing_of
 from ..units import ZEROS
 from .answers import Answers
+from .clutch_findings import clutch_findings
 from .registry import ANALYSES
 
 _NAMES = {"min": "f_min", "mean": term("f_cp", "symbol"), "max": "f_max"}
@@ -113,7 +114,6 @@ def _most(ends: OpenTriple | None) -> float:
     return 0.0 if ends is None else max((value for value in vars(ends).values() if value is not None), default=0.0)
 
 
-@unnoted()
 def slack_before_worn(clutch: Clutch, own: Heat) -> float | None:
     """Wear of a pair at which the spring that follows the pack falls slack, m; None where the lining is gone before."""
     spring = clutch.following_spring
@@ -175,7 +175,7 @@ def judged_temperature(clutch: Clutch, result: HeatResult) -> tuple[float, bool,
 
 def share_of_rise(clutch: Clutch, temperature: float, limit: float) -> float:
     """Share that a temperature uses of the rise from the surroundings' to a limit."""
-    return float(law.share_of_rise(temperature, given(clutch.spec.heat).ambient, limit))
+    return float(clutch.quantities.apply(law.share_of_rise, temperature, given(clutch.spec.heat).ambient, limit))
 
 
 def _allowed(material: Material) -> tuple[float, float]:
@@ -197,7 +197,7 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
     own, limit, group = clutch.spec.heat or Heat(), limit_of(clutch), clutch.spec.friction_group
     pairs, area = group.pairs, None
     if group.inner_radius is not None and group.outer_radius is not None:
-        area = law.friction_area(group.inner_radius, group.outer_radius, math.pi)
+        area = clutch.quantities.apply(law.friction_area, group.inner_radius, group.outer_radius, math.pi)
     for each in limits_of(clutch):
         if own.ambient is not None and own.ambient >= each.low:
             raise CalculationError(
@@ -209,14 +209,11 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
     found, faces = _shared(clutch, own, slips.at, area)
     work = power = worn_out = rises = None
     if area is not None:
-        work = _each(found, lambda trip: law.specific_work(trip.energy, pairs, area))
-        power = Triple.of(
-            law.power_density(derived(trip.course.largest, friction), pairs, area)
-            for trip, friction in zip(found.values(), clutch.friction[1], strict=True)
-        )
+        work = _each(found, lambda trip: trip.apply(law.specific_work, trip.energy, pairs, area))
+        power = Triple.of(trip.apply(law.power_density, trip.course.largest, pairs, area) for trip in found.values())
         if own.wear is not None and own.lining is not None and slack_before_worn(clutch, own) is None:
             worn_out = _how_many(
-                found, lambda trip: law.trips_to_wear_out(pairs, area, own.lining, own.wear, trip.energy)
+                found, lambda trip: trip.apply(law.trips_to_wear_out, pairs, area, own.lining, own.wear, trip.energy)
             )
     if own.disc_mass is not None and own.specific_heat is not None:
         rises = _each(found, lambda trip: _rise_of(own, trip) * (1 - trip.lining_share))
@@ -235,7 +232,7 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
         trips_to_wear_out=worn_out,
         **_setting(clutch, own),
     )
-    return result, [*clutch.findings(), *remarks(clutch, own, result, slips)]
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks(clutch, own, result, slips)]
 
 
 def _each(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
@@ -262,15 +259,14 @@ def _shared(
     The faces are told where the disc is known; without a lining that is known the discs take all.
     """
     pairs = clutch.spec.friction_group.pairs
-    with unnoted():  # no formula leads to it: the numbers of its solution are no steps
-        if area is None or not (bodies := bodies_of(own, pairs, area)):
-            return slips, None
-        share = float(law.power_density(1.0, pairs, area))
-        courses = {end: slip.course.times(share) for end, slip in slips.items() if slip.energy}
-        found = dict(slips)
-        for end, course in courses.items() if len(bodies) > 1 else ():
-            found[end] = slips[end]._replace(lining_share=1 - most_in_disc(bodies, course) / course.heat[-1])
-        rises = {end: largest_rise(bodies, course) for end, course in courses.items()}
+    if area is None or not (bodies := bodies_of(own, pairs, area)):
+        return slips, None
+    share = float(law.power_density(1.0, pairs, area))
+    courses = {end: slip.course.times(share) for end, slip in slips.items() if slip.energy}
+    found = dict(slips)
+    for end, course in courses.items() if len(bodies) > 1 else ():
+        found[end] = slips[end]._replace(lining_share=1 - most_in_disc(bodies, course) / course.heat[-1])
+    rises = {end: largest_rise(bodies, course) for end, course in courses.items()}
     return found, OpenTriple.of(rises.get(end, slip.energy and 0.0) for end, slip in slips.items())
 
 
@@ -293,17 +289,17 @@ def _trips(
     ambient, told = own.ambient, {}
     if rises is not None:
         told["trips_without_cooling"] = _how_many(
-            found, lambda trip: law.trips_without_cooling(limit.low, ambient, _rise_of(own, trip))
+            found, lambda trip: trip.apply(law.trips_without_cooling, limit.low, ambient, _rise_of(own, trip))
         )
     if own.cooling is not None:
         told["trips_per_hour"] = _how_many(
-            found, lambda trip: HOUR * law.trips_per_time(own.cooling, limit.low, ambient, trip.energy)
+            found, lambda trip: HOUR * trip.apply(law.trips_per_time, own.cooling, limit.low, ambient, trip.energy)
         )
         if rises is not None:
             told["trips_per_hour_peak"] = _how_many(
                 found,
                 lambda trip: _rate(
-                    own, law.share_of_rise(derived(ambient + _rise_of(own, trip), trip.energy), ambient, limit.low)
+                    own, trip, trip.apply(law.share_of_rise, ambient + _rise_of(own, trip), ambient, limit.low)
                 ),
             )
     return dict(told)
@@ -311,15 +307,15 @@ def _trips(
 
 def _rise_of(own: Heat, trip: HeatedSlip) -> Values:
     """Rise of the discs with all the heat: between trips the lining gives back what it took."""
-    return law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat)
+    return trip.apply(law.temperature_rise, trip.energy, own.disc_mass, own.specific_heat)
 
 
-def _rate(own: Heat, used: Values) -> float:
+def _rate(own: Heat, trip: HeatedSlip, used: Values) -> float:
     """Trips per hour, each of which uses a share of the room up to the limit."""
     if used >= 1:
         return 0.0
-    logarithm = derived(-math.log1p(-used), used)
-    return HOUR / float(law.time_between_trips(own.disc_mass, own.specific_heat, own.cooling, logarithm))
+    logarithm = -math.log1p(-used)
+    return HOUR / float(trip.apply(law.time_between_trips, own.disc_mass, own.specific_heat, own.cooling, logarithm))
 
 
 def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
@@ -327,8 +323,8 @@ def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
     stiffness = clutch.following_stiffness
     if stiffness is None:
         return {}
-    loss = law.setting_loss_per_wear(stiffness, clutch.spec.friction_group.pairs, clutch.pack_force_at_rest)
-    rest = clutch.pack_force_at_rest
+    rest = clutch.quantities["pack_force_at_rest"]
+    loss = clutch.quantities.apply(law.setting_loss_per_wear, stiffness, clutch.spec.friction_group.pairs, rest)
     worn = {} if own.lining is None else {"setting_loss_worn": clutch.lost_by_wear(own.lining) / rest}
     return {"setting_loss_per_wear": loss, **worn}
 
@@ -353,29 +349,27 @@ def trips(clutch: Clutch, answers: Answers | None = None) -> HeatedSlips:
     assert drive.speed is not None
     source: EnergySource = "constant-speed" if drive.motor_inertia is None else "run-down"
     motor = motor_torque(clutch)
-    return HeatedSlips(source, {end: _of(clutch, end, run_down(drive, _torque(clutch, end), motor)) for end in ENDS})
+    return HeatedSlips(
+        source,
+        {end: run_down(drive, at["torque"], motor, at.apply)._replace(apply=at.apply) for end, at in _ends(clutch)},
+    )
+
+
+def _ends(clutch: Clutch) -> Iterator[tuple[str, Quantities]]:
+    """Ends of the range of friction, and the clutch there."""
+    return ((end, clutch.quantities.at(f"f_{end}")) for end in ENDS)
 
 
 def _simulated(answers: Answers) -> HeatedSlips:
     (found, said), clutch, at = answers.ask("simulate"), answers.clutch, {}
     told = found.sliding_torque, found.slip_time, found.slip_energy
-    for end in counted(say("simulating the event"), ENDS):
+    for end, there in counted(say("simulating the event"), [*_ends(clutch)]):
         torque, time, energy = (getattr(each, end) for each in told)
-        at[end] = _of(clutch, end, HeatedSlip(torque, time, energy, _course(clutch, end)))
+        at[end] = HeatedSlip(torque, time, energy, _course(answers.quiet, end), apply=there.apply)
     ends = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))
     return HeatedSlips("simulate", at, ends)
 
 
-@unnoted()
 def _course(clutch: Clutch, end: str) -> Course:
     course = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().course
     return course_of((each.time, float(law.slip_power(each.torque, each.slip)), each.heat) for each in course)
-
-
-def _of(clutch: Clutch, end: str, slip: HeatedSlip) -> HeatedSlip:
-    """The slip, and for an explanation the friction that its heat is for."""
-    return slip if slip.energy is None else slip._replace(energy=derived(slip.energy, getattr(clutch.friction[1], end)))
-
-
-def _torque(clutch: Clutch, end: str) -> Values:
-    return clutch.torque(*(getattr(own, end) for own in clutch.friction))

@@ -3,11 +3,12 @@
 from collections.abc import Iterator
 from typing import Any
 
+from ..engines import Clutch
 from ..engines.layout import TOUCHES, PartName, SectionPart, inertia_of, length_of, overlaps, parts_of, sizes_of
-from ..engines.protocol import Clutch
 from ..findings import Finding, finding
 from ..messages import say, term
 from ..result import Answer, Result, described, quantity
+from .clutch_findings import clutch_findings
 
 
 class LayoutPart(Result):
@@ -54,11 +55,11 @@ def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
         outer_diameter=2 * parts[0].boxes[0].outer,
         mass=sum(body.mass for part in parts for body in part.bodies),
         driving_inertia=inertia_of(parts, "driving"),
-        hub_inertia=inertia_of(parts, "hub") if clutch.sleeve else None,
+        hub_inertia=inertia_of(parts, "hub") if clutch.spec.kind.travels else None,
         driven_inertia=inertia_of(parts, "driven"),
         parts=[*rows_of(parts)],
     )
-    return result, [*clutch.findings(), *_findings(clutch, result, parts)]
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *_findings(clutch, result, parts)]
 
 
 def rows_of(parts: list[SectionPart]) -> Iterator[LayoutPart]:

@@ -1,26 +1,43 @@
-"""Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude."""
+"""Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude.
 
+The papers' rule takes T_min … T_max as one cycle, although a single slip loads the part from 0 to T(f) and back. The
+rules by amplitude take this cycle for each slip, and give the life at the mean damage (Miner; handbook, chapter 4).
+"""
+
+import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from ..drive.result import SimulateResult
-from ..engines.protocol import Clutch
+from ..drive.result import SimulateResult, dynamic_factor
+from ..engines import build
+from ..engines.quantities import Laws, Quantities
+from ..engines.selection import NAMES, Wired, by_rule
 from ..equations import life as law
-from ..equations.arrays import Values
-from ..errors import AfmcalcError
+from ..equations import machine, pack
+from ..equations.arrays import Floats, Values, mean_along, spread
+from ..errors import AfmcalcError, given
 from ..findings import Finding, finding
 from ..messages import say, term
 from ..result import Answer, Result, Series, described, quantity
-from ..spec.models import Fatigue, Method
-from .adjust import METHODS, set_by
+from ..spec.models import Method, Spec
+from .adjust import METHODS
 from .answers import Answers
+from .asking import Asking, answer, asked
+from .clutch_findings import clutch_findings
 from .registry import StressRule
-from .slips import RULES, Load, cycles, damaging_stress, dynamic_factor, is_static, load_of, with_modulus
 from .sweep.grid import Axis, replaced, series
+
+if TYPE_CHECKING:
+    from ..engines import Clutch
+    from ..spec.requirements import Requirements
 
 Setting = Literal["as-set", Method]
 UNLIMITED = "unlimited"
 """A life without number."""
+_NEEDS: dict[StressRule, str] = {"amplitude": "mean_stress_sensitivity", "goodman": "ultimate_strength"}
+"""Rule by which each slip is a cycle → the key of [fatigue] that it needs. The paper's takes the band as one cycle."""
+_BLOCK = 1_000
+"""Points of a sweep calculated at a time: each has 256 slips."""
 
 
 class MethodCycles(Result):
@@ -53,7 +70,7 @@ class LifeSweep(Series):
     )
 
 
-class LifeResult(Answer):
+class LifeResult(Asking, Answer):
     """Cycles to failure of the protected and the unprotected side."""
 
     model: StressRule = described("rule for the damaging stress")
@@ -63,92 +80,113 @@ class LifeResult(Answer):
     unprotected_forecast: MethodCycles = quantity("", "'cp", "unprotected side, load from T at the mean friction (S19)")
     stress_protected: float | None = quantity("Pa", "τ_eq", "damaging stress of the protected side, as set")
     stress_unprotected: float | None = quantity("Pa", "τ'_eq", "damaging stress of the unprotected side, as set")
-    endurance_limit: float = quantity("Pa", "τ_limb", "endurance limit")
-    base_cycles: float = quantity("1", "N_0", "base cycles of the S-N line")
-    dynamic_factor: float = quantity("1", "k_д", "dynamic factor by which the unprotected side is loaded more")
+    endurance_limit: float = asked()
+    base_cycles: float = asked()
+    dynamic_factor: float = asked()
     sweep: list[LifeSweep] | None = described("life over the swept values", optional=True)
 
 
 def life(
-    clutch: Clutch, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = (), answers: Answers | None = None
+    clutch: Wired, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = (), answers: Answers | None = None
 ) -> tuple[LifeResult, list[Finding]]:
-    """Calculate the cycles to failure: of the band as one cycle (the paper), or of slips from T_low to T(f) and back.
+    """Calculate the cycles to failure: of the band as one cycle (the paper), or of slips from 0 to T(f) and back.
 
     In a sweep an axis named dT varies the scatter band at fixed T_min.
 
     Raises:
         SpecError: no [fatigue] block, or one that lacks what the model needs.
     """
-    part = _part(clutch, model)
-    asked_alone, answers = answers is None, answers or Answers(clutch)
-    factor = dynamic_factor(clutch, lambda: answers.of(SimulateResult))
-    sides = {"protected": None, "unprotected": factor}
-    clutches: dict[Setting, Clutch] = {"as-set": clutch}
-    made = clutch.spec.control_spring is not None and clutch.spec.control_spring.force is not None
-    for method in METHODS:
-        as_set = method == clutch.spec.adjustment.method and not made
-        clutches[method] = clutch if as_set else set_by(clutch.spec, method, float(clutch.nominal_torque))
+    import numpy as np
 
-    def of(side: str, *, from_mean: bool = False) -> MethodCycles:
-        loads = {setting: load_of(one, from_mean=from_mean).times(sides[side]) for setting, one in clutches.items()}
-        return MethodCycles(
-            **{setting.replace("-", "_"): _null(cycles(part, model, load)) for setting, load in loads.items()},
-            unlimited=[setting for setting, load in loads.items() if _is_unlimited(part, _stress(part, model, load))],
-        )
-
-    load = load_of(clutch)
-    result = LifeResult(
-        model=model,
-        protected=of("protected"),
-        unprotected=of("unprotected"),
-        protected_forecast=of("protected", from_mean=True),
-        unprotected_forecast=of("unprotected", from_mean=True),
-        stress_protected=_stress(part, model, load),
-        stress_unprotected=_stress(part, model, load.times(factor)),
-        endurance_limit=part.endurance_limit,
-        base_cycles=part.base_cycles,
-        dynamic_factor=factor,
-        sweep=life_sweep(clutch, model, sweeps, factor) or None,
-    )
-    about = finding("mean-stress-rule", "info")
-    if RULES[model].each_slip:
-        about = finding("slips-averaged", "info", value=part.load_low, path="fatigue.load_low")
+    spec = clutch.spec
+    _require(spec, model)
     underrated: list[Finding] = []
-    if asked_alone and clutch.spec.drive.dynamic_factor is not None and clutch.spec.drive.event is not None:
-        # the dynamic factor given may be smaller than that of the event
-        underrated = [remark for remark in answers.ask("simulate")[1] if remark.code == "dynamic-factor-exceeded"]
-    return result, [
-        *clutch.findings(),
-        *(remark for side, times in sides.items() for remark in _judged(part, model, side, load.times(times))),
-        *underrated,
-        about,
-        *replaced(clutch.spec, sweeps),
-    ]
+    if answers is None and spec.drive.event is not None:
+        answers = Answers(build(spec))
+        if spec.drive.dynamic_factor is not None:  # it may be smaller than that of the event
+            underrated = [remark for remark in answers.ask("simulate")[1] if remark.code == "dynamic-factor-exceeded"]
+    factor = dynamic_factor(spec.drive, lambda: given(answers).of(SimulateResult))
+    own = by_rule(clutch, model).at(dynamic_factor=factor)
+    sides = {"protected": own, "unprotected": own.at("unprotected")}
+    with np.errstate(all="ignore"):
+        result = answer(
+            LifeResult,
+            own,
+            model=model,
+            **{side: _by_setting(spec, own, *cases) for side, cases in _SIDES.items()},
+            **{f"stress_{side}": _stress(load) for side, load in sides.items()},
+            sweep=life_sweep(clutch, model, sweeps, factor) or None,
+        )
+        judged = [remark for side, load in sides.items() for remark in _judged(load, model, side)]
+    about = finding("slips-averaged" if model in _NEEDS else "mean-stress-rule", "info")
+    return result, [*clutch_findings(spec, own), *judged, *underrated, about, *replaced(spec, sweeps)]
 
 
-def _part(clutch: Clutch, model: StressRule) -> Fatigue:
-    """Return the [fatigue] block; refuse a spec without what the model needs."""
-    if clutch.spec.fatigue is None:
-        message = say("required by life: endurance_limit, polar_section_modulus, …")
-        raise clutch.spec.refused("fatigue", message)
-    part = with_modulus(clutch.spec)
-    needed = RULES[model].needs
-    if needed and getattr(part, needed) is None:
-        raise clutch.spec.refused(f"fatigue.{needed}", say("required by the model {model!r}", model=model))
-    return part
+_SIDES = {
+    "protected": (),
+    "unprotected": ("unprotected",),
+    "protected_forecast": ("forecast",),
+    "unprotected_forecast": ("unprotected", "forecast"),
+}
+"""Side, as set and from the mean friction on → its cases."""
 
 
-def _stress(part: Fatigue, model: StressRule, load: Load) -> float | None:
+def _require(spec: Spec, model: StressRule) -> None:
+    """Refuse a spec without what the model needs."""
+    if spec.fatigue is None:
+        raise spec.refused("fatigue", say("required by life: endurance_limit, polar_section_modulus, …"))
+    needed = _NEEDS.get(model)
+    if needed and getattr(spec.fatigue, needed) is None:
+        raise spec.refused(f"fatigue.{needed}", say("required by the model {model!r}", model=model))
+
+
+def _by_setting(spec: Spec, own: Quantities, *cases: str) -> MethodCycles:
+    """Cycles of a side, springs as they are and set by both methods."""
+    made = spec.control_spring is not None and spec.control_spring.force is not None
+    numbers, unlimited = dict[str, float | None](), list[Setting]()
+    settings: list[tuple[Setting, str]] = [("as-set", ""), *METHODS.items()]
+    for setting, case in settings:
+        load = own.at("" if setting == spec.adjustment.method and not made else case)
+        for each in cases:
+            load = load.at(each)
+        numbers[setting.replace("-", "_")] = number = _cycles(load)
+        if number is None or _is_unlimited(load):
+            unlimited.append(setting)
+    return MethodCycles(**numbers, unlimited=unlimited)
+
+
+def _cycles(load: Quantities) -> float | None:
+    """Cycles to failure, 0 where the largest load breaks the part; None where fatigue sets no limit."""
+    number = float(lives_of(load))
+    return number if math.isfinite(number) else None
+
+
+def lives_of(load: Quantities) -> Values:
+    """Return the cycles to failure of one clutch or of many, NaN where fatigue sets no limit.
+
+    Raises:
+        OverflowError: they are too few for a number; 0 cycles mean a break only.
+    """
+    import numpy as np
+
+    cycles = np.asarray(load["cycles"], float)
+    if ((cycles == 0) & ~np.asarray(load["is_broken"], bool)).any():
+        raise OverflowError
+    return np.where(np.isfinite(cycles), cycles, np.nan)
+
+
+def _stress(load: Quantities) -> float | None:
     """Damaging stress; None where the part breaks at once."""
-    return None if is_static(part, load) else float(damaging_stress(part, model, load))
+    return None if load["is_broken"] else float(load["damaging_stress"])
 
 
-def _null(value: Values) -> float | None:
-    """JSON has no NaN: where fatigue sets no limit there is no number."""
-    return None if value != value else float(value)
+def _is_unlimited(load: Quantities) -> bool:
+    """Whether the damaging stress stays below the endurance limit."""
+    stress = _stress(load)
+    return stress is not None and stress <= load["endurance_limit"]
 
 
-def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: float) -> list[LifeSweep]:
+def life_sweep(clutch: Wired, model: StressRule, axes: Sequence[Axis], factor: float) -> list[LifeSweep]:
     """Calculate the life over spec keys, or over the band dT above the T_min of the spec.
 
     ``factor`` is that of the clutch as it is: where neither dT nor the part alone is swept, the event of every point
@@ -159,52 +197,85 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: 
     if any(axis.name == "dT" for axis in axes):
         if len(axes) > 1:
             raise AfmcalcError("dT is swept alone: it takes the place of what the clutch gives")
-        axis, part = axes[0], _part(clutch, model)
-        loads = _over_band(clutch, model, axis.values, factor)
-        lives: dict[str, Any] = {name: cycles(part, model, load) for name, load in loads.items()}
-        lives = {name: [_null(life) for life in np.broadcast_to(of, axis.values.shape)] for name, of in lives.items()}
+        axis, own = axes[0], by_rule(clutch, model).at(dynamic_factor=factor)
+        loads = {"protected": own, "unprotected": own.at("unprotected"), "protected_forecast": own.at("forecast")}
+        with np.errstate(all="ignore"):
+            lives: dict[str, Any] = {
+                name: lives_of(_with_band(own, load, axis.values, each_slip=model in _NEEDS))
+                for name, load in loads.items()
+            }
+        lives = {
+            name: [None if life != life else life for life in np.broadcast_to(of, axis.values.shape).tolist()]
+            for name, of in lives.items()
+        }
         return [LifeSweep(parameter=axis.name, path=axis.key.path, unit="N*m", values=axis.values.tolist(), **lives)]
+    drive = clutch.spec.drive
     of_part = all(axis.key.path.startswith(("fatigue.", "shaft.")) for axis in axes)
-    same_event = clutch.spec.drive.event is None or of_part
+    same_event = drive.event is None or of_part
 
-    def of(point: Clutch, times: Values | None = None, *, from_mean: bool = False) -> Values:
-        return cycles(_part(point, model), model, load_of(point, from_mean=from_mean).times(times))
-
-    def factor_of(point: Clutch) -> Values:
+    def factor_of(point: "Clutch") -> Values:
         from .simulate import dynamic_factors
 
-        given = point.spec.drive.dynamic_factor
-        return given if given is not None else factor if same_event else dynamic_factors(point)
+        own = point.spec.drive.dynamic_factor
+        return own if own is not None else factor if same_event else dynamic_factors(point)
+
+    def unprotected(point: "Clutch") -> Values:
+        return lives_of(by_rule(point, model).at(dynamic_factor=factor_of(point)).at("unprotected"))
 
     outputs = {
-        "protected": of,
-        "unprotected": lambda point: of(point, factor_of(point)),
-        "protected_forecast": lambda point: of(point, from_mean=True),
+        "protected": lambda point: lives_of(by_rule(point, model)),
+        "unprotected": unprotected,
+        "protected_forecast": lambda point: lives_of(by_rule(point, model).at("forecast")),
     }
-    return series(LifeSweep, clutch, axes, outputs, open_at=tuple(outputs)) or []
+    block = {"block": _BLOCK} if model in _NEEDS else {}
+    return series(LifeSweep, clutch.spec, axes, outputs, open_at=tuple(outputs), **block) or []
 
 
-def _over_band(clutch: Clutch, model: StressRule, band: Values, factor: float) -> dict[str, Load]:
-    """Loads of a clutch with another scatter band above its own T_min.
+def _with_band(own: Quantities, load: Quantities, band: Floats, *, each_slip: bool) -> Quantities:
+    """Return the load of a clutch with another scatter band above its own T_min.
 
     Slips keep the course of the torque over friction, stretched; the paper's forecast keeps T_cp, and has nothing to
     say of a band so narrow that T_max stays below it.
     """
-    load, forecast = load_of(clutch), load_of(clutch, from_mean=True)
-    least, own_band = load.least, load.most - load.least
-    over = load.stretched(least, own_band, band)
-    if RULES[model].each_slip:
-        upper = forecast.stretched(least, own_band, band)
-    else:
-        import numpy as np
+    import numpy as np
 
-        most = least + band
-        mean = np.where(most >= forecast.least, forecast.least, np.nan)
-        upper = Load(lambda share: mean + share * (most - mean), mean, most)
-    return {"protected": over, "unprotected": over.times(factor), "protected_forecast": upper}
+    least, width = own["torque_min"], own["scatter"]
+    if not each_slip:
+        most, low = least + band, load["torque_low"]
+        return load.at(torque_low=np.where(most >= low, low, np.nan), torque_high=most)
+    torques, most = load["torque_at_slips"] - least, load["torque_high"] - least
+    if width == 0:  # a straight line
+        torques, most, width = spread(0.0, 1.0, 256, ends=False), 1.0, 1.0
+    damage = load.at(torque_high=least + torques * (band / width))["counted_damage"]
+    return load.at(torque_high=least + most * (band / width), mean_damage=mean_along(damage))
 
 
-def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> list[Axis]:
+_OF_PART = Laws(pack, machine, law)
+
+
+def life_of(need: "Requirements", least: Floats, most: Floats) -> Floats:
+    """Cycles of the bands (S19) of many clutches, of the side that fails first.
+
+    Infinite where fatigue sets no limit; NaN of no torque.
+    """
+    import numpy as np
+
+    known: dict[str, Any] = {"torque_min": least, "torque_max": most}
+    for path in ("fatigue", "shaft", "drive"):
+        if (block := getattr(need, path)) is not None:
+            known |= {name: value for key, name in NAMES[path].items() if (value := getattr(block, key)) is not None}
+    if "shaft_diameter" in known:
+        known.pop("polar_section_modulus", None)
+    own = Quantities(_OF_PART, known)
+    with np.errstate(all="ignore"):
+        lives = [
+            np.where(load["damaging_stress"] <= load["endurance_limit"], np.inf, load["cycles"])
+            for load in (own, own.at("unprotected"))
+        ]
+    return np.minimum(*lives)
+
+
+def parse_axes(texts: Iterable[str], clutch: Wired, *, band: bool = False) -> list[Axis]:
     """Read the axes of a sweep; ``band`` takes dT for the scatter band, of which a life can be told."""
     from .sweep.axes import parse_axis
 
@@ -214,7 +285,7 @@ def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> l
     ]
 
 
-def band_axis(text: str, clutch: Clutch) -> Axis:
+def band_axis(text: str, clutch: Wired) -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
     import numpy as np
 
@@ -222,32 +293,25 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
     from .sweep.axes import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
-    load = load_of(clutch)
-    band = float(load.most - load.least)
-    _, separator, given = text.partition("=")
-    values = parse_values(text, given, "N*m") if separator else np.linspace(0.5 * band, 2 * band, 26)
+    band = float(clutch.quantities["scatter"])
+    _, separator, values_given = text.partition("=")
+    values = parse_values(text, values_given, "N*m") if separator else np.linspace(0.5 * band, 2 * band, 26)
     if bool((values < 0).any()):
         raise AfmcalcError("--sweep {text:.80}: a scatter band is not negative", text=text)
     return Axis("dT", key, values)
 
 
-def _judged(part: Fatigue, model: StressRule, side: str, load: Load) -> Iterator[Finding]:
+def _judged(load: Quantities, model: StressRule, side: str) -> Iterator[Finding]:
     """Say how long a side lasts, springs as they are: no slip, so many, or without a limit by fatigue."""
-    limit, path, stress = part.endurance_limit, "fatigue.endurance_limit", _stress(part, model, load)
+    limit, path, stress = load["endurance_limit"], "fatigue.endurance_limit", _stress(load)
     if stress is None:
-        top = float(law.shear_stress(load.most, part.polar_section_modulus))
-        strength, path = part.ultimate_strength, "fatigue.ultimate_strength"
+        top, strength, path = float(load["stress_high"]), load["ultimate_strength"], "fatigue.ultimate_strength"
         yield finding("static-strength-exceeded", "error", value=top, limit=strength, path=path, side=term(side))
-    elif _is_unlimited(part, stress):
-        code = "life-not-limited/no-number" if RULES[model].each_slip else "life-not-limited/extrapolated"
+    elif _is_unlimited(load):
+        code = "life-not-limited/no-number" if model in _NEEDS else "life-not-limited/extrapolated"
         yield finding(code, "info", value=stress, limit=limit, path=path, side=term(side))
-    elif (slips := _null(cycles(part, model, load))) is not None:
+    elif (cycles := _cycles(load)) is not None:
         yield finding(
-            "life-limited", "info", value=slips, limit=part.base_cycles, path=path, side=term(side), stress=stress,
+            "life-limited", "info", value=cycles, limit=load["base_cycles"], path=path, side=term(side), stress=stress,
             endurance=limit,
         )  # fmt: skip
-
-
-def _is_unlimited(part: Fatigue, stress: float | None) -> bool:
-    """Whether a damaging stress stays below the endurance limit."""
-    return stress is not None and stress <= part.endurance_limit

@@ -5,9 +5,9 @@ from collections.abc import Collection, Iterator
 from typing import Literal, NamedTuple
 
 from ..drive.result import HeatResult, SimulateResult
+from ..engines import Clutch
 from ..engines.parts import checks_of_spec
-from ..engines.protocol import Clutch
-from ..equations import direct, life
+from ..engines.selection import Wired
 from ..errors import given
 from ..findings import Finding, Level, finding
 from ..messages import say, term
@@ -16,6 +16,7 @@ from ..spec.catalogues import Material
 from ..spec.edit import value_at
 from ..spec.lists import diameters
 from .answers import Answers
+from .clutch_findings import demands_on_springs
 from .heat import judged_temperature, share_of_rise
 from .layout import LayoutResult, space_limits
 from .life import LifeResult
@@ -119,28 +120,29 @@ def _limits(answers: Answers, without: Collection[str]) -> Iterator[_Limit]:
                 yield _Limit("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, lives.endurance_limit)
 
 
-def _of_clutch(clutch: Clutch) -> Iterator[_Limit]:
-    gain, rule, limit = float(clutch.gain), clutch.spec.kind.gain_limit, clutch.gain_limit
-    if rule is not None and limit is not None:
-        value, bound = rule.stated(gain, clutch.reduced_gain, limit)
+def _of_clutch(clutch: Wired) -> Iterator[_Limit]:
+    own, rule = clutch.quantities, clutch.spec.kind.gain_limit
+    gain, lowest, nominal = (float(own[name]) for name in ("gain", "torque_min", "nominal_torque"))
+    if rule is not None:
+        value, bound = rule.stated(gain, own["reduced_gain"], own["gain_limit"])
         yield _Limit(rule.code, rule.quantity, rule.symbol, "1", float(value), float(bound))
-    if least := float(clutch.gain_threshold):
+    travels = clutch.spec.kind.travels
+    if travels and (least := float(own["gain_threshold"])):
         name = term("gain against key friction")
         yield _Limit("feedback-idle", name, "C ≥ 2R f_1/d", "1", gain, least, least=True)
-    lowest, nominal = float(clutch.torque_min), float(clutch.nominal_torque)
     name = term("least torque in service")
     as_set = math.isclose(lowest, nominal)
     yield _Limit("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True, by_choice=as_set)
-    if clutch.sleeve is not None:
-        returned = clutch.sleeve.torque_returning_min
-        name, machine = term("least torque, friction falling under load"), float(clutch.machine_torque)
-        yield _Limit("returning-below-nominal", name, "T_ret ≥ T_н.маш", "N*m", float(returned), machine, least=True)
-    if (plate := clutch.spec.machine) is not None:
-        name, asked = term("torque that the machine asks for"), float(plate.torque)
+    if travels:
+        returned, machine = float(own["torque_returning_min"]), float(own["machine_torque"])
+        name = term("least torque, friction falling under load")
+        yield _Limit("returning-below-nominal", name, "T_ret ≥ T_н.маш", "N*m", returned, machine, least=True)
+    if "torque_asked_for" in own:
+        name, asked = term("torque that the machine asks for"), float(own["torque_asked_for"])
         yield _Limit("machine-not-driven", name, "T_min ≥ T_маш", "N*m", lowest, asked, least=True)
-        if (start := plate.starting_torque) is not None:
-            name = term("torque of a direct start")
-            yield _Limit("slips-at-start", name, "T_пуск ≤ T_min", "N*m", float(start), lowest)
+    if "starting_torque" in own:
+        name, start = term("torque of a direct start"), float(own["starting_torque"])
+        yield _Limit("slips-at-start", name, "T_пуск ≤ T_min", "N*m", start, lowest)
 
 
 def _of_hub(answers: Answers) -> Iterator[_Limit]:
@@ -149,7 +151,7 @@ def _of_hub(answers: Answers) -> Iterator[_Limit]:
     hub, inner = value_at(spec, "control_unit.hub_diameter"), spec.friction_group.inner_radius
     if hub is None:
         return
-    room = 2 * (float(answers.clutch.mean_radius) if inner is None else inner)
+    room = 2 * (float(answers.clutch.quantities["mean_radius"]) if inner is None else inner)
     if ANALYSES["synthesize"].applies(answers.clutch):
         unit = answers.of(SynthesisResult)
         room = min(room, 2 * unit.ball_circle_radius - unit.ball_diameter)
@@ -168,33 +170,32 @@ def hub_findings(answers: Answers) -> list[Finding]:
 
 def _of_shaft(answers: Answers, *, simulated: bool = True) -> Iterator[_Limit]:
     """The shaft does not yield at the peak torque of an event, or at the largest of the clutch times its factor."""
-    clutch, shaft = answers.clutch, answers.clutch.spec.shaft
-    if shaft is None or shaft.yield_strength is None:
+    clutch, own = answers.clutch, answers.clutch.quantities
+    if "shear_yield_strength" not in own:
         return
-    torque = clutch.torque_max
     if not ANALYSES["simulate"].applies(clutch):
-        torque = life.torque_unprotected(clutch.spec.drive.dynamic_factor or 1.0, torque)
+        own = own.at("unprotected")
     elif simulated:
-        torque = max(float(torque), answers.of(SimulateResult).judged_peak)
-    stress = float(life.shear_stress(torque, shaft.section_modulus))
-    name, limit = term("largest stress of the shaft, by von Mises"), float(shaft.shear_yield_strength)
+        own = own.at(torque_high=max(float(own["torque_max"]), answers.of(SimulateResult).judged_peak))
+    stress, limit = float(own["stress_high"]), float(own["shear_yield_strength"])
+    name = term("largest stress of the shaft, by von Mises")
     yield _Limit("shaft-yields", name, "τ ≤ σ_т/√3", "Pa", stress, limit)
 
 
 def shaft_findings(answers: Answers, *, simulated: bool = True) -> list[Finding]:
     """Say that the shaft yields; without ``simulated`` by the largest torque of the clutch alone where an event is."""
-    shaft = answers.clutch.spec.shaft
+    own = answers.clutch.quantities
     return [
         finding(
             row.code, "error", value=row.value, limit=row.limit, path="shaft.yield_strength",
-            torque=row.value * float(shaft.section_modulus),
+            torque=row.value * float(own["polar_section_modulus"]),
         )
         for row in _of_shaft(answers, simulated=simulated)
-        if shaft is not None and row.value > row.limit * (1 + 1e-9)
+        if row.value > row.limit * (1 + 1e-9)
     ]  # fmt: skip
 
 
-def _of_synthesis(clutch: Clutch, unit: SynthesisResult) -> Iterator[_Limit]:
+def _of_synthesis(clutch: Wired, unit: SynthesisResult) -> Iterator[_Limit]:
     diameter, needed, pitch = unit.ball_diameter, 2 * unit.ball_radius, unit.ball_pitch
     if unit.ball_diameter_standard is None:
         largest = max(clutch.spec.lists.balls or diameters())
@@ -213,13 +214,10 @@ def _of_synthesis(clutch: Clutch, unit: SynthesisResult) -> Iterator[_Limit]:
     if (sleeve := value_at(clutch.spec, "control_unit.sleeve_depth")) is not None:
         depth = unit.pocket_depth_cut
         yield _Limit("depth-beyond-sleeve", term("pocket within the sleeve"), "h_c ≤ B", "m", depth, sleeve)
-    for force, allowable, by_hertz in contact_limits(clutch, unit):
+    for force, allowable, by_hertz in contact_limits(clutch.spec, unit):
         name = term("contact force on one ball, by Hertz") if by_hertz else term("contact force on one ball")
         code = "contact-force-exceeded" if force > allowable else ""  # one limit may hold where the other does not
         yield _Limit(code, name, "F_n ≤ [F_n]", "N", force, allowable)
-    if unit.seat_force is not None and unit.seat_utilisation:
-        force, allowable = unit.seat_force, unit.seat_force / unit.seat_utilisation
-        yield _Limit("seat-force-exceeded", term("force of a seat on one ball"), "F_s ≤ [F_n]", "N", force, allowable)
 
 
 def _travel(event: SimulateResult) -> float:
@@ -240,11 +238,12 @@ def _of_event(clutch: Clutch, event: SimulateResult) -> Iterator[_Limit]:
         yield _Limit("event-ball-leaves-pocket", name, "x_max ≤ [x]", "m", _travel(event), strength.travel)
 
 
-def _of_springs(clutch: Clutch, travel: float) -> Iterator[_Limit]:
+def _of_springs(clutch: Wired, travel: float) -> Iterator[_Limit]:
     """What the springs named are to hold, each judged on its own, where the sleeve travels so far in an event."""
     if not clutch.spec.spring_parts:
         return
-    for path, demand in checks_of_spec(clutch.spec, clutch.spring_demands(travel)):
+    own = clutch.quantities
+    for path, demand in checks_of_spec(clutch.spec, demands_on_springs(clutch.spec, own, travel), own.apply):
         rule, used = demand.rule, demand.utilisation
         if math.isfinite(used):
             spring = term("closing spring") if path.startswith("closing") else term("control spring")
@@ -267,7 +266,7 @@ def _of_heat(clutch: Clutch, heat: HeatResult) -> Iterator[_Limit]:
     yield _Limit(code if value > limit.high else "temperature-in-range", name, symbol, "K", value, limit.low, used=used)
 
 
-def pressure_findings(clutch: Clutch) -> list[Finding]:
+def pressure_findings(clutch: Wired) -> list[Finding]:
     """Hold the pressure of the clutch at rest against the allowable range of each material named.
 
     The pack is pressed most at rest, before a release force sets in: with F_п of a direct clutch, F_п2 of an indirect
@@ -282,16 +281,10 @@ def pressure_findings(clutch: Clutch) -> list[Finding]:
     ]
 
 
-def ring_pressures(clutch: Clutch) -> dict[str, float]:
+def ring_pressures(clutch: Wired) -> dict[str, float]:
     """Return the pressure of a pack at rest in the ``mean`` and at its ``peak``, Pa; empty without both radii."""
-    group = clutch.spec.friction_group
-    if group.inner_radius is None or group.outer_radius is None:
-        return {}
-    ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
-    pressures = {"mean": float(direct.mean_pressure(*ring))}
-    if (group.radius_model or "uniform-wear") == "uniform-wear":
-        pressures["peak"] = float(direct.peak_pressure_uniform_wear(*ring))
-    return pressures
+    own = clutch.quantities
+    return {kind: float(own[name]) for kind in ("mean", "peak") if (name := f"{kind}_pressure") in own}
 
 
 _PRESSURE_CODES = {

@@ -62,7 +62,7 @@ class Analysis(NamedTuple):
     """Class of its result, in ``home``."""
     group: str
     """Commands that belong together: what a command takes."""
-    applies: Callable[["Clutch"], bool] = lambda clutch: True
+    applies: Callable[[Any], bool] = lambda clutch: True
     """Whether a clutch can be asked."""
     options: tuple[str, ...] = ()
     """Its arguments beside the clutch, of those that ``Answers`` has."""
@@ -92,7 +92,7 @@ def _can_be_simulated(clutch: "Clutch") -> bool:
 
 def _can_be_synthesized(clutch: "Clutch") -> bool:
     unit = clutch.spec.control_unit
-    return unit is not None and unit.ball_circle_radius is not None and bool(clutch.gain > 0)
+    return unit is not None and unit.ball_circle_radius is not None and bool(clutch.quantities["gain"] > 0)
 
 
 def _heat_is_known(clutch: "Clutch") -> bool:
@@ -238,7 +238,6 @@ ANALYSES: dict[str, Analysis] = {
             ),
             plot=Plot(
                 "pocket", "section through ball and pockets, to scale; .dxf and .svg for the shop", "clutch",
-                ("profile", "cutter", "chord"),
             ),
         ),
         Analysis(

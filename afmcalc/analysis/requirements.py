@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import Any, Literal, NamedTuple
 
-from ..engines.protocol import Clutch
+from ..engines import Clutch
 from ..findings import Finding, finding
 from ..messages import measured, term, translate
 from ..result import OpenTriple, Result, Sentence, Triple, described, quantity
@@ -168,7 +168,7 @@ def requirement_rows(answers: Answers, *, without: Collection[str] = ()) -> tupl
     required = clutch.spec.requirements
     given = {} if required is None else required.model_dump(exclude_none=True)
     machine = clutch.spec.machine
-    given |= {} if machine is None else {"machine_torque": float(machine.torque)}
+    given |= {} if machine is None else {"machine_torque": float(clutch.quantities["torque_asked_for"])}
     rows, findings = [], []
     for name, limit in given.items():
         judged, path = JUDGED[name], f"requirements.{name}"
@@ -203,9 +203,10 @@ def requirement_rows(answers: Answers, *, without: Collection[str] = ()) -> tupl
 def _as_friction_falls(answers: Answers, given: Mapping[str, float]) -> Iterator[Finding]:
     """Warn where K_т holds its limit and K_т,h, of which nothing is asked, does not; K_т,h is never the smaller."""
     limit, name = given.get("accuracy_factor"), "accuracy_factor_hysteresis"
-    if limit is None or answers.clutch.sleeve is None or name in given:
+    own = answers.clutch.quantities
+    if limit is None or name not in own or name in given:
         return
-    factor, returning = float(answers.clutch.accuracy_factor), answers.clutch.sleeve.accuracy_factor_hysteresis
+    factor, returning = float(own["accuracy_factor"]), own[name]
     if factor <= limit * _HELD < returning:
         path = "requirements.accuracy_factor"
         yield finding("accuracy-not-lasting", "warning", value=float(returning), limit=limit, path=path, factor=factor)

@@ -5,11 +5,10 @@ every key that is filled in is told: what is drawn is the layout of the spec wit
 """
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from typing import Any, NamedTuple
 
+from ..engines import Clutch, build
 from ..engines.layout import FACE_GAP, TOUCHES, PartName, Ring, Sizes, SpringSize, overlaps, parts_of, sizes_of
-from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..messages import term
 from ..spec.edit import value_at, with_values
@@ -149,11 +148,11 @@ def _completed(answers: Answers) -> tuple[Clutch, Sizes, dict[str, float]]:
         """Fill in the keys of a block that have no value, and return it."""
         nonlocal clutch
         if value_at(clutch.spec, block) is None:
-            clutch = replace(clutch, spec=with_values(clutch.spec, {block: empty}))
+            clutch = Clutch(with_values(clutch.spec, {block: empty}), clutch.quantities)
         missing = {f"{block}.{name}": value for name, value in values.items()}
         missing = {path: value for path, value in missing.items() if value_at(clutch.spec, path) is None}
         assumed.update(missing)
-        clutch = replace(clutch, spec=with_values(clutch.spec, missing))
+        clutch = build(with_values(clutch.spec, missing))
         return value_at(clutch.spec, block)
 
     shaft = clutch.spec.shaft.diameter if clutch.spec.shaft else 0.0

@@ -1,28 +1,26 @@
-"""What the shop cuts: two sleeves with pockets as contours in the section at the ball circle, and a cutter's way.
+"""What the shop cuts: two sleeves with pockets as contours in the section at the ball circle.
 
 A pocket is cut to the lowest point of the ball; a groove between the ends of its walls keeps the ball off the floor.
 Coordinates: from the centre of the ball at the stop, along the axis into the first sleeve, and around the circle. The
-first sleeve has the curved wall, if there is one; the second seats the ball, or has the same.
+first sleeve has the curved wall, if there is one, and the second seats the ball; else both have the same.
 """
 
 import math
 from typing import NamedTuple, TypeAlias
 
+from ..engines import Clutch
 from ..engines.layout import parts_of, sizes_of
-from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..messages import say
 from ..spec import Spec
 from .synthesize import SynthesisResult
-from .wall import Wall, WallPoint, wall_of
+from .wall import Wall, wall_of
 
 Points: TypeAlias = list[tuple[float, float]]
 """(along the axis, around the circle), m."""
 
 BESIDE = 0.5
 """What is drawn of a sleeve beside its pocket, of half its width; behind it of its depth, where nothing is said."""
-CUTTER = 0.8
-"""Diameter of the cutter unless told, of the ball's: one as large would leave a wall that the ball lies close in."""
 RELIEF, RELIEF_STEP = 0.05, 1e-4
 """Depth of the groove under a ball, of its diameter, rounded up to whole steps, m."""
 
@@ -33,13 +31,6 @@ class Contour(NamedTuple):
     layer: str
     points: Points
     closed: bool = True
-
-
-class CutterPoint(WallPoint):
-    """A place of the wall, and the centre of a cutter that touches it there."""
-
-    cutter_axial: float
-    cutter_around: float
 
 
 class SleeveSizes(NamedTuple):
@@ -69,28 +60,17 @@ class ShopDrawing(NamedTuple):
     """Of the parts with pockets, kg; none where there is no layout."""
     contours: list[Contour]
     synthesis: SynthesisResult
-    profile: list[CutterPoint]
-    """The wall of the first sleeve with the path of the cutter, from the floor to the face."""
-    cutter_radius: float
     chord: float
+    """How far a chord may lie off the wall, m."""
 
 
-def shop_drawing(
-    clutch: Clutch, unit: SynthesisResult, cutter: float | None = None, chord: float | None = None
-) -> ShopDrawing:
+def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
     """Lay out the pockets of a control unit as synthesized.
 
-    Args:
-        clutch: the clutch.
-        unit: its control unit.
-        cutter: diameter of the cutter, m; its axis stands on the section. None for one of ``CUTTER``.
-        chord: how far a chord may lie off the wall, m; None for ``Wall.chord``.
-
     Raises:
-        CalculationError: the wall cannot be cut, or not with this cutter.
+        CalculationError: the wall cannot be cut.
     """
     wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
-    chord = wall.chord if chord is None else chord
     if not wall.can_be_cut:
         assert wall.undercut_radius is not None
         message = say(
@@ -100,23 +80,12 @@ def shop_drawing(
             limit=2 * wall.undercut_radius,
         )
         raise CalculationError(message)
-    radius = CUTTER * wall.ball_radius if cutter is None else cutter / 2
-    if not 0 < radius <= wall.ball_radius * (1 + 1e-12):
-        message = say(
-            "--cutter: {cutter:.5g mm} is none: the pocket takes one of up to {ball:.5g mm}, as large as the ball",
-            cutter=2 * radius,
-            ball=unit.ball_diameter,
-        )
-        raise CalculationError(message)
     if unit.web is not None and unit.web <= 0:
         raise CalculationError("no pocket to draw: the pockets cut into each other")
     sleeve = _sleeve_of(clutch.spec, unit, wall)
-    profile = _profile(wall, radius, chord)
-    seat = wall if wall.sleeves == 2 else wall._replace(steepening=0.0)
-    path = [(-place.path_axial, place.path_around) for place in profile if place.travel >= 0]
-    way = _both_sides([(-place.cutter_axial, place.cutter_around) for place in profile])
-    first = _pocket(profile, wall, unit.pocket_depth_cut, sleeve.relief)
-    second = _mirrored(_pocket(_profile(seat, radius, chord), seat, unit.pocket_depth_cut, sleeve.relief))
+    path = [(-place.path_axial, place.path_around) for place in wall.points()]
+    first = _pocket(wall, unit.pocket_depth_cut, sleeve.relief)
+    second = _mirrored(_pocket(wall._replace(steepening=0.0), unit.pocket_depth_cut, sleeve.relief))
     extent = unit.face_gap / 2 + sleeve.depth, (1 + BESIDE) * max(abs(around) for _, around in (*first, *second))
     parts = [] if clutch.spec.envelope is None else parts_of(sizes_of(clutch))
     return ShopDrawing(
@@ -130,12 +99,9 @@ def shop_drawing(
             Contour("POCKET_1", first),
             Contour("POCKET_2", second),
             Contour("PATH", path, closed=False),
-            Contour("CUTTER", way, closed=False),
         ],
         synthesis=unit,
-        profile=profile,
-        cutter_radius=radius,
-        chord=chord,
+        chord=wall.chord,
     )
 
 
@@ -180,37 +146,10 @@ def _floor_half(wall: Wall, depth: float) -> float:
     return start.wall_around - (depth + wall.face_gap / 2 + start.wall_axial) * wall.tangent
 
 
-def _profile(wall: Wall, cutter: float, chord: float) -> list[CutterPoint]:
-    """The wall from where a cutter touches the floor: straight on below the ball at the stop, then up to the face."""
-    points = wall.points(chord)
-    below = (wall.ball_radius - cutter) * (1 - math.sin(wall.angle))
-    if below > 0:
-        start, around = points[0], -below * wall.tangent
-        points.insert(
-            0,
-            WallPoint(
-                travel=-wall.sleeves * below,
-                wall_angle=start.wall_angle,
-                path_axial=-below,
-                path_around=around,
-                wall_axial=start.wall_axial - below,
-                wall_around=start.wall_around + around,
-            ),
-        )
-    return [
-        CutterPoint(
-            **dict(point),
-            cutter_axial=point.wall_axial + cutter * math.sin(point.wall_angle),
-            cutter_around=point.wall_around - cutter * math.cos(point.wall_angle),
-        )
-        for point in points
-    ]
-
-
-def _pocket(profile: list[CutterPoint], wall: Wall, depth: float, relief: float) -> Points:
+def _pocket(wall: Wall, depth: float, relief: float) -> Points:
     """Contour of a pocket: up one wall and down the other, the groove between them, open side at the face."""
     floor, half = depth + wall.face_gap / 2, _floor_half(wall, depth)
-    above = [(-place.wall_axial, place.wall_around) for place in profile if -place.wall_axial < floor * (1 - 1e-12)]
+    above = [(-place.wall_axial, place.wall_around) for place in wall.points()]
     return _both_sides([(floor + relief, half), (floor, half), *above])
 
 

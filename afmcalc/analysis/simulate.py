@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,12 +13,11 @@ from ..drive.peaks import Peaks, peaks_of
 from ..drive.plant import Plant
 from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import Train, train_of
+from ..engines import Clutch
 from ..engines.parts import checks_of_spec
-from ..engines.protocol import Clutch
+from ..equations import control_unit
 from ..equations import drive as law
-from ..equations import synthesis
 from ..equations.arrays import Floats, Values
-from ..equations.calls import unnoted
 from ..errors import CalculationError
 from ..findings import Finding, Level, finding
 from ..messages import measured, say, term
@@ -27,6 +25,7 @@ from ..progress import counted
 from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_values
+from .clutch_findings import clutch_findings
 from .effects import with_pairs
 from .registry import ANALYSES
 from .sweep.grid import Axis, replaced, series
@@ -167,7 +166,7 @@ def contact_forces(clutch: Clutch, outcomes: Sequence[Outcome]) -> list[float] |
     if clutch.spec.kind.travels and let_go(outcomes) is None:
         return None  # feedback that the key just holds is simulated without its balls
     count, radius = unit.balls, unit.ball_circle_radius
-    return [float(synthesis.contact_force(each.trip.peak_wall, count, radius, 1.0)) for each in outcomes]
+    return [float(control_unit.contact_force(each.trip.peak_wall, count, radius, 1.0)) for each in outcomes]
 
 
 def strength_of(clutch: Clutch) -> Strength:
@@ -233,7 +232,6 @@ _WIDE = 0.05
 """Width of the bracket κ … κ₊, relative to the value, beyond which it is said."""
 
 
-@unnoted()
 def simulate(
     clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
 ) -> tuple[SimulateResult, list[Finding]]:
@@ -283,7 +281,7 @@ def simulate(
         sweep=sweep,
     )
     return result, [
-        *clutch.findings(),
+        *clutch_findings(clutch.spec, clutch.quantities),
         *strains(clutch, outcomes),
         *remarks_of(clutch, train, outcomes, result),
         *_wide("peak", peaks_at_stop),
@@ -305,7 +303,7 @@ def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
 def _has_key(clutch: Clutch) -> bool:
     """Whether the sleeve slides on a key that rubs."""
     unit = clutch.spec.control_unit
-    return clutch.sleeve is not None and unit is not None and bool(unit.key_friction)
+    return clutch.spec.kind.travels and unit is not None and bool(unit.key_friction)
 
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:
@@ -364,7 +362,7 @@ def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] |
     }
     if clutch.bypass_pairs and clutch.spec.kind.controlled:
         outputs["peak_torque_bypass"] = bypass_peaks
-    rows = series(SimulateSweep, clutch, sweeps, outputs, open_at=("peak_torque_bypass",))
+    rows = series(SimulateSweep, clutch.spec, sweeps, outputs, open_at=("peak_torque_bypass",))
     count = sum(int(np.count_nonzero(~peaks.passed)) for _, peaks in asked)
     return rows, [finding("sweep-not-settled", "warning", value=count, path="drive.cut_off")] if count else []
 
@@ -417,7 +415,7 @@ def _bypass_carries_more(clutch: Clutch) -> tuple[Any, Any, NDArray[np.bool_]]:
 def bypass_alone(clutch: Clutch) -> Clutch:
     """Return the clutch with its bypass pairs only; the load before the event stays that of the clutch as it is."""
     loaded = with_values(clutch.spec, {"drive.load_torque": train_of(clutch).load})
-    return replace(with_pairs(clutch, clutch.bypass_pairs, 0.0), spec=loaded)
+    return Clutch(loaded, with_pairs(clutch, clutch.bypass_pairs, 0.0).quantities)
 
 
 class MomentRow(Result):

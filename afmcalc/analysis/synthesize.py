@@ -1,76 +1,58 @@
 """Synthesis of the control unit: wall angle, travel, balls, pockets, contact (S21 (16)–(24))."""
 
-import math
 from collections.abc import Iterator, Sequence
 from typing import Any, ClassVar, Literal
 
-from ..engines import build
-from ..engines.protocol import Clutch
-from ..equations import synthesis as law
-from ..equations.arrays import finite
-from ..equations.calls import unnoted
+import numpy as np
+
+from ..engines.quantities import Quantities
+from ..engines.selection import Wired, quantities_of
+from ..equations.arrays import next_listed
 from ..errors import given
 from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, Sentence, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_key
-from ..spec.lists import ball_designation, diameters, next_size
+from ..spec.lists import ball_designation, diameters
 from ..spec.models import ControlUnit
-from .wall import DEFAULT_CLEARANCE, Basis, WallPoint, clearances, contact_of, places_along, wall_of
+from .asking import Asking, answer, asked
+from .clutch_findings import clutch_findings
+from .wall import WallPoint, wall_of
 
-_STEPS = 120
-"""Gains tried for one with which a curved wall can be cut: up to ten times as large."""
+Basis = Literal["given", "hertz-ball-on-flat", "hertz-ball-on-curved-wall"]
+_GAINS = 1.02 ** np.arange(1, 121)
+"""Gains tried, over that of the clutch, for one with which a curved wall can be cut."""
 
 
-class SynthesisResult(Answer):
+class SynthesisResult(Asking, Answer):
     """A control unit that fits the clutch."""
 
     rows_with_values: ClassVar[bool] = True
 
-    wall_angle: float = quantity("rad", "α", "wall angle of the pockets; of a curved wall at the stop")
-    wall_angle_max: float | None = quantity("rad", "α_max", "wall angle at the largest travel", optional=True)
-    gain_slope: float | None = quantity("1/m", "C_1", "how the gain grows with the sleeve's travel", optional=True)
-    profiled: Literal["one", "both"] | None = described("sleeves with the curved wall", optional=True)
-    ball_circle_radius: float = quantity("m", "r", "radius of the ball circle")
-    travel_max: float = quantity("m", "x_max", "largest travel of the sleeve")
-    face_gap: float = quantity("m", "s", "gap between the faces")
-    edge_clearance: float = quantity("m", "y", "clearance asked for")
-    ball_radius: float = quantity("m", "r_ш", "smallest ball radius")
-    undercut_radius: float | None = quantity(
-        "m", "ρ_0", "radius of a ball that undercuts the curved wall: all smaller ones run on it", optional=True
-    )
-    ball_diameter_standard: float | None = quantity("m", "d_ш", "ball chosen: given, or the next standard one")
+    wall_angle: float = asked()
+    wall_angle_max: float | None = asked(optional=True)
+    gain_slope: float | None = asked(optional=True)
+    ball_circle_radius: float = asked()
+    travel_max: float = asked()
+    face_gap: float = asked()
+    edge_clearance: float = asked()
+    ball_radius: float = asked()
+    undercut_radius: float | None = asked(optional=True)
+    ball_diameter_standard: float | None = asked()
     ball_designation: Sentence | None = described("designation of the ball, without its grade", optional=True)
-    edge_clearance_standard: float | None = quantity("m", "y_st", "clearance with the ball chosen")
-    pocket_depth: float = quantity(
-        "m", "h_1", "pocket depth to the virtual apex, for the ball chosen (the smallest where none is)"
-    )
-    pocket_depth_cut: float = quantity("m", "h_c", "pocket depth to cut: the ball's lowest point, where the walls end")
-    pocket_width: float = quantity("m", "b", "width of the pocket's mouth at the face")
-    ball_pitch: float | None = quantity("m", "t_ш", "distance between the centres of neighbouring balls")
-    web: float | None = quantity("m", "e", "web between neighbouring pockets at the face")
-    contact_force: float | None = quantity("N", "F_n", "largest normal force on one ball")
-    contact_force_critical: float | None = quantity(
-        "N", "F_n,c", "normal force on one ball where the contact pressure is largest", optional=True
-    )
-    contact_force_allowable: float | None = quantity("N", "[F_n]", "allowable normal force on one ball")
-    seat_force: float | None = quantity(
-        "N", "F_s", "largest force of a wall that seats the ball in the other sleeve", optional=True
-    )
-    seat_utilisation: float | None = quantity("1", "F_s/[F_n]", "utilisation of the seat", optional=True)
+    edge_clearance_standard: float | None = asked()
+    pocket_depth: float = asked()
+    pocket_depth_cut: float = asked()
+    pocket_width: float = asked()
+    ball_pitch: float | None = asked()
+    web: float | None = asked()
+    contact_force: float | None = asked()
+    contact_force_allowable: float | None = asked("allowable_contact_force")
     contact_basis: Basis | None = described("where the allowable force is from")
     contact_utilisation: float | None = quantity("1", "F_n/[F_n]", "utilisation of the contact")
-    contact_force_hertz: float | None = quantity(
-        "N", "[F_n]_H", "normal force on one ball at the allowable contact pressure", optional=True
-    )
-    contact_pressure: float | None = quantity(
-        "Pa", "p_0", "largest contact pressure of ball and wall (Hertz)", optional=True
-    )
-    gain_at_least_contact_force: float | None = quantity(
-        "1", "C_Fn", "gain at which the same spring presses least on a ball; above it F_n grows", optional=True
-    )
-
+    contact_force_hertz: float | None = asked(optional=True)
+    contact_pressure: float | None = asked(optional=True)
     wall: list[WallPoint] | None = described(
         "curved wall from the stop to the face, from the ball's centre at the stop", optional=True
     )
@@ -86,104 +68,75 @@ class SynthesisResult(Answer):
         return 2 * self.ball_radius if self.ball_diameter_standard is None else self.ball_diameter_standard
 
 
-def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
+def synthesize(clutch: Wired, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
     """Design the control unit of a clutch, with ``balls`` to choose from, m, ascending; None: those of the spec.
 
     Raises:
         SpecError: the spec lacks what synthesis needs.
     """
-    unit = _unit(clutch)
-    assert unit.ball_circle_radius is not None
-    travel = _travel(clutch)
-    gap, clearance = clearances(unit)
-    bare = wall_of(clutch, gap)
-    sine = math.sin(bare.angle)
-    smallest = bare.smallest_ball(travel, clearance)
-    sizes = balls or clutch.spec.lists.balls or diameters()
-    chosen = unit.ball_diameter or next_size(sizes, 2 * smallest)
-    wall = bare._replace(ball_radius=smallest if chosen is None else chosen / 2)
-    depth = law.pocket_depth(wall.ball_radius, sine, gap)
-    curved = bare.steepening > 0
-    width = wall.width if curved else law.pocket_width(depth, bare.tangent)
-    pitch = None
-    if unit.balls is not None and unit.balls > 1:
-        pitch = float(law.ball_pitch(unit.ball_circle_radius, math.sin(math.pi / unit.balls)))
-    # the largest F_n along the common path
-    if clutch.sleeve is not None and curved:
-        places = places_along(clutch.sleeve, wall)
-    else:
-        first, second = clutch.friction
-        torque = max(clutch.ball_torque(first.min, second.min), clutch.ball_torque(first.max, second.max))
-        places = [torque], [wall.angle]
-    contact = contact_of(unit, wall, *places, ball_known=chosen is not None)
-    of_the_curve: dict[str, Any] = {}
-    if curved:
-        of_the_curve = {
-            "wall_angle_max": wall.angle_at(travel / wall.sleeves),
-            "gain_slope": clutch.sleeve and clutch.sleeve.gain_slope,
-            "profiled": unit.profiled or "one",
-            "undercut_radius": wall.undercut_radius,
-            "wall": wall.points() if wall.can_be_cut else None,
-        }
-    result = SynthesisResult(
-        wall_angle=bare.angle,
-        ball_circle_radius=unit.ball_circle_radius,
-        travel_max=travel,
-        face_gap=gap,
-        edge_clearance=clearance,
-        ball_radius=smallest,
+    spec, unit = clutch.spec, _unit(clutch)
+    sizes = balls or spec.lists.balls or diameters()
+    own = clutch.quantities.at(balls_listed=tuple(sizes))
+    diameter = float(own["ball_diameter_standard"])
+    chosen = None if np.isnan(diameter) else diameter
+    wall = wall_of(clutch, own["face_gap"], own["ball_radius_chosen"])
+    unknown = dict[str, Any]()
+    if unit.balls is None or unit.balls == 1:
+        unknown |= {"ball_pitch": None, "web": None}
+    if chosen is None:
+        unknown |= {"edge_clearance_standard": None}
+    result = answer(
+        SynthesisResult,
+        own,
         ball_diameter_standard=chosen,
         ball_designation=None if chosen is None else ball_designation(chosen),
-        edge_clearance_standard=None if chosen is None else wall.clearance(travel),
-        pocket_depth=depth,
-        pocket_depth_cut=law.pocket_depth_cut(wall.ball_radius, gap),
-        pocket_width=width,
-        ball_pitch=pitch,
-        web=None if pitch is None else law.web(pitch, width),
-        **contact._asdict(),
-        gain_at_least_contact_force=least_contact_force_gain(clutch),
-        **of_the_curve,
+        wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None,
+        **unknown,
+        **_contact(own, unit, by_hertz=chosen is not None and wall.can_be_cut),
     )
     return result, [
-        *clutch.findings(),
-        *_ball_findings(clutch, unit, result, sizes[-1]),
-        *_curve_findings(clutch, result, sizes),
+        *clutch_findings(spec, own),
+        *_ball_findings(spec, unit, result, sizes[-1]),
+        *_curve_findings(spec, result, sizes),
         *_room_findings(unit, result),
-        *_contact_findings(clutch, unit, result),
+        *_contact_findings(spec, unit, result),
     ]
 
 
-def _unit(clutch: Clutch) -> ControlUnit:
+def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[str, Any]:
+    """Hold the contact of a ball against every limit that the spec gives, or against Hertz where it gives none.
+
+    ``by_hertz``: there is such a ball, and its wall can be cut, so that Hertz tells what it may carry.
+    """
+    given, curved = unit.allowable_contact_force, "path_steepening" in clutch
+    if unit.balls is None:  # what one may carry does not depend on their number
+        clutch = clutch.at(balls=1)
+    limits: list[tuple[float, Basis]] = [] if given is None else [(given, "given")]
+    hertz = float(clutch["contact_force_hertz"]) if by_hertz and (given is None or unit.contact is not None) else None
+    if hertz is not None:
+        limits.append((hertz, "hertz-ball-on-curved-wall" if curved else "hertz-ball-on-flat"))
+    allowable, basis = min(limits, key=lambda limit: limit[0], default=(None, None))
+    force = None if unit.balls is None else float(clutch["contact_force"])
+    return {
+        "contact_force": force,
+        "contact_force_allowable": allowable,
+        "contact_basis": basis,
+        "contact_utilisation": force / allowable if force is not None and allowable else None,
+        "contact_force_hertz": hertz,
+        "contact_pressure": float(clutch["contact_pressure"]) if force is not None and by_hertz else None,
+    }
+
+
+def _unit(clutch: Wired) -> ControlUnit:
     """Return the control unit; refuse a clutch without what synthesis needs."""
-    unit = clutch.spec.control_unit
+    spec, unit = clutch.spec, clutch.spec.control_unit
     if unit is None:
-        raise clutch.spec.refused("variant", say("has no control unit to synthesize"), clutch.spec.variant)
+        raise spec.refused("variant", say("has no control unit to synthesize"), spec.variant)
     if unit.ball_circle_radius is None:
-        raise clutch.spec.refused("control_unit.ball_circle_radius", say("required by synthesize"))
-    if clutch.gain == 0:
-        raise clutch.spec.refused("control_unit.gain", say("must be greater than 0 to synthesize pockets"), "0")
+        raise spec.refused("control_unit.ball_circle_radius", say("required by synthesize"))
+    if clutch.quantities["gain"] == 0:
+        raise spec.refused("control_unit.gain", say("must be greater than 0 to synthesize pockets"), "0")
     return unit
-
-
-def _travel(clutch: Clutch) -> float:
-    """x_max; a direct clutch has no sleeve, and its law no travel."""
-    return float(clutch.sleeve.travel_max) if clutch.sleeve else 0.0
-
-
-def least_contact_force_gain(clutch: Clutch) -> float | None:
-    """Gain at which F_n at f_max is least (spring force kept); None if F_n only grows or only falls."""
-    import numpy as np
-
-    by_gain = clutch.ball_torque_by_gain()
-    if by_gain is None:
-        return None
-    (a0, a1), (b0, b1), start = by_gain
-    ratio = given(given(clutch.spec.control_unit).ball_circle_radius) / float(clutch.mean_radius)
-    cubic = law.least_contact_force_cubic(a0, a1, b0, b1, ratio)
-    with np.errstate(over="raise", divide="raise", invalid="raise"):
-        roots = np.roots([float(finite(each)) for each in cubic])
-    real = sorted(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root) and root.real > start)
-    return float(real[0]) if real else None
 
 
 def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
@@ -202,23 +155,23 @@ def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
     return data
 
 
-def contact_limits(clutch: Clutch, result: SynthesisResult) -> Iterator[tuple[float, float, bool]]:
+def contact_limits(spec: Spec, result: SynthesisResult) -> Iterator[tuple[float, float, bool]]:
     """Yield each limit of the contact: normal force on a ball, what it may be, N, and whether Hertz says so."""
-    unit = clutch.spec.control_unit
+    unit = spec.control_unit
     if unit is None or result.contact_force is None:
         return
     if unit.allowable_contact_force is not None:
         yield result.contact_force, unit.allowable_contact_force, False
     if result.contact_force_hertz is not None:
-        yield result.contact_force_critical or result.contact_force, result.contact_force_hertz, True
+        yield result.contact_force, result.contact_force_hertz, True
 
 
-def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, largest: float) -> Iterator[Finding]:
+def _ball_findings(spec: Spec, unit: ControlUnit, result: SynthesisResult, largest: float) -> Iterator[Finding]:
     """Say what is taken where the spec says nothing, and whether the ball chosen will do."""
     for key in ("face_gap", "edge_clearance"):
         if getattr(unit, key) is None:
-            yield finding("default-clearance", "info", value=DEFAULT_CLEARANCE, path=f"control_unit.{key}")
-    if not clutch.spec.kind.travels:
+            yield finding("default-clearance", "info", value=getattr(result, key), path=f"control_unit.{key}")
+    if not spec.kind.travels:
         yield finding("no-sleeve-travel", "info", value=0.0)
     chosen, smallest = result.ball_diameter_standard, 2 * result.ball_radius
     if chosen is None:
@@ -227,34 +180,28 @@ def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, l
         yield finding("ball-too-small", "error", value=chosen, limit=smallest, path="control_unit.ball_diameter")
 
 
-def _curve_findings(clutch: Clutch, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:
+def _curve_findings(spec: Spec, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:
     """Say what cannot be cut, and what would; and how the ball is held in the other sleeve."""
     limit = result.undercut_radius
     if limit is None:
         return
-    if result.profiled == "both":
-        yield finding("both-sleeves-unstable", "warning", value=2.0, path="control_unit.profiled")
-    else:
-        yield finding("ball-slides-in-seat", "info", path="control_unit.profiled")
+    unit = given(spec.control_unit)
+    yield finding("ball-slides-in-seat", "info", path=f"control_unit.{'pocket' if unit.pocket else 'gain_slope'}")
     if result.ball_diameter >= 2 * limit:
         path = "control_unit.ball_diameter" if result.ball_diameter_standard is None else "control_unit.gain_slope"
-        needed, value, gain = 2 * result.ball_radius, result.ball_diameter, _gain_that_can_be_cut(clutch, sizes)
+        needed, value, gain = 2 * result.ball_radius, result.ball_diameter, _gain_that_can_be_cut(spec, sizes)
         code = "wall-undercut" if gain is None else "wall-undercut/gain"
         yield finding(code, "error", value=value, limit=2 * limit, path=path, needed=needed, gain=gain)
 
 
-@unnoted()
-def _gain_that_can_be_cut(clutch: Clutch, sizes: Sequence[float]) -> float | None:
+def _gain_that_can_be_cut(spec: Spec, sizes: Sequence[float]) -> float | None:
     """Smallest gain, in steps of 2 %, with which a standard ball is large enough and does not undercut."""
-    gain, (gap, clearance) = float(clutch.gain), clearances(given(clutch.spec.control_unit))
-    for _ in range(_STEPS):
-        gain *= 1.02
-        steeper = build(with_key(clutch.spec, "control_unit.gain", gain))
-        wall = wall_of(steeper, gap)
-        chosen = next_size(sizes, 2 * wall.smallest_ball(_travel(steeper), clearance))
-        if chosen is not None and wall._replace(ball_radius=chosen / 2).can_be_cut:
-            return gain
-    return None
+    gains = float(quantities_of(spec)["gain"]) * _GAINS
+    with np.errstate(all="ignore"):
+        steeper = quantities_of(with_key(spec, "control_unit.gain", float(gains[0]))).at(gain=gains)
+        ball = next_listed(2 * steeper["ball_radius"], sizes)
+        cut = np.broadcast_to(ball / 2 < steeper["undercut_radius"], gains.shape)
+    return float(gains[cut.argmax()]) if cut.any() else None
 
 
 def _room_findings(unit: ControlUnit, result: SynthesisResult) -> Iterator[Finding]:
@@ -275,7 +222,7 @@ def _room_findings(unit: ControlUnit, result: SynthesisResult) -> Iterator[Findi
         yield finding("depth-beyond-sleeve", "error", value=depth, limit=unit.sleeve_depth, path=path)
 
 
-def _contact_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> Iterator[Finding]:
+def _contact_findings(spec: Spec, unit: ControlUnit, result: SynthesisResult) -> Iterator[Finding]:
     """Say what of the contact is not known or assumed, and what is exceeded."""
     if unit.balls is None:
         yield finding("balls-not-given", "info", path="control_unit.balls")
@@ -285,13 +232,10 @@ def _contact_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult
             "contact-assumed", "info", value=result.contact_pressure, limit=elastic.allowable_pressure,
             path="control_unit.contact", modulus=elastic.wall_modulus, poisson=elastic.wall_poisson,
         )  # fmt: skip
-    for force, allowable, by_hertz in contact_limits(clutch, result):
+    for force, allowable, by_hertz in contact_limits(spec, result):
         if force > allowable:
             code, path = "contact-force-exceeded", "control_unit.allowable_contact_force"
             if by_hertz:
                 code, path = "contact-force-exceeded/hertz", "control_unit.contact"
             reached, allowed = result.contact_pressure, elastic.allowable_pressure
             yield finding(code, "error", value=force, limit=allowable, path=path, reached=reached, allowed=allowed)
-    if result.seat_force is not None and result.seat_utilisation is not None and result.seat_utilisation > 1:
-        force, path = result.seat_force, result.contact_path
-        yield finding("seat-force-exceeded", "error", value=force, limit=force / result.seat_utilisation, path=path)

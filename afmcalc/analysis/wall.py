@@ -1,30 +1,15 @@
-"""The wall of a pocket at the ball circle: where the ball is and touches, from the stop to the face, and what it bears.
-
-On a straight wall that is most at the largest torque, on a curved one wherever its path takes it.
-"""
+"""The wall of a pocket at the ball circle, for drawings: where the ball is and touches, from the stop to the face."""
 
 import math
 from bisect import bisect_left
-from collections.abc import Sequence
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
-import numpy as np
-
-from ..engines.indirect import IndirectClutch
-from ..engines.protocol import Clutch
-from ..equations import synthesis
-from ..equations import wall as wall_law
-from ..equations.arrays import Values
-from ..equations.calls import unnoted
-from ..errors import given
+from ..engines.selection import Wired
+from ..equations import curved_wall as law
 from ..result import Result, quantity
-from ..spec.models import ControlUnit
-from . import hertz
 
-DEFAULT_CLEARANCE = 0.002
-"""s and y where the spec gives none, m: S21 takes 2…3 mm."""
 CHORD = 1e-6
-"""How far a chord may lie off the wall unless told, m."""
+"""How far a chord may lie off the wall, m."""
 CHORD_SHARE = 1e-5
 """The same of a ball above 200 mm, of its radius: a wall of some metres needs no more chords."""
 _WITHIN = 8
@@ -49,101 +34,59 @@ class Wall(NamedTuple):
     """tan α_0."""
     steepening: float
     """Y'', 1/m."""
-    sleeves: int
-    """m: 1 where the ball stays seated in the other sleeve, 2 with walls alike in both."""
     face_gap: float
     """s, m."""
     ball_radius: float
     """r_ш, m."""
 
     @property
-    def angle(self) -> float:
-        """α_0, rad."""
-        return math.atan(self.tangent)
+    def sleeves(self) -> int:
+        """Sleeves that the ball moves in: one with a curved wall, seated in the other; two with straight walls."""
+        return 1 if self.steepening > 0 else 2
 
     @property
     def undercut_radius(self) -> float | None:
         """Radius of a ball that would undercut it, m; None of a straight wall."""
         if self.steepening == 0:
             return None
-        return float(wall_law.path_radius(self.steepening, math.cos(self.angle)))
+        return float(law.undercut_radius(self.steepening, math.cos(math.atan(self.tangent))))
 
     @property
     def can_be_cut(self) -> bool:
         """Whether a ball of its own size can have made it."""
         return self.undercut_radius is None or self.ball_radius < self.undercut_radius
 
-    @unnoted()
-    def angle_at(self, depth: float) -> float:
-        """Wall angle where the ball is ξ from its place at the stop, rad."""
-        return math.atan(wall_law.path_tangent(self.tangent, self.steepening, depth))
-
-    def contact_depth(self, depth: float) -> float:
-        """How far below the face the ball at ξ touches, m."""
-        return float(wall_law.contact_depth(self.ball_radius, math.sin(self.angle_at(depth)), depth, self.face_gap))
-
     def at(self, depth: float) -> WallPoint:
         """The ball at ξ."""
-        angle = self.angle_at(depth)
-        around = wall_law.path(self.tangent, self.steepening, depth)
+        angle = law.wall_angle_at_ball(law.tan_wall_angle_at_ball(self.tangent, self.steepening, depth))
+        around = law.path_around(self.tangent, self.steepening, depth)
         return WallPoint(
             travel=self.sleeves * depth,
             wall_angle=angle,
             path_axial=depth,
             path_around=around,
-            wall_axial=wall_law.wall_axial(depth, self.ball_radius, math.sin(angle)),
-            wall_around=wall_law.wall_around(around, self.ball_radius, math.cos(angle)),
+            wall_axial=law.wall_axial(depth, self.ball_radius, angle),
+            wall_around=law.wall_around(around, self.ball_radius, angle),
         )
-
-    def smallest_ball(self, travel: float, clearance: float) -> float:
-        """Radius of the smallest ball that touches below the face all along, m.
-
-        Least deep at the largest travel, or at the stop where a ball so large undercuts the wall: between them no
-        place asks for more than both.
-        """
-
-        def needed(depth: float) -> tuple[float, float, float, float]:
-            return 2 * depth, self.face_gap, clearance, math.sin(self.angle_at(depth))
-
-        with unnoted():
-            shallowest = max((0.0, travel / self.sleeves), key=lambda depth: synthesis.ball_radius(*needed(depth)))
-        return float(synthesis.ball_radius(*needed(shallowest)))
 
     def clearance(self, travel: float) -> float:
         """How far below the face the ball touches where it does least, m: at the largest travel, or at the stop."""
-        with unnoted():
-            depth = min((0.0, travel / self.sleeves), key=self.contact_depth)
-        sine = math.sin(self.angle_at(depth))
-        return float(synthesis.edge_clearance(self.ball_radius, 2 * depth, self.face_gap, sine))
+        points = (self.at(depth) for depth in (0.0, travel / self.sleeves))
+        return min(-point.wall_axial for point in points) - self.face_gap / 2
 
     @property
-    @unnoted()
     def mouth(self) -> float:
         """ξ at which the ball would touch the edge of the pocket, m."""
-        low, high = 0.0, self.ball_radius
-        while True:
-            middle = (low + high) / 2
-            if middle in (low, high):
-                return low
-            low, high = (middle, high) if self.contact_depth(middle) > 0 else (low, middle)
+        return float(law.travel_to_mouth(self.ball_radius, self.tangent, self.steepening, self.face_gap))
 
     @property
     def chord(self) -> float:
-        """How far a chord may lie off the wall unless told, m."""
+        """How far a chord may lie off the wall, m."""
         return max(CHORD, CHORD_SHARE * self.ball_radius)
 
-    @property
-    @unnoted()
-    def width(self) -> float:
-        """Width of the pocket at the face, m."""
-        return 2 * self.at(self.mouth).wall_around
-
-    @unnoted()
-    def points(self, chord: float | None = None) -> list[WallPoint]:
+    def points(self) -> list[WallPoint]:
         """Places from the stop to the mouth, so near that chords between them keep within ``chord`` of the wall."""
-        if chord is None:
-            chord = self.chord
-        end, enough = self.mouth, 1
+        end, enough, chord = self.mouth, 1, self.chord
         while self._farthest_off(end, enough) > chord:
             enough *= 2
         counts = range(enough // 2 + 1, enough + 1)
@@ -168,112 +111,8 @@ class Wall(NamedTuple):
         return max(map(abs, crosses)) / math.hypot(along, around)
 
 
-def clearances(unit: ControlUnit) -> tuple[float, float]:
-    """Gap s of the faces and clearance y of the contact, m: as given, or what S21 takes."""
-    gap, clearance = (DEFAULT_CLEARANCE if given is None else given for given in (unit.face_gap, unit.edge_clearance))
-    return gap, clearance
-
-
-def wall_of(clutch: Clutch, face_gap: float, ball_radius: float = 0.0) -> Wall:
+def wall_of(clutch: Wired, face_gap: float, ball_radius: float = 0.0) -> Wall:
     """Return the wall of a clutch's pockets, for a ball."""
-    unit, radius = given(clutch.spec.control_unit), float(clutch.mean_radius)
-    circle = given(unit.ball_circle_radius)
-    tangent = float(synthesis.tan_wall_angle(clutch.gain, circle, radius))
-    slope = float(clutch.sleeve.gain_slope) if clutch.sleeve else 0.0
-    if slope == 0:
-        return Wall(tangent, 0.0, 2, face_gap, ball_radius)
-    sleeves = 2 if unit.profiled == "both" else 1
-    steepening = float(wall_law.path_steepening(slope, circle, radius, sleeves))
-    return Wall(tangent, steepening, sleeves, face_gap, ball_radius)
-
-
-Basis = Literal["given", "hertz-ball-on-flat", "hertz-ball-on-curved-wall"]
-_PLACES = 65
-"""Places of the path at which the contact is held against what it may carry."""
-
-
-class BallContact(NamedTuple):
-    """The contact of a ball, as the fields of the result of a synthesis; None is not known."""
-
-    contact_force: float | None
-    """F_n where it is largest, N."""
-    contact_force_allowable: float | None
-    """[F_n] of the limit of which most is used, N."""
-    contact_basis: Basis | None
-    contact_force_hertz: float | None
-    """[F_n] by Hertz where the contact pressure is largest, if that is a limit, N."""
-    contact_utilisation: float | None = None
-    contact_force_critical: float | None = None
-    """F_n where the contact pressure is largest, if that is elsewhere, N."""
-    contact_pressure: float | None = None
-    """Largest contact pressure, Pa."""
-    seat_force: float | None = None
-    """F_s of the straight walls that seat the ball in the other sleeve, N."""
-    seat_utilisation: float | None = None
-
-
-def places_along(clutch: IndirectClutch, wall: Wall) -> tuple[list[float], list[float]]:
-    """Torque and wall angle along the path of a ball on a curved wall, from the stop to the largest travel."""
-    low, _, high = clutch.friction[0]
-    leaving = min(max(float(clutch.leaving_friction), low), high)
-    # where the torque is largest, as long as the sleeve has not jumped from there
-    along = np.append(np.linspace(leaving, high, _PLACES), max(clutch.torque_range.at_high * (1 - 1e-12), leaving))
-    travels = np.broadcast_to(np.asarray(clutch.travel(along), float), along.shape).tolist()
-    return np.asarray(clutch.torque(along)).tolist(), [wall.angle_at(travel / wall.sleeves) for travel in travels]
-
-
-def contact_of(
-    unit: ControlUnit, wall: Wall, torques: Sequence[Values], angles: Sequence[float], *, ball_known: bool
-) -> BallContact:
-    """Hold the contact of a ball against every limit that the spec gives, or against Hertz where it gives none.
-
-    At places of the ball go through the balls ``torques``, N·m, on walls at ``angles``, rad; ``ball_known``: there is
-    such a ball, so that Hertz tells what it may carry.
-    """
-    given, elastic, ball = unit.allowable_contact_force, unit.elasticity, wall.ball_radius
-    elastic_known = ball_known and wall.can_be_cut
-
-    def force_at(torque: Values, angle: float) -> float | None:
-        if unit.balls is None:
-            return None
-        return float(synthesis.contact_force(torque, unit.balls, unit.ball_circle_radius, math.cos(angle)))
-
-    def borne_at(angle: float) -> float:
-        path = wall_law.path_radius(wall.steepening, math.cos(angle)) if wall.steepening > 0 else None
-        return float(hertz.allowable_force(elastic, ball, path))
-
-    with unnoted():  # where the force and where the pressure is largest; of a number of balls not given, of all
-        cosines = np.cos(angles)
-        forces = synthesis.contact_force(np.array(torques, float), unit.balls or 1, unit.ball_circle_radius, cosines)
-        most = worst = int(np.argmax(forces))
-        if elastic_known and wall.steepening > 0:
-            paths = wall_law.path_radius(wall.steepening, cosines)
-            worst = int(np.argmax(forces / hertz.allowable_force(elastic, ball, paths)))
-    force = force_at(torques[most], angles[most])
-    critical = force if worst == most else force_at(torques[worst], angles[worst])
-    borne = borne_at(angles[worst]) if elastic_known else None
-    by_hertz = borne if given is None or unit.contact is not None else None
-    curved: Basis = "hertz-ball-on-curved-wall" if wall.steepening > 0 else "hertz-ball-on-flat"
-    limits: list[tuple[float, float, Basis]] = []
-    if given is not None:
-        limits.append((float(forces[most]), given, "given"))
-    if by_hertz is not None:
-        limits.append((float(forces[worst]), by_hertz, curved))
-    used, allowable, basis = max(limits, key=lambda limit: limit[0] / limit[1], default=(0.0, None, None))
-    contact = BallContact(force, allowable, basis, by_hertz)
-    if critical is None:
-        return contact
-    pressure = None if borne is None else float(synthesis.hertz_pressure(elastic.allowable_pressure, critical, borne))
-    contact = contact._replace(
-        contact_utilisation=allowable and used / allowable,
-        contact_force_critical=None if worst == most else critical,
-        contact_pressure=pressure,
-    )
-    if wall.steepening == 0 or wall.sleeves == 2:
-        return contact
-    with unnoted():
-        stop = wall.angle
-        seat = float(np.max(wall_law.seat_force(forces, np.sin(np.add(angles, stop)), math.sin(stop), math.cos(stop))))
-        flat = None if by_hertz is None else float(hertz.allowable_force(elastic, ball))
-    bears = min((limit for limit in (given, flat) if limit is not None), default=None)
-    return contact._replace(seat_force=seat, seat_utilisation=bears and seat / bears)
+    own = clutch.quantities
+    steepening = float(own["path_steepening"]) if "path_steepening" in own else 0.0
+    return Wall(float(own["tan_wall_angle"]), steepening, face_gap, ball_radius)

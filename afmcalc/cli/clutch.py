@@ -1,5 +1,6 @@
 """Commands that calculate one clutch."""
 
+from contextlib import nullcontext
 from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
@@ -12,7 +13,7 @@ from .options import Common, SpecArgument, with_common
 
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
-    from ..engines import Clutch
+    from ..engines.selection import Wired
     from ..render.layout import SweepDrawing
 
 SweepOption = Annotated[
@@ -21,8 +22,8 @@ SweepOption = Annotated[
         "--sweep",
         metavar="NAME[=RANGE]",
         autocompletion=completing("swept"),
-        help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta; of unlike materials n, p, "
-        "m) over start:stop:count or v1,v2,...; repeatable: several make a grid.",
+        help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta) "
+        "over start:stop:count or v1,v2,...; repeatable: several make a grid.",
     ),
 ]
 
@@ -55,8 +56,8 @@ def torque(
     from ..render.document import with_details
 
     points = [friction_of(text) for text in friction or ()]
-    with with_details(details):
-        common.calculate(common.clutch(spec), friction=points)
+    with with_details(details) if details else nullcontext():
+        common.calculate(common.wired(spec), friction=points)
 
 
 @with_common
@@ -67,10 +68,9 @@ def accuracy(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc accuracy --sweep C
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
-    afmcalc accuracy example:unlike-materials --sweep n=0.5:1.5:11
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
-    clutch = common.clutch(spec)
+    clutch = common.wired(spec)
     common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch))
 
 
@@ -82,7 +82,7 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
     afmcalc adjust clutch.toml
     afmcalc adjust clutch.toml --set beta=1.1 --json
     """  # noqa: D301
-    common.calculate(common.clutch(spec))
+    common.calculate(common.wired(spec))
 
 
 @with_common
@@ -105,7 +105,7 @@ def overload(
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
-    clutch = common.clutch(spec)
+    clutch = common.wired(spec)
     points = [friction_of(text) for text in friction or ()]
     common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch), friction=points)
 
@@ -160,7 +160,7 @@ def life(
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
-    clutch = common.clutch(spec)
+    clutch = common.wired(spec)
     common.calculate(clutch, curve, model=model, sweeps=axes_of(sweep, clutch, band=True))
 
 
@@ -186,7 +186,7 @@ def compare(
     common.emit(result, findings, resolved(clutches[0].spec))
 
 
-def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
+def axes_of(sweep: list[str] | None, clutch: "Wired", *, band: bool = False) -> "list[Axis]":
     """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
     if not sweep:
         return []

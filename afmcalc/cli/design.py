@@ -26,7 +26,7 @@ def solve(
         Option(
             "--for",
             metavar="NAME",
-            help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key; of unlike materials n, p, m.",
+            help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.",
             autocompletion=completing("parameter"),
         ),
     ] = "C",

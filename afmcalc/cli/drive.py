@@ -102,11 +102,10 @@ def heat(spec: SpecArgument = None, *, common: Common) -> None:
 
 @with_common
 def effects(spec: SpecArgument = None, *, common: Common) -> None:
-    """What the torque law neglects, in numbers: splines, sliding cams, centrifugal force, weight, wear.
+    """What the torque law neglects, in numbers: splines, centrifugal force, wear.
 
     \b
     afmcalc effects clutch.toml
-    afmcalc effects --set control_unit.wall_friction=0.1
     afmcalc effects clutch.toml --set friction_group.spline_friction=0.15 --json
     """  # noqa: D301
     common.calculate(common.clutch(spec))

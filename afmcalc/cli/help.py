@@ -62,14 +62,11 @@ def names_of(kind: str) -> Named:
     symbols = {
         symbol: f"{path}, {translate(keys()[path].description).partition(';')[0]}" for symbol, path in ALIASES.items()
     }
-    from ..analysis.sweep.grid import RATIOS
-
-    ratios = [(name, translate(ratio.description)) for name, ratio in RATIOS.items()]
     if kind == "swept":
-        return [("zC", translate("reduced gain")), *symbols.items(), *ratios]
+        return [("zC", translate("reduced gain")), *symbols.items()]
     from ..analysis.solve.solve import PARAMETERS
 
-    return [*((symbol, symbols[symbol]) for symbol in PARAMETERS), *ratios]
+    return [(symbol, symbols[symbol]) for symbol in PARAMETERS]
 
 
 def completing(kind: str, end: str = "") -> Callable[[str], Named]:

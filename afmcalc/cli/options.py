@@ -23,6 +23,7 @@ from .streams import tell
 
 if TYPE_CHECKING:
     from ..engines import Clutch
+    from ..engines.selection import Wired, WiredClutch
     from ..findings import Finding
     from ..render.layout import SweepDrawing
     from ..render.plot.chart import Sheet
@@ -186,7 +187,14 @@ class Common:
         self.keep(source)
         return self.build(source)
 
-    def calculate(self, clutch: "Clutch", curve: "SweepDrawing | None" = None, **options: object) -> "Output":
+    def wired(self, source: str | None) -> "WiredClutch":
+        """Return the clutch of a spec for a command whose analysis asks by name; refuses what ``keep`` refuses."""
+        from ..engines.selection import WiredClutch
+
+        self.keep(source)
+        return WiredClutch(self.read(source))
+
+    def calculate(self, clutch: "Wired", curve: "SweepDrawing | None" = None, **options: object) -> "Output":
         """Run the analysis of the command on a clutch and print its result; ``curve`` draws the plot below a sweep."""
         from ..spec import resolved
 

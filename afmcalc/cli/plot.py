@@ -6,8 +6,7 @@ from typer import Argument, Option
 
 from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError, need
-from ..messages import say
-from .files import picture_of, refuse, write
+from .files import picture_of, refuse
 from .help import completing
 from .options import Common, common_options, need_drawing
 
@@ -44,13 +43,6 @@ def plot(
         ),
     ] = None,
     model: Annotated[StressRule | None, Option(help="life: rule for the damaging stress.")] = None,
-    profile: Annotated[str | None, Option(metavar="FILE.csv", help="pocket: path, wall and cutter path, mm.")] = None,
-    cutter: Annotated[
-        str | None, Option(metavar="DIAMETER", help="pocket: cutter, such as 10mm (0.8 of the ball's).")
-    ] = None,
-    chord: Annotated[
-        str | None, Option(metavar="LENGTH", help="pocket: chords within this of the wall (0.001mm).")
-    ] = None,
     *,
     common: Common,
 ) -> None:
@@ -61,7 +53,7 @@ def plot(
     afmcalc plot torque clutch.toml -o torque.svg
     afmcalc plot accuracy a.toml b.toml --sweep C=0:1.25:101 -o accuracy.png
     afmcalc plot pocket clutch.toml -o pocket.pdf
-    afmcalc plot pocket clutch.toml -o pocket.dxf --profile wall.csv --cutter 10mm
+    afmcalc plot pocket clutch.toml -o pocket.dxf
     afmcalc plot tolerance clutch.toml -o tolerance.svg
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
@@ -74,13 +66,13 @@ def plot(
     ending = picture_of(common.output)
     of_clutches = chosen.takes not in ("names", "requirements")
     sources: list[str | None] = [*(subjects or ())] or ([None] if of_clutches else [])
-    refuse(common.output, profile, force=common.force, inputs=sources)
+    refuse(common.output, force=common.force, inputs=sources)
     if sources.count("-") > 1:
         raise AfmcalcError("standard input (-) can be read once only")
-    request = Request(sources, sweep, model, profile, _length("cutter", cutter), _length("chord", chord))
+    request = Request(sources, sweep, model)
     check_request(what, request)
-    if (what == "pocket" and ending in _SHOP) or profile is not None:
-        _for_the_shop(what, request, ending, common)
+    if what == "pocket" and ending in _SHOP and common.output:
+        _for_the_shop(request, ending, common.output, common)
         return
     if ending == "dxf" and what != "section":
         raise AfmcalcError(
@@ -116,39 +108,17 @@ def plot(
     common.draw(sheet)
 
 
-def _for_the_shop(what: str, request: "Request", ending: str | None, common: Common) -> None:
-    """Write the pocket in true millimetres, and the profile of its wall."""
+def _for_the_shop(request: "Request", ending: str, output: str, common: Common) -> None:
+    """Write the pocket in true millimetres."""
     from ..analysis.figures import shop_drawing_of
     from ..render import dxf, shop
 
     if ending == "dxf":
         need("cad")
-    if ending in ("png", "pdf"):
-        raise AfmcalcError("--profile goes with -o FILE.dxf or FILE.svg, or stands alone")
-    subjects = _answers(what, request, common)
+    subjects = _answers("pocket", request, common)
     with common.bar():
-        drawing = shop_drawing_of(what, request._replace(subjects=subjects))
-    if ending and common.output:
-        common.save(dxf.pocket(drawing) if ending == "dxf" else shop.svg(drawing), common.output)
-    if request.profile is not None:
-        write(shop.profile(drawing), request.profile, force=common.force)
-        if request.profile != "-":
-            common.wrote(say("wrote {output}", output=request.profile))
-
-
-def _length(name: str, text: str | None) -> float | None:
-    """Read the length above 0 that an option gives, with its unit."""
-    from ..spec.quantity import parse_quantity
-
-    if text is None:
-        return None
-    try:
-        value = parse_quantity(text, "m")
-    except ValueError as error:
-        raise AfmcalcError("--{name} {text}: {why}", name=name, text=text, why=error) from None
-    if value <= 0:
-        raise AfmcalcError("--{name} {text}: must be greater than 0", name=name, text=text)
-    return value
+        drawing = shop_drawing_of("pocket", request._replace(subjects=subjects))
+    common.save(dxf.pocket(drawing) if ending == "dxf" else shop.svg(drawing), output)
 
 
 def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..engines.protocol import Clutch
+from ..engines import Clutch
 from ..equations import heat
 from ..equations.arrays import Values
 from .pack import DirectPack, Sleeve, ordinary_pack, pack_of

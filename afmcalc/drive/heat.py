@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..engines.protocol import Clutch
+from ..engines import Clutch
+from ..engines.quantities import Apply, call
 from ..equations import heat as law
 from ..equations.arrays import Floats, Values
-from ..equations.calls import unnoted
 from ..findings import Finding
 from ..spec.models import Drive
 from .result import EnergySource
@@ -165,6 +165,8 @@ class HeatedSlip(NamedTuple):
     """Whether the motor can carry the slip torque, so that only a cut-off ends it."""
     lining_share: float = 0.0
     """Share of the heat that is in the lining where the discs are hottest."""
+    apply: Apply = call
+    """Applies a law at the friction of the slip; ``Quantities.apply`` notes it."""
 
 
 class HeatedSlips(NamedTuple):
@@ -180,40 +182,38 @@ def motor_torque(clutch: Clutch) -> Values:
     """M_1, N·m: as given, else the load before the trip, else that of the machine."""
     drive = clutch.spec.drive
     given = drive.load_torque if drive.motor_torque is None else drive.motor_torque
-    return clutch.running_torque if given is None else given
+    return clutch["running_torque"] if given is None else given
 
 
-def run_down(drive: Drive, torque: Values, motor: Values) -> HeatedSlip:
+def run_down(drive: Drive, torque: Values, motor: Values, apply: Apply = call) -> HeatedSlip:
     """V1 until the motor side stands or is switched off; switched off it runs down against the clutch alone."""
     speed, inertia, off = drive.speed, drive.motor_inertia, drive.cut_off
     assert speed is not None
     if inertia is None:
         assert off is not None
         slipped = _slipped(torque, [(0.0, speed), (off, speed)])
-        return slipped._replace(energy=law.slip_energy(torque, speed, speed, off))
+        return slipped._replace(energy=apply(law.slip_energy, torque, speed, speed, off))
     carried = bool(torque <= motor)
     if not carried:
-        with unnoted():
-            stands = law.run_down_time(inertia, speed, torque, motor)
+        stands = law.run_down_time(inertia, speed, torque, motor)
         if off is None or stands <= off:
-            time = law.run_down_time(inertia, speed, torque, motor)
-            energy = law.run_down_energy(inertia, speed, torque, motor)
+            time = apply(law.run_down_time, inertia, speed, torque, motor)
+            energy = apply(law.run_down_energy, inertia, speed, torque, motor)
             return _slipped(torque, [(0.0, speed), (time, 0.0)])._replace(energy=energy)
     if off is None:
         return _slipped(torque, [(0.0, speed)])._replace(time=None, energy=None, carried=carried)
     # a motor that can carry the slip torque goes on at its speed
-    end = speed if carried else law.speed_after(speed, inertia, torque, motor, off)
-    after, energy = law.run_down_time(inertia, end, torque, 0.0), law.run_down_energy(inertia, end, torque, 0.0)
+    end = speed if carried else apply(law.speed_after, speed, inertia, torque, motor, off)
+    after, energy = (apply(each, inertia, end, torque, 0.0) for each in (law.run_down_time, law.run_down_energy))
     found = _slipped(torque, [(0.0, speed), (off, end), (off + after, 0.0)])
-    until = law.slip_energy(torque, speed, end, off)
+    until = apply(law.slip_energy, torque, speed, end, off)
     return found._replace(energy=until + energy, carried=carried)
 
 
 def _slipped(torque: Values, at: Sequence[tuple[Values, Values]]) -> HeatedSlip:
     """A slip whose speed changes evenly between moments: time and speed."""
     moments, energy = [(0.0, float(law.slip_power(torque, at[0][1])), 0.0)], 0.0
-    with unnoted():  # how the power falls from there, and the heat grows
-        for (before, first), (time, last) in pairwise(at):
-            energy = energy + law.slip_energy(torque, first, last, time - before)
-            moments.append((float(time), float(law.slip_power(torque, last)), float(energy)))
+    for (before, first), (time, last) in pairwise(at):
+        energy = energy + law.slip_energy(torque, first, last, time - before)
+        moments.append((float(time), float(law.slip_power(torque, last)), float(energy)))
     return HeatedSlip(torque, at[-1][0], energy, course_of(moments))

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..engines.quantities import Quantities
 from ..equations import direct
 from ..equations.arrays import Floats, Values
 from ..messages import say
@@ -398,6 +399,8 @@ def _cut(whole: Any, lanes: slice, shape: tuple[int, ...]) -> Any:
     """Return a record with only some lanes of every array in it, also of arrays in nested records."""
     if isinstance(whole, np.ndarray):
         return np.broadcast_to(whole, shape).reshape(-1)[lanes]
+    if isinstance(whole, Quantities):
+        return Quantities(whole.laws, {name: _cut(value, lanes, shape) for name, value in whole.given.items()})
     if not is_dataclass(whole) or isinstance(whole, type):
         return whole
     return replace(whole, **{part.name: _cut(getattr(whole, part.name), lanes, shape) for part in fields(whole)})

@@ -12,14 +12,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from ..engines import parameters
-from ..engines.direct import DirectClutch
-from ..engines.indirect import IndirectClutch
-from ..engines.protocol import Clutch
-from ..engines.springs import root
-from ..equations import adjustment, direct, drive, pocket, sleeve
+from ..engines import Clutch
+from ..engines.quantities import Quantities
+from ..engines.springs import SetSpring, root
+from ..equations import adjustment, curved, direct, drive, indirect, sleeve
 from ..equations.arrays import Values, is_array, larger, smaller
-from ..equations.terms import Number
 from ..errors import CalculationError
 
 _IDLE = 1e-9
@@ -34,55 +31,55 @@ class Pack(ABC):
 
     travels: ClassVar[bool]
     """Whether the balls can leave their stop."""
-    mean_radius: Number
-    closing_force: Number
+    mean_radius: Any
+    closing_force: Any
     """F_п, of an indirect clutch F_п1, N."""
-    static_ratio: Number
-    decay_rate: Number
-    lag: Number
-    friction_pairs: Number
+    static_ratio: Any
+    decay_rate: Any
+    lag: Any
+    friction_pairs: Any
     """Σ z f."""
-    resting_force: Number
+    resting_force: Any
     """Normal force at the stop without load, N."""
-    least_force: Number
+    least_force: Any
     """Normal force at the stop at least, N."""
-    stop_gains: tuple[Number, Number]
+    stop_gains: tuple[Any, Any]
     """Net gains at the stop while the torque rises, and while it falls."""
-    net_gain: Number
+    net_gain: Any
     """κ at the stop of an indirect clutch; κ₊ is ``net_gain_returning``."""
-    net_gain_returning: Number
-    straight_springs: tuple[Number, Number] | None
+    net_gain_returning: Any
+    straight_springs: tuple[Any, Any] | None
     """c_1 and c_2 of springs that are not disc springs: asked for so often that their law is written out."""
-    ball_share: Number
+    ball_share: Any
     """Share of the torque that passes the balls of a direct clutch, z_2 f_2/Σ z f."""
-    lift: Number
+    lift: Any
     """Torque of the balls at which they leave the stop, N·m."""
-    farthest_turn: Number
+    farthest_turn: Any
     """Turn of the balls at which the closing spring is slack, rad."""
 
-    def ratio(self, slip: Number) -> Number:
+    def ratio(self, slip: Any) -> Any:
         """Friction at a slip over sliding friction."""
         if not is_array(slip) and self.static_ratio == 1:
             return 1.0
         decay = np.exp(-self.decay_rate * np.abs(slip)) if is_array(slip) else math.exp(-self.decay_rate * abs(slip))
         return drive.stribeck_ratio(self.static_ratio, decay)
 
-    def carried(self, normal_force: Number, ratio: Number) -> Number:
+    def carried(self, normal_force: Any, ratio: Any) -> Any:
         """Torque at which a normal force slips, friction times ``ratio``."""
-        return direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
+        return indirect.torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
 
-    def pressed_at_stop(self, torque: Number, net_gain: float) -> Number:
+    def pressed_at_stop(self, torque: Any, net_gain: float) -> Any:
         """Normal force at the stop for a gain κ or κ₊, N."""
         return larger(
             sleeve.normal_force_at_stop(self.resting_force, net_gain, abs(torque), self.mean_radius), self.least_force
         )
 
-    def play(self, torque: Number) -> tuple[Number, Number]:
+    def play(self, torque: Any) -> tuple[Any, Any]:
         """Smallest and largest normal force at the stop while the key sticks, N; beyond them N follows the balls."""
         rising, falling = self.stop_gains
         return self.pressed_at_stop(torque, falling), self.pressed_at_stop(torque, rising)
 
-    def slipping_at_stop(self, ratio: Number, net_gain: Number, alone: Number, share: Number) -> Number:
+    def slipping_at_stop(self, ratio: Any, net_gain: Any, alone: Any, share: Any) -> Any:
         """Slip torque with the balls at the stop, where N follows their torque by κ or κ₊, N·m; positive along slip.
 
         Args:
@@ -96,7 +93,7 @@ class Pack(ABC):
         return larger(torque, pairs * self.mean_radius * self.least_force)
 
     @abstractmethod
-    def torque(self, ratio: Number) -> Number:
+    def torque(self, ratio: Any) -> Any:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
 
     @property
@@ -126,19 +123,19 @@ class Pack(ABC):
 class DirectPack(Pack):
     """Discs of a direct clutch at one friction; numbers, or arrays in a sweep."""
 
-    closing_force: Number
-    mean_radius: Number
-    bypass_pairs: Number
-    controlled_pairs: Number
-    gain: Number
-    driving: Number
+    closing_force: Any
+    mean_radius: Any
+    bypass_pairs: Any
+    controlled_pairs: Any
+    gain: Any
+    driving: Any
     """f_1."""
-    driven: Number
+    driven: Any
     """f_2."""
-    static_ratio: Number = 1.0
-    decay_rate: Number = 0.0
+    static_ratio: Any = 1.0
+    decay_rate: Any = 0.0
     """R/v_s, s/rad."""
-    lag: Number = 0.0
+    lag: Any = 0.0
     """τ, s."""
     lever: float = 0.0
     """r/R; 0 where the circle of the balls is not known."""
@@ -161,12 +158,12 @@ class DirectPack(Pack):
             stop_gains=(self.gain * share, self.gain * share),
         )
 
-    def _law(self, ratio: Number) -> tuple[Number, ...]:
+    def _law(self, ratio: Any) -> tuple[Any, ...]:
         """Arguments of the direct law, friction times ``ratio``."""
         pairs = self.bypass_pairs, self.controlled_pairs
         return self.closing_force, self.mean_radius, *pairs, self.gain, ratio * self.driving, ratio * self.driven
 
-    def torque(self, ratio: Number) -> Number:
+    def torque(self, ratio: Any) -> Any:
         """Slip torque with friction times ``ratio`` and without lag, N·m."""
         return direct.torque(*self._law(ratio))
 
@@ -193,11 +190,11 @@ class DirectPack(Pack):
 class Sleeve(Pack):
     """Discs, springs, key and balls of an indirect clutch at one friction; numbers, or arrays in a sweep."""
 
-    law: IndirectClutch
-    friction: Number
-    mass: Number = 0.0
-    static_ratio: Number = 1.0
-    decay_rate: Number = 0.0
+    law: Quantities
+    friction: Any
+    mass: Any = 0.0
+    static_ratio: Any = 1.0
+    decay_rate: Any = 0.0
     """R/v_s, s/rad."""
     lever: float = 0.0
     """r/R; 0 where the circle of the balls is not known."""
@@ -206,46 +203,63 @@ class Sleeve(Pack):
 
     travels = True
     lag = 0.0
+    closing_spring: ClassVar[SetSpring]
+    control_spring: ClassVar[SetSpring]
+    stop_gain: ClassVar[Any]
+    """C at the stop."""
+    gain_slope: ClassVar[Any]
+    """C_1, 1/m; 0 of a straight wall."""
 
     def __post_init__(self) -> None:
         """Ask the law once for what does not change."""
-        law, returning = self.law, self.law.net_gain_returning
-        net = larger(law.net_gain, _IDLE) if is_array(law.net_gain) else law.net_gain
+        law, returning = self.law, self.law["net_gain_returning"]
+        net = larger(law["net_gain"], _IDLE) if is_array(law["net_gain"]) else law["net_gain"]
+        springs = {
+            name: SetSpring(law[f"{name}_force"], law[f"{name}_stiffness"], law.given.get(f"{name}_disc"))
+            for name in ("closing", "control")
+        }
+        straight = all(spring.disc is None for spring in springs.values())
         vars(self).update(
-            mean_radius=law.mean_radius,
-            friction_pairs=law.pairs * self.friction,
-            closing_force=law.closing_force,
-            least_force=law.closing_force,
-            resting_force=law.control_force,
+            mean_radius=law["mean_radius"],
+            friction_pairs=law["pairs"] * self.friction,
+            closing_force=law["closing_force"],
+            least_force=law["closing_force"],
+            resting_force=law["control_force"],
             net_gain=net,
             net_gain_returning=returning,
-            straight_springs=None if law.curved else (law.closing_stiffness, law.control_stiffness),
+            stop_gain=law["gain"],
+            gain_slope=law.get("gain_slope", 0.0),
+            straight_springs=tuple(spring.straight_stiffness for spring in springs.values()) if straight else None,
             stop_gains={0: (net, returning), 1: (net, net), -1: (returning, returning)}[self.branch],
+            **{f"{name}_spring": spring for name, spring in springs.items()},
         )
 
     @cached_property
-    def lift(self) -> Number:
+    def lift(self) -> Any:
         """S(0)/κ."""
         return self.moment(0.0) / self.net_gain
 
     @cached_property
-    def farthest(self) -> Number:
+    def farthest(self) -> Any:
         """Travel at which the closing spring is slack, m."""
-        return self.law.closing_spring.deflection
+        return self.closing_spring.deflection
 
     @property
-    def farthest_turn(self) -> Number:
+    def farthest_turn(self) -> Any:
         """Turn of the balls at the travel ``farthest``, rad."""
-        return sleeve.turn(self.farthest, self.mean_radius, self.law.gain, self.law.gain_slope)
+        return sleeve.turn(self.farthest, self.mean_radius, self.stop_gain, self.gain_slope)
 
-    def torque(self, ratio: Number) -> Number:
+    def torque(self, ratio: Any) -> Any:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
-        return self.law.torque(ratio * self.friction)
+        return self.law.at(friction=ratio * self.friction)["torque"]
 
     @property
     def least(self) -> Values:
         """Slip torque while the sleeve moves back from its largest travel, N·m."""
-        return self.law.torque_returning(self.friction, _FAR)
+        own = self.law
+        # they may follow from f_max, which is not meant here
+        fixed = {name: own[name] for name in ("friction_mean", "gain_slope") if name in own}
+        return own.at(friction=self.friction, friction_max=_FAR, **fixed)["torque_returning"]
 
     @property
     def growth(self) -> float:
@@ -265,50 +279,50 @@ class Sleeve(Pack):
         """1/cos α at a turn of the balls, where tan α = C r/R."""
         return math.hypot(1.0, self.gain(self.travel(turn)) * self.lever)
 
-    def steeper(self, net_gain: Number, travel: Number) -> Number:
+    def steeper(self, net_gain: Any, travel: Any) -> Any:
         """C, κ or κ₊ at a travel, from its value at the stop."""
-        return pocket.gain_at(net_gain, self.law.gain_slope, travel)
+        return curved.gain_acting(net_gain, self.gain_slope, travel)
 
-    def gain(self, travel: Number) -> Number:
+    def gain(self, travel: Any) -> Any:
         """C at a travel."""
-        return self.steeper(self.law.gain, travel)
+        return self.steeper(self.stop_gain, travel)
 
-    def moment(self, travel: Number) -> Number:
+    def moment(self, travel: Any) -> Any:
         """S(x), N·m."""
         if self.straight_springs is not None:
             springs = self.closing_force, self.resting_force, *self.straight_springs
             return sleeve.spring_moment(self.mean_radius, *springs, travel)
-        control = self.law.control_spring.force(travel)
+        control = self.control_spring.force(travel)
         return sleeve.spring_moment(self.mean_radius, self._slackened(travel), control, 0.0, 0.0, 0.0)
 
-    def work(self, travel: Number) -> Number:
+    def work(self, travel: Any) -> Any:
         """Work stored in both springs, J; Simpson's rule is exact, for the force of a disc spring is a cubic."""
         mean = (self.moment(0 * travel) + 4 * self.moment(travel / 2) + self.moment(travel)) / 6
         return mean / self.mean_radius * travel
 
-    def pressed(self, travel: Number) -> Number:
+    def pressed(self, travel: Any) -> Any:
         """Normal force off the stop, N: that of the closing spring, 0 once the spring is slack."""
         return larger(self._slackened(travel), 0.0)
 
-    def _slackened(self, travel: Number) -> Number:
-        return self.law.closing_spring.force(-self._slackening(travel))
+    def _slackened(self, travel: Any) -> Any:
+        return self.closing_spring.force(-self._slackening(travel))
 
-    def _slackening(self, travel: Number) -> Number:
+    def _slackening(self, travel: Any) -> Any:
         """How far the closing spring has lengthened, m: a slack disc spring no more."""
-        return travel if self.law.closing_disc is None else smaller(travel, self.farthest)
+        return travel if self.closing_spring.disc is None else smaller(travel, self.farthest)
 
-    def _stiffnesses(self, travel: Number) -> tuple[Number, Number]:
+    def _stiffnesses(self, travel: Any) -> tuple[Any, Any]:
         """c_1 and c_2 at a travel, N/m."""
-        closing, control = self.law.closing_spring, self.law.control_spring
+        closing, control = self.closing_spring, self.control_spring
         return closing.stiffness(-self._slackening(travel)), control.stiffness(travel)
 
-    def travel(self, turn: Number) -> Number:
+    def travel(self, turn: Any) -> Any:
         """Travel of the sleeve for a turn of the balls in either direction, m."""
-        return sleeve.travel(abs(turn), self.mean_radius, self.law.gain, self.law.gain_slope)
+        return sleeve.travel(abs(turn), self.mean_radius, self.stop_gain, self.gain_slope)
 
     def turn_under(self, torque: float) -> Values:
         """Turn of the balls at rest after the torque has risen to ``torque``, rad; 0 up to T_н."""
-        if self.law.curved:
+        if self.straight_springs is None:
             travel = root(
                 lambda at: self.moment(at) - torque * self.net_gain,
                 lambda at: self.mean_radius * sum(self._stiffnesses(at)),
@@ -317,28 +331,28 @@ class Sleeve(Pack):
         else:
             lifted = torque * self.net_gain / self.mean_radius - (self.resting_force - self.closing_force)
             off = lifted > _ROUNDING * self.resting_force
-            stiffness = sum(self._stiffnesses(0.0)) - torque * self.law.gain_slope / self.mean_radius
+            stiffness = sum(self._stiffnesses(0.0)) - torque * self.gain_slope / self.mean_radius
             # at the stop the 1 prevents 0/0: there a constant-torque pocket has no stiffness
             travel = off * lifted / (stiffness + (1 - 1 * off))
-        return sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
+        return sleeve.turn(travel, self.mean_radius, self.stop_gain, self.gain_slope)
 
-    def inertia(self, travel: Number, net_gain: Number) -> Number:
+    def inertia(self, travel: Any, net_gain: Any) -> Any:
         """Moment of inertia that the sleeve's mass adds to the turn of the balls, kg·m²."""
         return sleeve.sleeve_inertia(self.mass, self.mean_radius, self.gain(travel), net_gain)
 
-    def speed(self, travel: Number, rate: Number) -> Number:
+    def speed(self, travel: Any, rate: Any) -> Any:
         """Speed of the sleeve for a rate of the turn, m/s."""
         return sleeve.travel_rate(rate, self.mean_radius, self.gain(travel))
 
-    def driving_moment(self, travel: Number, rate: Number) -> Number:
+    def driving_moment(self, travel: Any, rate: Any) -> Any:
         """Moment of both springs minus the inertia moment of a sleeve that moves along a curved wall, N·m."""
         moment = self.moment(travel)
         if not is_array(self.mass) and not self.mass:
             return moment
-        slope, speed = self.law.gain_slope, self.speed(travel, rate)
+        slope, speed = self.gain_slope, self.speed(travel, rate)
         return moment - sleeve.centrifugal_moment(self.mass, self.mean_radius, self.gain(travel), slope, speed)
 
-    def key_limits(self, travel: Number) -> tuple[Number, Number]:
+    def key_limits(self, travel: Any) -> tuple[Any, Any]:
         """Smallest and largest ball torque at which the key keeps a sleeve off its stop at rest, S/κ₊ and S/κ, N·m."""
         moment = self.moment(travel)
         return (
@@ -346,9 +360,9 @@ class Sleeve(Pack):
             moment / self.steeper(self.net_gain, travel),
         )
 
-    def torsional(self, travel: Number, net_gain: Number, torque: Number) -> Number:
+    def torsional(self, travel: Any, net_gain: Any, torque: Any) -> Any:
         """Stiffness against a turn, N·m/rad."""
-        slope = self.law.gain_slope
+        slope = self.gain_slope
         return sleeve.torsional_stiffness(
             *self._stiffnesses(travel), self.mean_radius, net_gain, self.gain(travel), slope, torque
         )
@@ -360,39 +374,39 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
     Raises:
         CalculationError: a sleeve that would be off its stop without load.
     """
-    indirect = clutch.sleeve
-    if indirect is None:
-        return _discs(clutch, driving, driven)
-    if not is_array(indirect.net_gain) and not indirect.net_gain:
+    bypass, controlled, gain = (clutch[name] for name in ("bypass_pairs", "controlled_pairs", "gain"))
+    if not clutch.spec.kind.travels:
+        return _discs(clutch, clutch["closing_force"], bypass, controlled, gain, driving, driven)
+    net, control, closing = (clutch[name] for name in ("net_gain", "control_force", "closing_force"))
+    if not is_array(net) and not net:
         # κ = 0: the key's friction equals the feedback, and the clutch acts as an ordinary one
-        ordinary = DirectClutch(
-            indirect.closing_force, indirect.mean_radius, indirect.pairs, 0.0, 0.0, spec=indirect.spec
-        )
-        return _discs(ordinary, driving, driven)
-    control = indirect.control_force
-    below = np.asarray(control < clutch.closing_force)
+        return _discs(clutch, closing, clutch["pairs"], 0.0, 0.0, driving, driven)
+    below = np.asarray(control < closing)
     if below.any():
         raise CalculationError(
             "simulate: the control spring ({control:.5g N}) must press more than the closing spring "
             "({closing:.5g N}), else the sleeve is off its stop without load",
             control=np.broadcast_to(control, below.shape)[below].flat[0],
-            closing=np.broadcast_to(clutch.closing_force, below.shape)[below].flat[0],
+            closing=np.broadcast_to(closing, below.shape)[below].flat[0],
         )
-    return Sleeve(indirect, driving, _of_unit(clutch, "sleeve_mass"), *_static_and_lever(clutch))
+    return Sleeve(clutch.quantities, driving, _of_unit(clutch, "sleeve_mass"), *_static_and_lever(clutch))
 
 
 def ordinary_pack(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
     """Return the same discs without control unit, set for the same nominal torque."""
-    bypass = clutch.bypass_pairs
-    pack = clutch.mean_radius, bypass, clutch.spec.friction_group.pairs - bypass, 0.0
-    ordinary = DirectClutch(1.0, *pack, friction=clutch.friction, spec=clutch.spec)
-    force = adjustment.closing_force(clutch.nominal_torque, parameters.margin(clutch.spec), ordinary.torque_per_force())
-    return replace(_discs(replace(ordinary, closing_force=force), driving, driven), lag=0.0)
+    bypass = clutch["bypass_pairs"]
+    pack = bypass, clutch["pairs"] - bypass, 0.0
+    at_setting = clutch["friction_driving_set"], clutch["friction_driven_set"]
+    arm = direct.torque_per_force(clutch["mean_radius"], *pack, *at_setting)
+    force = adjustment.closing_force(clutch["nominal_torque"], clutch["margin_in_spring"], arm)
+    return replace(_discs(clutch, force, *pack, driving, driven), lag=0.0)
 
 
-def _discs(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
-    pack = clutch.closing_force, clutch.mean_radius, clutch.bypass_pairs, clutch.controlled_pairs, clutch.gain
+def _discs(
+    clutch: Clutch, force: Any, bypass: Any, controlled: Any, gain: Any, driving: Values, driven: Values
+) -> DirectPack:
     ratio, decay, lever = _static_and_lever(clutch)
+    pack = force, clutch["mean_radius"], bypass, controlled, gain
     return DirectPack(*pack, driving, driven, ratio, decay, _of_unit(clutch, "release_lag"), lever)
 
 
@@ -402,9 +416,9 @@ def _of_unit(clutch: Clutch, key: str) -> Any:
     return 0.0 if value is None else value
 
 
-def _static_and_lever(clutch: Clutch) -> tuple[Number, Number, Number]:
+def _static_and_lever(clutch: Clutch) -> tuple[Any, Any, Any]:
     """Static over sliding friction, R/v_s by which it decays with the slip, and r/R; 0 what is not known."""
-    friction, radius = clutch.spec.friction, clutch.mean_radius
+    friction, radius = clutch.spec.friction, clutch["mean_radius"]
     ratio = 1.0 if friction.static_ratio is None else friction.static_ratio
     decay = 0.0 if friction.stribeck_speed is None else radius / friction.stribeck_speed
     return ratio, decay, _of_unit(clutch, "ball_circle_radius") / radius

@@ -1,12 +1,12 @@
 """Peaks of many drives at once: swept keys, samples of tolerances."""
 
-from dataclasses import fields, is_dataclass
+from dataclasses import is_dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..engines.protocol import Clutch
+from ..engines import Clutch
 from ..equations.arrays import Floats, Values
 from ..errors import CalculationError
 from .cases import swings_time, whole_time
@@ -110,7 +110,7 @@ def step_of(train: Train, pack: DirectPack | Sleeve, steps_a_swing: int = STEPS_
 
 def _shapes(record: object) -> list[tuple[int, ...]]:
     """Shapes of the arrays in a record."""
-    own = [getattr(record, each.name) for each in fields(record)] if is_dataclass(record) else []
+    own = vars(record).values() if is_dataclass(record) else ()  # beside fields what was calculated from them
     return [np.shape(value) for value in own if isinstance(value, np.ndarray)] + [
         shape for value in own for shape in _shapes(value)
     ]

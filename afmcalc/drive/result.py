@@ -1,8 +1,12 @@
 """What a simulation of the drive tells."""
 
-from typing import Literal
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Literal
 
 from ..result import Answer, OpenTriple, Result, Series, Triple, quantity
+
+if TYPE_CHECKING:
+    from ..spec.models import Drive
 
 NOT_ENDED = "not ended"
 """Of a slip: the motor keeps it going, or what is simulated is over before it; a finding says which."""
@@ -144,3 +148,10 @@ class HeatResult(Answer):
     setting_loss_worn: float | None = quantity(
         "1", "ΔF/F", "share of the force on the pack lost when the lining is gone", optional=True
     )
+
+
+def dynamic_factor(drive: "Drive", event: Callable[[], SimulateResult]) -> float:
+    """Dynamic factor of the unprotected side: as given, else the largest T_peak/T of the event, else 1."""
+    if drive.dynamic_factor is not None or drive.event is None:
+        return 1.0 if drive.dynamic_factor is None else drive.dynamic_factor
+    return event().largest_dynamic_factor

@@ -8,12 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from ..engines import Clutch
 from ..engines.layout import inertia_of, parts_of, sizes_of
-from ..engines.protocol import Clutch
 from ..equations import drive as law
-from ..equations.arrays import V, is_array
-from ..equations.calls import unnoted
-from ..equations.terms import Number
+from ..equations.arrays import Values, is_array
 from ..messages import say
 from ..spec.models import EventKind
 
@@ -29,7 +27,7 @@ class Engine:
     synchronous: float
     """ω_s, rad/s."""
 
-    def at(self, speed: V) -> V | float:
+    def at(self, speed: Values) -> Values | float:
         """M_1 at a speed, N·m."""
         if self.slip is None:
             return self.torque
@@ -72,26 +70,25 @@ class Train:
         """The same where the hub belongs to the driven half."""
         return replace(self, driven_inertia=self.driven_inertia + self.hub_inertia, hub_inertia=0.0)
 
-    def passed(self, time: Number) -> Number:
+    def passed(self, time: Any) -> Any:
         """Share of the event that has passed: of the stop, or of the rise of the load."""
         if is_array(time):
             return np.where(time < self.time, time / np.where(self.time > 0, self.time, 1.0), 1.0)
         return time / self.time if time < self.time else 1.0
 
-    def led(self, time: Number) -> Number:
+    def led(self, time: Any) -> Any:
         """Speed of a tool that is being stopped, rad/s."""
         return self.speed * (1 - self.passed(time))
 
-    def load_at(self, time: Number) -> Number:
+    def load_at(self, time: Any) -> Any:
         """Torque with which the load resists, N·m."""
         return self.load + (self.overload - self.load) * self.passed(time)
 
 
-@unnoted()
-def inertias_of(clutch: Clutch) -> tuple[Number, Number]:
+def inertias_of(clutch: Clutch) -> tuple[Any, Any]:
     """J_2 and J_h, kg·m²: as given, else of the layout, which the rules then see to; a direct clutch has no J_h."""
-    driven: Number = clutch.spec.drive.driven_inertia
-    hub: Number = clutch.spec.drive.hub_inertia if clutch.sleeve else 0.0
+    driven: Any = clutch.spec.drive.driven_inertia
+    hub: Any = clutch.spec.drive.hub_inertia if clutch.spec.kind.travels else 0.0
     if driven is None or hub is None:
         parts = parts_of(sizes_of(clutch))
         driven = inertia_of(parts, "driven") if driven is None else driven
@@ -99,7 +96,6 @@ def inertias_of(clutch: Clutch) -> tuple[Number, Number]:
     return driven, hub
 
 
-@unnoted()
 def train_of(clutch: Clutch) -> Train:
     """Return the drive of a clutch.
 
@@ -114,7 +110,7 @@ def train_of(clutch: Clutch) -> Train:
             "afmcalc init --kind drive writes a spec that has it"
         )
         raise clutch.spec.refused("drive.event", message)
-    load: Number = clutch.running_torque if given.load_torque is None else given.load_torque
+    load: Any = clutch["running_torque"] if given.load_torque is None else given.load_torque
     motor, speed = given.motor, given.speed
     if motor is None:
         engine = Engine(load if given.motor_torque is None else given.motor_torque, None, 0.0)

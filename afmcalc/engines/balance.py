@@ -4,9 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from ..equations import indirect, pocket, sleeve
+from ..equations import curved
 from ..equations.arrays import Floats, Values, chosen, quiet_division, smaller
-from ..equations.calls import derived
 from .springs import SetSpring, root
 
 _PLACES = 32
@@ -31,21 +30,11 @@ class Balance:
 
     def pressed(self, travel: Values) -> Values:
         """Normal force N, N."""
-        return self.closing.force(derived(-travel, travel))
+        return self.closing.force(-travel)
 
     def net_gain_at(self, travel: Values) -> Values:
         """κ where the sleeve is."""
-        return self.net_gain if self.straight else pocket.gain_at(self.net_gain, self.gain_slope, travel)
-
-    def normal_force(self, friction: Values, travel: Values) -> Values:
-        """Normal force N that holds the sleeve at a travel, N: the control spring's, over the loop of the balls."""
-        control = self.control
-        force = (
-            sleeve.tensed_force(control.set_force, control.straight_stiffness, travel)
-            if control.disc is None
-            else control.force(travel)
-        )
-        return indirect.normal_force_balanced(force, self.pairs, self.net_gain_at(travel), friction)
+        return self.net_gain if self.straight else curved.gain_acting(self.net_gain, self.gain_slope, travel)
 
     def _left(self, friction: Values) -> Callable[[Values], Values]:
         """What the control spring has more than closing spring and balls, N."""
@@ -57,32 +46,32 @@ class Balance:
             slope = self.control.stiffness(at) + self.closing.stiffness(-at) * loop
             if self.straight:
                 return slope
-            return slope - self.pressed(at) * pocket.slope_feedback(self.pairs, friction, self.gain_slope)
+            return slope - self.pressed(at) * curved.slope_feedback(self.pairs, friction, self.gain_slope)
 
         return slope
 
     def travel(self, friction: Values) -> Values:
         """Where the sleeve comes to from its stop, friction rising, m: the first place that holds it."""
-        left, of = self._left(friction), (friction, self.net_gain, self.closing.set_force)
+        left = self._left(friction)
         if self.straight:
             end = self.closing.deflection + 0.0 * (self.net_gain * friction)
-            return root(left, self._slope(friction), end, of=of)
+            return root(left, self._slope(friction), end)
         tried = self._tried(self.closing.deflection, friction)
         # at the stop itself it is not: a steep wall lets it jump off from there
         holds: Any = (left(tried) >= 0) & (tried > 0)
         low, high = _first(tried, holds)
-        return root(left, self._slope(friction), high, low, of)
+        return root(left, self._slope(friction), high, low)
 
     def travel_returning(self, friction: Values, start: Values) -> Values:
         """Where it comes back to from ``start``, friction falling, m: the last place that holds it; 0 at the stop."""
         if self.straight:
             return smaller(self.travel(friction), start)
-        left, of = self._left(friction), (friction, self.net_gain, self.closing.set_force)
+        left = self._left(friction)
         tried = self._tried(start, friction)[::-1]
         holds: Any = left(tried) <= 0
         high, low = _first(tried, holds)
         slope = self._slope(friction)
-        return chosen(holds.any(axis=0), lambda: root(left, slope, high, low, of), lambda: 0.0 * tried[0])
+        return chosen(holds.any(axis=0), lambda: root(left, slope, high, low), lambda: 0.0 * tried[0])
 
     def _tried(self, end: Values, friction: Values) -> Floats:
         """Places up to ``end`` between which the friction that holds the sleeve does not turn, for each friction."""
@@ -100,9 +89,8 @@ class Balance:
 
     def friction(self, travel: Values) -> Values:
         """Friction that holds the sleeve at a travel."""
-        forces = self.pressed(travel), self.control.force(travel)
         with quiet_division(travel):  # where the balls move nothing none does
-            return pocket.leaving_friction(*forces, self.pairs, self.net_gain_at(travel))
+            return (self.control.force(travel) / self.pressed(travel) - 1) / (self.pairs * self.net_gain_at(travel))
 
     def way(self, start: Values, end: Values) -> Floats:
         """Places that hold the sleeve on its way as friction changes, along a first axis.

@@ -11,10 +11,10 @@ from functools import reduce
 from itertools import combinations, product
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from ..equations import drive, effects, springs, synthesis
+from ..equations import control_unit, drive, effects, springs
 from ..equations.arrays import Values, larger, smaller
 from ..spec.models import DiscStack, Room, Spec, bore_of
-from .protocol import Clutch
+from .adapter import Clutch
 from .springs import STEEL, characteristic
 
 FACE_GAP = 0.002
@@ -118,14 +118,14 @@ class Sizes(NamedTuple):
 def sizes_of(clutch: Clutch) -> Sizes:
     """Return the sizes of a clutch whose spec has an envelope, the sleeve with room to travel."""
     spec: Any = clutch.spec
-    room, group, unit, sleeve = spec.envelope, spec.friction_group, spec.control_unit, clutch.sleeve
+    room, group, unit, travels = spec.envelope, spec.friction_group, spec.control_unit, spec.kind.travels
     hub = room.hub_diameter if unit is None or unit.hub_diameter is None else unit.hub_diameter
     size = Sizes(
-        spec.kind.travels, group.pairs, group.inner_radius, group.outer_radius, bore_of(spec) / 2, hub / 2,
+        travels, group.pairs, group.inner_radius, group.outer_radius, bore_of(spec) / 2, hub / 2,
         room.disc_thickness, room.plate_thickness, room.housing_wall,
-        travel=sleeve.travel_max if sleeve else 0.0,
-        closing=_spring(spec, "closing", clutch.closing_force),
-        control=_spring(spec, "control", sleeve.control_force) if sleeve else SpringSize(),
+        travel=clutch["travel_max"] if travels else 0.0,
+        closing=_spring(spec, "closing", clutch["closing_force"]),
+        control=_spring(spec, "control", clutch["control_force"]) if travels else SpringSize(),
     )  # fmt: skip
     if unit is None or unit.ball_diameter is None or unit.ball_circle_radius is None:
         return size
@@ -165,7 +165,7 @@ def parts_of(size: Sizes) -> list[SectionPart]:
     behind = plate_at + plate
     there: Any = size.ball > 0
     reach = size.circle + size.ball / 2
-    cut = synthesis.pocket_depth_cut(size.ball / 2, gap) + plate if size.depth is None else size.depth
+    cut = control_unit.pocket_depth_cut(size.ball / 2, gap) + plate if size.depth is None else size.depth
     depth = cut * there
     # a sleeve is as wide as its balls, and goes under the pack
     rim = larger(smaller(reach, carrier) * there, hub)

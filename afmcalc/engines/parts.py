@@ -8,6 +8,7 @@ from ..equations import springs as law
 from ..findings import Finding, Level, finding
 from ..messages import term
 from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Spec
+from .quantities import Apply, call
 from .springs import (
     LEAST_USED,
     MODULUS,
@@ -99,9 +100,9 @@ class PartCheck(NamedTuple):
         return over / (self.scale or self.limit)
 
 
-def checks_of_part(demand: SpringDemand, part: DiscStack | CoilSprings) -> list[PartCheck]:
+def checks_of_part(demand: SpringDemand, part: DiscStack | CoilSprings, apply: Apply = call) -> list[PartCheck]:
     """What a part is to hold as a spring of a clutch, held or not."""
-    own = characteristic(part)
+    own = characteristic(part, apply)
     held, deflection = float(own.force(own.end)), float(own.deflection(demand.force))
     found = [PartCheck(FORCE, demand.force, held)]
     least, most = deflection - demand.relaxes, deflection + demand.compresses
@@ -135,7 +136,8 @@ def _of_coils(own: CoilCharacteristic, demand: SpringDemand, most: float) -> Ite
     if demand.stroke is not None:
         lower, upper = (own.correction * own.stress(at) for at in (most - demand.stroke, most))
         ultimate = SHEAR_SHARE * tensile
-        limit = float(law.coil_upper_stress(lower, law.coil_endurance(*ZIMMERLI, ultimate), ultimate))
+        endurance = own.apply(law.coil_endurance, *ZIMMERLI, ultimate)
+        limit = float(own.apply(law.coil_upper_stress, lower, endurance, ultimate))
         yield PartCheck(FATIGUE if demand.cycles is None else FATIGUE._replace(level="error"), upper, limit)
 
 
@@ -146,9 +148,9 @@ def _buckling(own: CoilCharacteristic, demand: SpringDemand, most: float) -> Ite
         shaft, bore = room.inner_diameter or 0.0, room.outer_diameter or math.inf
         if min(part.coil_diameter - shaft, bore - part.coil_diameter) <= 2 * part.wire_diameter * (1 + _ROUNDING):
             return
-    root = float(law.coil_buckling_root(part.coil_diameter, part.free_length, ratio, SEATING, math.pi))
+    root = float(own.apply(law.coil_buckling_root, part.coil_diameter, part.free_length, ratio, SEATING, math.pi))
     if root >= 0:
-        yield PartCheck(BUCKLING, most, float(law.coil_buckling_deflection(part.free_length, ratio, root)))
+        yield PartCheck(BUCKLING, most, float(own.apply(law.coil_buckling_deflection, part.free_length, ratio, root)))
 
 
 def _of_room(own: Characteristic, demand: SpringDemand, length: float) -> Iterator[PartCheck]:
@@ -180,12 +182,12 @@ def strength(wire: float) -> float | None:
     return (1980 - 740 * math.log10(wire * 1e3)) * 1e6
 
 
-def checks_of_spec(spec: Spec, demands: Iterable[SpringDemand]) -> Iterator[tuple[str, PartCheck]]:
+def checks_of_spec(spec: Spec, demands: Iterable[SpringDemand], apply: Apply = call) -> Iterator[tuple[str, PartCheck]]:
     """What the springs that a spec names are to hold, each with the path of its part."""
     for demand in demands:
         if (part := spec.spring_parts.get(demand.name)) is not None:
             path = f"{demand.name}_spring.{'disc' if isinstance(part, DiscStack) else 'coil'}"
-            yield from ((path, each) for each in checks_of_part(demand, part))
+            yield from ((path, each) for each in checks_of_part(demand, part, apply))
 
 
 def part_findings(spec: Spec, demands: Sequence[SpringDemand]) -> list[Finding]:

@@ -2,15 +2,15 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from ..equations import springs as law
 from ..equations.arrays import Values, chosen, greatest, larger, logarithm, smaller
-from ..equations.calls import derived, unnoted
 from ..spec.catalogues import Disc
-from ..spec.models import ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room, Spec
+from ..spec.models import SHEAR_MODULUS, ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room, Spec
+from .quantities import Apply, call
 
 MODULUS = 206e9
 """Young's modulus of disc springs (DIN EN 16984), Pa."""
@@ -31,26 +31,24 @@ def root(
     slope: Callable[[Values], Values],
     end: Values,
     start: Values = 0.0,
-    of: tuple[Values, ...] = (),
 ) -> Values:
     """Where a function that rises from ``start`` to ``end`` is 0, number by number; the nearer end where it is not.
 
     Newton's steps, and halves of what is left where one would leave it: arrays as fast as numbers, of which SciPy's
-    bracketed searches take one at a time. An explanation shows the function there, and that it is for what ``of`` is.
+    bracketed searches take one at a time.
     """
     at = low = start + 0.0 * end
     high = end
-    with unnoted():
-        for _ in range(_STEPS):
-            value = rising(at)
-            below = value < 0
-            low, high = chosen(below, lambda: at, lambda: low), chosen(below, lambda: high, lambda: at)  # noqa: B023
-            step = at - value / slope(at)
-            there = chosen((step >= low) & (step <= high), lambda: step, lambda: (low + high) / 2)  # noqa: B023
-            moved, at = greatest(larger(there - at, at - there)), there
-            if not moved > _CLOSE * greatest(end):
-                break
-    return derived(at, *of, steps=rising)
+    for _ in range(_STEPS):
+        value = rising(at)
+        below = value < 0
+        low, high = chosen(below, lambda: at, lambda: low), chosen(below, lambda: high, lambda: at)  # noqa: B023
+        step = at - value / slope(at)
+        there = chosen((step >= low) & (step <= high), lambda: step, lambda: (low + high) / 2)  # noqa: B023
+        moved, at = greatest(larger(there - at, at - there)), there
+        if not moved > _CLOSE * greatest(end):
+            break
+    return at
 
 
 @dataclass(frozen=True)
@@ -58,6 +56,7 @@ class DiscCharacteristic:
     """A stack of disc springs, without the friction between them; deflections are of the whole, m."""
 
     part: DiscStack
+    apply: Apply = field(default=call, compare=False)
 
     @property
     def ratio(self) -> float:
@@ -73,24 +72,24 @@ class DiscCharacteristic:
     @property
     def factors(self) -> tuple[float, float]:
         """K_1 and K_4."""
-        load = law.disc_factor_load(self.ratio, logarithm(self.ratio), math.pi)
+        load = self.apply(law.disc_factor_load, self.ratio, logarithm(self.ratio), math.pi)
         reduced = self.part.reduced_thickness
         if reduced is None:
             return load, 1.0
         sizes = self.part.thickness, reduced, self.part.free_height
-        first = law.disc_flats_first(*sizes)
-        return load, law.disc_factor_flats(first, law.disc_flats_second(first, *sizes))
+        first = self.apply(law.disc_flats_first, *sizes)
+        return load, self.apply(law.disc_factor_flats, first, self.apply(law.disc_flats_second, first, *sizes))
 
     @property
     def free_length(self) -> float:
         """L_0 of the stack, m."""
-        return law.stack_length(self.part.parallel, self.part.series, self.part.free_height, self.thickness)
+        return self.apply(law.stack_length, self.part.parallel, self.part.series, self.part.free_height, self.thickness)
 
     @property
     def mass(self) -> float:
         """Of all discs, kg."""
         own = self.part
-        disc = law.ring_mass(STEEL, own.outer_diameter, own.inner_diameter, self.thickness, math.pi)
+        disc = self.apply(law.ring_mass, STEEL, own.outer_diameter, own.inner_diameter, self.thickness, math.pi)
         return own.parallel * own.series * disc
 
     @property
@@ -117,28 +116,27 @@ class DiscCharacteristic:
 
     def force(self, deflection: Values) -> Values:
         """Force of the stack, N."""
-        each = derived(deflection / self.part.series, deflection)
-        return self.part.parallel * law.disc_force(*self.shape, each)
+        each = deflection / self.part.series
+        return self.part.parallel * self.apply(law.disc_force, *self.shape, each)
 
     def stiffness(self, deflection: Values) -> Values:
         """Slope of the force, N/m."""
         own = self.part
-        return own.parallel / own.series * law.disc_stiffness(*self.shape, deflection / own.series)
+        return own.parallel / own.series * self.apply(law.disc_stiffness, *self.shape, deflection / own.series)
 
     def deflection(self, force: Values) -> Values:
         """Deflection that gives a force, m; all discs flat where none does."""
-        _ = self.shape  # a step of the calculation, unlike the search
-        with unnoted():
-            return root(lambda at: self.force(at) - force, self.stiffness, self.end + 0.0 * force)
+        plain = DiscCharacteristic(self.part)
+        return root(lambda at: plain.force(at) - force, plain.stiffness, self.end + 0.0 * force)
 
     def stresses(self, deflection: float) -> tuple[float, float]:
         """Stress where the section turns (OM), and the largest tension at the edges II and III, Pa."""
         logarithm, each = math.log(self.ratio), deflection / self.part.series
-        membrane = law.disc_factor_membrane(self.ratio, logarithm, math.pi)
-        bending = law.disc_factor_bending(self.ratio, logarithm, math.pi)
-        middle = law.disc_stress(*self.shape, each, 0.0, 3 / math.pi)
+        membrane = self.apply(law.disc_factor_membrane, self.ratio, logarithm, math.pi)
+        bending = self.apply(law.disc_factor_bending, self.ratio, logarithm, math.pi)
+        middle = self.apply(law.disc_stress, *self.shape, each, 0.0, 3 / math.pi)
         edges = (membrane, -bending), ((membrane - 2 * bending) / self.ratio, -bending / self.ratio)
-        return float(middle), max(float(law.disc_stress(*self.shape, each, *edge)) for edge in edges)
+        return float(middle), max(float(self.apply(law.disc_stress, *self.shape, each, *edge)) for edge in edges)
 
 
 @dataclass(frozen=True)
@@ -146,6 +144,7 @@ class CoilCharacteristic:
     """Coil springs side by side; forces are those of all together, N."""
 
     part: CoilSprings
+    apply: Apply = field(default=call, compare=False)
 
     @property
     def free_length(self) -> float:
@@ -156,23 +155,26 @@ class CoilCharacteristic:
     def mass(self) -> float:
         """Of all together, kg."""
         own = self.part
-        return own.count * law.coil_mass(STEEL, own.wire_diameter, own.coil_diameter, own.turns, math.pi)
+        return own.count * self.apply(law.coil_mass, STEEL, own.wire_diameter, own.coil_diameter, own.turns, math.pi)
 
     @property
     def rate(self) -> float:
         """Stiffness of all together, N/m."""
-        return self.part.rate
+        own = self.part
+        return own.count * self.apply(
+            law.coil_stiffness, SHEAR_MODULUS, own.wire_diameter, own.coil_diameter, own.turns
+        )
 
     @property
     def range(self) -> tuple[float, float]:
         """From nothing to where the gaps between the turns are the least that must stay, m."""
         own = self.part
-        return 0.0, self.end - law.coil_least_gap(own.wire_diameter, own.coil_diameter, own.turns)
+        return 0.0, self.end - self.apply(law.coil_least_gap, own.wire_diameter, own.coil_diameter, own.turns)
 
     @property
     def end(self) -> float:
         """Deflection at which it is pressed solid, m."""
-        return self.part.free_length - law.coil_solid_length(self.part.wire_diameter, self.part.turns)
+        return self.part.free_length - self.apply(law.coil_solid_length, self.part.wire_diameter, self.part.turns)
 
     def force(self, deflection: Values) -> Values:
         """Force, N."""
@@ -189,20 +191,20 @@ class CoilCharacteristic:
     @property
     def correction(self) -> float:
         """k_τ, by which a curved wire bears more at its inside: it counts where the spring moves."""
-        return law.coil_correction(self.part.wire_diameter, self.part.coil_diameter)
+        return self.apply(law.coil_correction, self.part.wire_diameter, self.part.coil_diameter)
 
     def stress(self, deflection: float) -> float:
         """Shear stress of the wire, without the correction for the curve as for a spring that rests, Pa."""
         each = self.rate * deflection / self.part.count
-        return law.coil_stress(each, self.part.wire_diameter, self.part.coil_diameter, 1.0, math.pi)
+        return self.apply(law.coil_stress, each, self.part.wire_diameter, self.part.coil_diameter, 1.0, math.pi)
 
 
 Characteristic: TypeAlias = DiscCharacteristic | CoilCharacteristic
 
 
-def characteristic(part: DiscStack | CoilSprings) -> Characteristic:
+def characteristic(part: DiscStack | CoilSprings, apply: Apply = call) -> Characteristic:
     """Return the characteristic of a part."""
-    return DiscCharacteristic(part) if isinstance(part, DiscStack) else CoilCharacteristic(part)
+    return DiscCharacteristic(part, apply) if isinstance(part, DiscStack) else CoilCharacteristic(part, apply)
 
 
 @dataclass(frozen=True)
@@ -220,14 +222,13 @@ class SetSpring:
         """As set, m."""
         if self.disc is None:
             return self.set_force / self.straight_stiffness
-        disc, at = self.disc, self.disc.deflection(self.set_force)
-        return derived(at, steps=lambda at: (disc.force(at), disc.stiffness(at)))
+        return self.disc.deflection(self.set_force)
 
     def force(self, further: Values) -> Values:
         """Force when pressed together so much further than as set, N."""
         if self.disc is None:
             return self.set_force + self.straight_stiffness * further
-        return self.disc.force(derived(self.deflection + further, further))
+        return self.disc.force(self.deflection + further)
 
     def stiffness(self, further: Values) -> Values:
         """Slope of the force there, N/m."""

@@ -1,5 +1,10 @@
-"""The published formulas, one short function each: plain ``+ - * / **`` on whatever arguments are given.
+"""The laws of a clutch: one plain function for each quantity, named by it, its arguments named by what they are.
 
-The same function therefore runs on floats, NumPy arrays, pint quantities and SymPy symbols. Its signature names the
-quantities with symbol and unit (``terms``), its docstring the formula, its source and the limits of its validity.
+A law is arithmetic on whatever it is given: numbers, NumPy arrays, pint quantities, SymPy symbols. ``terms`` has
+symbol, SI unit and meaning of every name, a law's docstring the formula, its source and its validity.
+``engines.selection`` says which laws make up a clutch, ``engines.quantities`` calculates a name by them.
+
+Beside functions a module may hold: a number, which is taken where nothing is given; ``Same("x")``, another name of x;
+``Either(condition, yes, no)``; a mapping in capitals, laws that an option puts in the place of others; and ``CASES``,
+in which a quantity has the value of another one; ``SYMBOLS``, terms of names that mean something else in this module.
 """

@@ -1,9 +1,14 @@
-"""The few steps between equations that are not plain arithmetic, for floats and arrays alike."""
+"""The few steps of a law that are not plain arithmetic, for numbers, arrays and the symbols of an explanation alike.
+
+No other module of the laws knows NumPy, and of numbers none imports it. An array holds one value for each clutch;
+what a law calculates at many frictions of one clutch (``spread``) lies along a first axis before that.
+"""
 
 import math
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard, TypeVar
+from functools import reduce
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
 
 if TYPE_CHECKING:
     import numpy as np
@@ -15,31 +20,133 @@ else:
     Floats = Values = Any
 """One number, or an array of any shape; shapes of several arguments broadcast."""
 
-V = TypeVar("V", bound=Values)
-"""What a function takes and gives alike: numbers or arrays."""
-
 
 def is_array(value: object) -> "TypeGuard[Floats]":
-    """Whether ``value`` is a NumPy array (asked without importing NumPy)."""
-    return type(value) is not float and hasattr(value, "__array__") and not isinstance(value, float)
+    """Return whether a value is an array of one axis or more, without importing NumPy."""
+    return type(value) is not float and bool(getattr(value, "ndim", 0))
 
 
-def larger(first: Values, second: Values) -> Values:
+def larger(*values: Any) -> Any:
     """Elementwise maximum."""
-    if is_array(first) or is_array(second):
-        import numpy as np
-
-        return np.maximum(first, second)
-    return first if first >= second else second
+    return _called("max", values, max, "maximum")
 
 
-def smaller(first: Values, second: Values) -> Values:
+def smaller(*values: Any) -> Any:
     """Elementwise minimum."""
-    if is_array(first) or is_array(second):
+    return _called("min", values, min, "minimum")
+
+
+def _called(name: str, values: tuple[Any, ...], of_numbers: Callable[..., Any], of_arrays: str) -> Any:
+    for value in values:
+        if hasattr(value, "called"):
+            return value.called(name, *values)
+    if any(map(is_array, values)):
         import numpy as np
 
-        return np.minimum(first, second)
-    return first if first <= second else second
+        function = getattr(np, of_arrays)
+        return reduce(function, values) if len(values) > 1 else function(*values)
+    return of_numbers(*values)
+
+
+def _elementwise(name: str, of_arrays: str) -> Callable[[Any], Any]:
+    return lambda value: _called(name, (value,), getattr(math, name), of_arrays)
+
+
+sin, cos, tan = (_elementwise(name, name) for name in ("sin", "cos", "tan"))
+atan, square_root, logarithm = _elementwise("atan", "arctan"), _elementwise("sqrt", "sqrt"), _elementwise("log", "log")
+
+
+def chosen(condition: Any, yes: Callable[[], Any], no: Callable[[], Any]) -> Any:
+    """Elementwise choice of two functions without arguments; of numbers only the one chosen is called."""
+    if is_array(condition):
+        import numpy as np
+
+        with np.errstate(all="ignore"):
+            return np.where(condition, yes(), no())
+    return yes() if condition else no()
+
+
+def quotient(numerator: Any, denominator: Any) -> Any:
+    """Quotient; where it divides by zero ±inf, by the sign of the numerator, of 0/0 inf."""
+    if is_array(numerator) or is_array(denominator):
+        import numpy as np
+
+        with np.errstate(all="ignore"):
+            return np.where(denominator == 0, np.where(numerator >= 0, np.inf, -np.inf), numerator / denominator)
+    if isinstance(denominator, int | float) and denominator == 0:
+        return math.inf if numerator >= 0 else -math.inf
+    return numerator / denominator
+
+
+def place_of_smallest(values: Any, places: Any, tie: float = 1e-12) -> Any:
+    """Place of the smallest value: the first of those that are equal but for rounding."""
+    low, at = values[0], places[0]
+    for value, place in zip(values[1:], places[1:], strict=True):
+        at = _where(value < low * (1 - tie), place, at)
+        low = smaller(low, value)
+    return at
+
+
+def place_of_largest(values: Any, places: Any, tie: float = 1e-12) -> Any:
+    """Place of the largest value: the last of those that are equal but for rounding."""
+    high, at = values[-1], places[-1]
+    for value, place in zip(values[-2::-1], places[-2::-1], strict=True):
+        at = _where(value > high * (1 + tie), place, at)
+        high = larger(high, value)
+    return at
+
+
+def _where(condition: Any, yes: Any, no: Any) -> Any:
+    return chosen(condition, lambda: yes, lambda: no)
+
+
+def next_listed(least: Any, listed: Any) -> Any:
+    """The smallest of an ascending list that is not below a value; NaN where there is none."""
+    if is_array(least):
+        import numpy as np
+
+        return np.append(listed, np.nan)[np.searchsorted(listed, least * (1 - 1e-12))]
+    return next((size for size in listed if size >= least * (1 - 1e-12)), math.nan)
+
+
+def spread(low: Any, high: Any, count: int, *, ends: bool = True) -> Any:
+    """Values from one to another along a first axis: with the ends, or in the middles of so many equal parts."""
+    import numpy as np
+
+    shares = np.linspace(0, 1, count) if ends else (np.arange(count) + 0.5) / count
+    return low + np.multiply.outer(shares, np.atleast_1d(high - low))
+
+
+def beside(along: Any, value: Any) -> Any:
+    """Values along a first axis, and one more."""
+    import numpy as np
+
+    shape = np.broadcast_shapes(along.shape[1:], np.shape(value))
+    return np.concatenate([np.broadcast_to(along, (len(along), *shape)), np.broadcast_to(value, shape)[None]])
+
+
+def mean_along(values: Any) -> Any:
+    """Mean along the first axis; a number of one clutch."""
+    return _one(values.mean(axis=0))
+
+
+def largest_along(values: Any) -> Any:
+    """Largest value along the first axis; a number of one clutch."""
+    return _one(values.max(axis=0))
+
+
+def _one(values: Any) -> Any:
+    return float(values[0]) if values.shape == (1,) else values
+
+
+def zero_of(falling: Callable[[Any], Any], end: Any) -> Any:
+    """Where a function that falls between 0 and ``end`` is 0, by halving."""
+    low, high = 0.0 * end, end
+    for _ in range(60):
+        middle = (low + high) / 2
+        above = falling(middle) > 0
+        low, high = _where(above, middle, low), _where(above, high, middle)
+    return low
 
 
 def greatest(value: Values) -> float:
@@ -51,15 +158,6 @@ def greatest(value: Values) -> float:
     return float(value)
 
 
-def chosen(condition: Any, yes: Callable[[], Values], no: Callable[[], Values]) -> Values:
-    """Elementwise choice; of two numbers only the one chosen is calculated."""
-    if getattr(condition, "ndim", 0):
-        import numpy as np
-
-        return np.where(condition, yes(), no())
-    return yes() if condition else no()
-
-
 def quiet_division(value: Values) -> AbstractContextManager[object]:
     """Context in which arrays such as ``value`` divide by zero without a warning."""
     if is_array(value):
@@ -67,24 +165,6 @@ def quiet_division(value: Values) -> AbstractContextManager[object]:
 
         return np.errstate(divide="ignore", invalid="ignore")
     return nullcontext()
-
-
-def square_root(value: Values) -> Values:
-    """Square root, the same to the last bit for floats and arrays: a power of 0.5 may differ in the last."""
-    if is_array(value):
-        import numpy as np
-
-        return np.sqrt(value)
-    return math.sqrt(value)
-
-
-def logarithm(value: Values) -> Values:
-    """ln of a number or an array."""
-    if is_array(value):
-        import numpy as np
-
-        return np.log(value)
-    return math.log(value)
 
 
 def tangent(angle: Values) -> Values:

@@ -1,20 +1,21 @@
-"""The equations of this package by name, with what their signatures and docstrings say."""
+"""The laws by name, with what their arguments, terms and docstrings say."""
 
 import inspect
 import pkgutil
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 from importlib import import_module
-from typing import Any, NamedTuple, get_type_hints
+from types import ModuleType
+from typing import Any, NamedTuple
 
-from .terms import Term
+from .terms import Term, read_terms, term_of
 
-_NO_EQUATIONS = ("arrays", "calls", "catalogue", "terms")
+_NO_EQUATIONS = ("arrays", "catalogue", "terms", "wiring")
 
 
 class Equation(NamedTuple):
-    """One equation function."""
+    """One law, or one equation function."""
 
     name: str
     """``module.function``."""
@@ -36,21 +37,41 @@ class Equation(NamedTuple):
 
 @cache
 def equations() -> dict[str, Equation]:
-    """Every public function of the package's modules, by ``module.function``."""
+    """Return every law that gives a number, by ``module.function``."""
+    found = [equation_of(*law) for module in _modules() for law in _laws_of(module)]
+    return {each.name: each for each in found if each.result.unit}
+
+
+def _modules() -> Iterator[ModuleType]:
     package = __name__.rpartition(".")[0]
-    found: dict[str, Equation] = {}
     for module in pkgutil.iter_modules(import_module(package).__path__):
         if module.name not in _NO_EQUATIONS:
-            namespace = import_module(f"{package}.{module.name}")
-            for name, function in inspect.getmembers(namespace, inspect.isfunction):
-                if function.__module__ == namespace.__name__:
-                    found[f"{module.name}.{name}"] = _equation(f"{module.name}.{name}", function)
-    return found
+            yield import_module(f"{package}.{module.name}")
 
 
-def _equation(name: str, function: Callable[..., Any]) -> Equation:
+def _laws_of(module: ModuleType) -> Iterator[tuple[str, Callable[..., Any]]]:
+    """Quantity and law of each function, those in mappings of options among them."""
+    parts = [vars(module), *(part for name, part in vars(module).items() if name.isupper() and isinstance(part, dict))]
+    for part in parts:
+        for name, law in part.items():
+            if inspect.isfunction(law) and law.__module__ == module.__name__ and not name.startswith("_"):
+                yield name, law
+
+
+@cache
+def equation_of(quantity: str, function: Callable[..., Any]) -> Equation:
+    """Return what there is to say of the function that gives a quantity."""
+    module, name = function.__module__.rpartition(".")[2], function.__name__.lstrip("_")
     summary, _, rest = (inspect.getdoc(function) or "").partition("\n")
     source, _, validity = (part.partition("\n\n")[0] for part in rest.partition("Source:")[2].partition("Validity:"))
-    terms = {key: Term(*hint.__metadata__) for key, hint in get_type_hints(function, include_extras=True).items()}
-    result = terms.pop("return")
-    return Equation(name, function, summary, " ".join(source.split()), " ".join(validity.split()), terms, result)
+    own = _symbols(function.__module__)
+    names = inspect.signature(function).parameters
+    arguments = {one: own.get(f"{name}.{one}") or own.get(one) or term_of(one) for one in names}
+    texts = summary, " ".join(source.split()), " ".join(validity.split())
+    return Equation(f"{module}.{name}", function, *texts, arguments, own.get(quantity) or term_of(quantity))
+
+
+@cache
+def _symbols(module: str) -> dict[str, Term]:
+    """Return the terms of a module's table ``SYMBOLS``: of ``name``, or of ``function.argument``, there alone."""
+    return read_terms(getattr(import_module(module), "SYMBOLS", ""))

@@ -4,16 +4,8 @@ All is reduced to the clutch shaft: motor side J_1 – clutch (indirect: J_h bet
 shaft (k, d) – tool. Every argument may be an array; shapes broadcast. Radians count as pure numbers.
 """
 
-from typing import Annotated
 
-from .calls import equation
-from .terms import *
-
-
-@equation
-def ring_inertia(
-    mass: RingMass, outer_diameter: RingOuterDiameter, inner_diameter: RingInnerDiameter
-) -> Annotated[Number, "J", "kg*m^2"]:
+def ring_inertia(mass, outer_diameter, inner_diameter):
     """Moment of inertia of a ring about its axis, J = m (D² + d²)/8.
 
     Source: Geometry; handbook, chapter 9.
@@ -22,10 +14,7 @@ def ring_inertia(
     return mass * (outer_diameter * outer_diameter + inner_diameter * inner_diameter) / 8
 
 
-@equation
-def shaft_damping(
-    damping_ratio: DampingRatio, stiffness: ShaftStiffness, driven_inertia: DrivenInertia
-) -> ShaftDamping:
+def shaft_damping(damping_ratio, stiffness, driven_inertia):
     """Damping of the shaft, d = 2 ζ √(k J_2).
 
     Source: Definition of the damping ratio of the driven half on the shaft.
@@ -34,10 +23,7 @@ def shaft_damping(
     return 2 * damping_ratio * (stiffness * driven_inertia) ** 0.5
 
 
-@equation
-def shaft_torque(
-    stiffness: ShaftStiffness, twist: Twist, damping: ShaftDamping, twist_rate: TwistRate
-) -> Annotated[Number, "T_s", "N*m"]:
+def shaft_torque(stiffness, twist, damping, twist_rate):
     """Torque in the shaft, T_s = k φ + d φ'.
 
     Source: Handbook, chapter 9: Kelvin–Voigt shaft.
@@ -46,10 +32,7 @@ def shaft_torque(
     return stiffness * twist + damping * twist_rate
 
 
-@equation
-def inertia_torque(
-    speed: SpeedBeforeLock, stiffness: ShaftStiffness, driven_inertia: DrivenInertia
-) -> Annotated[Number, "T_J", "N*m"]:
+def inertia_torque(speed, stiffness, driven_inertia):
     """Torque with which the driven half alone twists the shaft of a locked tool, T_J = ω_0 √(k J_2).
 
     Source: Handbook, chapter 9 (V2): energy, ½ J_2 ω_0² = ½ T_J²/k; while the clutch slips it adds to the sliding
@@ -59,10 +42,7 @@ def inertia_torque(
     return speed * (stiffness * driven_inertia) ** 0.5
 
 
-@equation
-def stop_torque(
-    driven_inertia: DrivenInertia, deceleration: Deceleration, torque: SlipTorque, load_torque: LoadBefore
-) -> Annotated[Number, "T_a", "N*m"]:
+def stop_torque(driven_inertia, deceleration, torque, load_torque):
     """Peak beyond the sliding torque while the tool slows down, T_a = J_2 a + √(J_2 a [J_2 a + 2 (T − T_0)]).
 
     Source: Handbook, chapter 9 (V4): its swing about T + J_2 a, with the slip that begins at t_1.
@@ -73,8 +53,7 @@ def stop_torque(
     return steady + (steady * (steady + 2 * (torque - load_torque))) ** 0.5
 
 
-@equation
-def stribeck_ratio(static_ratio: StaticRatio, decay: StribeckDecay) -> Annotated[Number, "f(v)/f", "1"]:
+def stribeck_ratio(static_ratio, decay):
     """Friction at a sliding speed over sliding friction, f(v)/f = 1 + (r_s − 1) e, e = exp(−R|v|/v_s).
 
     Source: Handbook, chapter 9: Stribeck friction, exponential.
@@ -83,8 +62,7 @@ def stribeck_ratio(static_ratio: StaticRatio, decay: StribeckDecay) -> Annotated
     return 1 + (static_ratio - 1) * decay
 
 
-@equation
-def motor_slip(speed: MotorSpeed, synchronous_speed: SynchronousSpeed) -> MotorSlip:
+def motor_slip(speed, synchronous_speed):
     """Slip of an induction motor, s = 1 − ω/ω_s.
 
     Source: Definition.
@@ -93,8 +71,7 @@ def motor_slip(speed: MotorSpeed, synchronous_speed: SynchronousSpeed) -> MotorS
     return 1 - speed / synchronous_speed
 
 
-@equation
-def kloss_torque(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSlip, slip: MotorSlip) -> MotorTorque:
+def kloss_torque(breakdown_torque, breakdown_slip, slip):
     """Torque of an induction motor, M = 2 M_b/(s/s_b + s_b/s), written so that s = 0 gives 0.
 
     Source: Handbook, chapter 9: Kloss' formula, stator resistance neglected.
@@ -103,8 +80,7 @@ def kloss_torque(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSli
     return 2 * breakdown_torque * slip * breakdown_slip / (slip * slip + breakdown_slip * breakdown_slip)
 
 
-@equation
-def kloss_slip(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSlip, torque: MotorRunTorque) -> MotorSlip:
+def kloss_slip(breakdown_torque, breakdown_slip, torque):
     """Slip at which an induction motor runs under a torque, s = s_b [M_b/M − √((M_b/M)² − 1)].
 
     Source: Handbook, chapter 9: Kloss' formula solved for the slip, stable branch.
@@ -114,10 +90,7 @@ def kloss_slip(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSlip,
     return breakdown_slip * (ratio - (ratio * ratio - 1) ** 0.5)
 
 
-@equation
-def sticking_torque(
-    drive_torque: DriveTorque, drive_inertia: DriveInertia, load_torque: LoadTorque, load_inertia: LoadInertia
-) -> Annotated[Number, "T*", "N*m"]:
+def sticking_torque(drive_torque, drive_inertia, load_torque, load_inertia):
     """Torque between two inertias that turn as one, T = (M J_2 + L J_1)/(J_1 + J_2).
 
     Source: Handbook, chapter 9: Newton: (M − T)/J_1 = (T − L)/J_2. It is also T* of two inertias that slip on each
@@ -127,14 +100,7 @@ def sticking_torque(
     return (drive_torque * load_inertia + load_torque * drive_inertia) / (drive_inertia + load_inertia)
 
 
-@equation
-def slip_acceleration(
-    drive_torque: DriveTorque,
-    drive_inertia: DriveInertia,
-    torque: TorqueBetween,
-    load_torque: LoadTorque,
-    load_inertia: LoadInertia,
-) -> Annotated[Number, "v'", "rad/s^2"]:
+def slip_acceleration(drive_torque, drive_inertia, torque, load_torque, load_inertia):
     """Acceleration of one inertia against the other, v' = (M − T)/J_1 − (T − L)/J_2.
 
     Source: Handbook, chapter 9: Newton.
@@ -143,10 +109,7 @@ def slip_acceleration(
     return (drive_torque - torque) / drive_inertia - (torque - load_torque) / load_inertia
 
 
-@equation
-def normal_force_rate(
-    normal_force: NormalForce, balance: BalancedNormalForce, lag: ForceLag
-) -> Annotated[Number, "N'", "N/s"]:
+def normal_force_rate(normal_force, balance, lag):
     """Rate of a normal force that follows its balance late, N' = (N_eq − N)/τ.
 
     Source: Handbook, chapter 9: release force of the first order, S22's open question.
@@ -155,16 +118,7 @@ def normal_force_rate(
     return (balance - normal_force) / lag
 
 
-@equation
-def torque_growth(
-    closing_force: ClosingForce,
-    mean_radius: MeanRadius,
-    bypass_pairs: BypassPairs,
-    controlled_pairs: ControlledPairs,
-    gain: Gain,
-    friction_driving: FrictionDriving,
-    friction_driven: FrictionDriven,
-) -> TorqueGrowth:
+def torque_growth(closing_force, mean_radius, bypass_pairs, controlled_pairs, gain, friction_driving, friction_driven):
     """Growth of the torque with friction, ∂T/∂ln f = F_п R (z_1 f_1 + z_2 f_2)/(1 + C z_2 f_2)².
 
     Source: Derivative of F11 (12), f_1 and f_2 growing together.
@@ -175,10 +129,7 @@ def torque_growth(
     return closing_force * mean_radius * pairs / (release * release)
 
 
-@equation
-def judder_damping(
-    torque_growth: TorqueGrowth, mean_radius: MeanRadius, static_ratio: StaticRatio, stribeck_speed: StribeckSpeed
-) -> Annotated[Number, "d_min", "N*m*s/rad"]:
+def judder_damping(torque_growth, mean_radius, static_ratio, stribeck_speed):
     """Damping that keeps a slow slip steady, d > f T'(f) R (r_s − 1)/v_s.
 
     Source: Handbook, chapter 9: derived (V6): T falls with the sliding speed, −∂T/∂ω = R T'(f) f (r_s − 1)/v_s as
@@ -186,3 +137,48 @@ def judder_damping(
     Validity: Steady slip, small swings of the driven half on its shaft.
     """
     return torque_growth * mean_radius * (static_ratio - 1) / stribeck_speed
+
+
+SYMBOLS = """\
+balance | N_eq | N | normal force in balance with the load
+breakdown_slip | s_b | 1 | slip at breakdown
+breakdown_torque | M_b | N*m | breakdown torque of the motor
+damping | d | N*m*s/rad | damping of the shaft
+damping_ratio | ζ | 1 | damping ratio of the driven half on the shaft
+decay | e | 1 | 1 at rest, 0 at high sliding speed
+deceleration | a | rad/s^2 | deceleration of the tool, ω_0/t_b
+drive_inertia | J_1 | kg*m^2 | driving inertia
+drive_torque | M | N*m | torque on the driving inertia
+driven_inertia | J_2 | kg*m^2 | inertia of the driven half
+inertia_torque | T_J | N*m |
+inner_diameter | d | m | inner diameter of the ring
+judder_damping | d_min | N*m*s/rad |
+kloss_slip | s | 1 | slip of the motor
+kloss_torque | M_1 | N*m | torque of the motor
+lag | τ | s | time by which the normal force lags the load
+load_inertia | J_2 | kg*m^2 | driven inertia
+load_torque | L | N*m | torque of the load on the driven inertia
+stop_torque.load_torque | T_0 | N*m | load before the event
+mass | m | kg | mass of the ring
+motor_slip | s | 1 | slip of the motor
+normal_force_rate | N' | N/s |
+outer_diameter | D | m | outer diameter of the ring
+ring_inertia | J | kg*m^2 |
+shaft_damping | d | N*m*s/rad | damping of the shaft
+shaft_torque | T_s | N*m |
+slip | s | 1 | slip of the motor
+slip_acceleration | v' | rad/s^2 |
+speed | ω | rad/s | speed of the motor side
+inertia_torque.speed | ω_0 | rad/s | speed before the lock
+static_ratio | r_s | 1 | static over sliding friction
+sticking_torque | T* | N*m |
+stiffness | k | N*m/rad | torsional stiffness of the shaft
+stop_torque | T_a | N*m |
+stribeck_ratio | f(v)/f | 1 |
+stribeck_speed | v_s | m/s | sliding speed over which static friction falls to sliding friction
+synchronous_speed | ω_s | rad/s | synchronous speed, reduced to the clutch
+kloss_slip.torque | M | N*m | torque of the motor
+torque_growth | f T'(f) | N*m | growth of the torque with friction
+twist | φ | rad | twist of the shaft
+twist_rate | φ' | rad/s | speed of the twist, ω_2 − ω_3
+"""  # noqa: E501

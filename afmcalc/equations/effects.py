@@ -1,15 +1,7 @@
 """What the torque law neglects (handbook, chapter 13)."""
 
-from typing import Annotated
 
-from .calls import equation
-from .terms import *
-
-
-@equation
-def spline_share(
-    spline_friction: SplineFriction, friction: Friction, mean_radius: MeanRadius, spline_radius: SplineRadius
-) -> SplineShare:
+def spline_share(spline_friction, friction, mean_radius, spline_radius):
     """Share of a pair's normal force that its disc's spline can hold, μ_s f R/r_s.
 
     Source: Finkin, J. Lubr. Technol. 90 (1968) 65; handbook, chapter 13.
@@ -18,10 +10,7 @@ def spline_share(
     return spline_friction * friction * mean_radius / spline_radius
 
 
-@equation
-def next_force_closing(
-    normal_force: NearerNormalForce, share: SplineShare, share_next: NextSplineShare
-) -> NextNormalForce:
+def next_force_closing(normal_force, share, share_next):
     """Normal force on the next pair when the pack closes under torque, N (1 − ε)/(1 + ε').
 
     Source: Balance of the disc between them; handbook, chapter 13.
@@ -30,10 +19,7 @@ def next_force_closing(
     return normal_force * (1 - share) / (1 + share_next)
 
 
-@equation
-def next_force_opening(
-    normal_force: NearerNormalForce, share: SplineShare, share_next: NextSplineShare
-) -> NextNormalForce:
+def next_force_opening(normal_force, share, share_next):
     """Normal force on the next pair when the balls unload the pack, N (1 + ε)/(1 − ε').
 
     Source: Balance of the disc between them; handbook, chapter 13.
@@ -42,32 +28,7 @@ def next_force_opening(
     return normal_force * (1 + share) / (1 - share_next)
 
 
-@equation
-def tan_wall_angle_loading(
-    tan_wall_angle: TanWallAngle, wall_friction: WallFriction
-) -> Annotated[Number, "tan(α − ρ)", "1"]:
-    """Tangent that a sliding cam's wall acts with while it is driven up, tan(α − ρ), tan ρ = μ.
-
-    Source: Handbook, chapter 13: wedge with friction.
-    Validity: tan α > μ; otherwise the cams lock.
-    """
-    return (tan_wall_angle - wall_friction) / (1 + tan_wall_angle * wall_friction)
-
-
-@equation
-def tan_wall_angle_unloading(
-    tan_wall_angle: TanWallAngle, wall_friction: WallFriction
-) -> Annotated[Number, "tan(α + ρ)", "1"]:
-    """Tangent that a sliding cam's wall acts with while it is driven back, tan(α + ρ), tan ρ = μ.
-
-    Source: Handbook, chapter 13: wedge with friction.
-    Validity: μ tan α < 1.
-    """
-    return (tan_wall_angle + wall_friction) / (1 - tan_wall_angle * wall_friction)
-
-
-@equation
-def ball_mass(density: Density, ball_radius: BallRadius, pi: Pi) -> BallMass:
+def ball_mass(density, ball_radius, pi):
     """Mass of a ball, ρ (4/3) π r_ш³.
 
     Source: Handbook, chapter 13.
@@ -75,14 +36,7 @@ def ball_mass(density: Density, ball_radius: BallRadius, pi: Pi) -> BallMass:
     return 4 * pi * density * ball_radius**3 / 3
 
 
-@equation
-def centrifugal_thrust(
-    balls: Balls,
-    ball_mass: BallMass,
-    speed: RotationSpeed,
-    ball_circle_radius: BallCircleRadius,
-    tan_wall_angle: TanWallAngle,
-) -> Annotated[Number, "ΔN", "N"]:
+def centrifugal_thrust(balls, ball_mass, speed, ball_circle_radius, tan_wall_angle):
     """Axial force of the balls that are thrown against conical pockets, ½ n m_ш ω² r tan α.
 
     Source: Handbook, chapter 13.
@@ -91,23 +45,29 @@ def centrifugal_thrust(
     return balls * ball_mass * speed * speed * ball_circle_radius * tan_wall_angle / 2
 
 
-@equation
-def weight_on_pack(
-    pressure_disc_mass: PressureDiscMass, friction_discs_mass: FrictionDiscsMass, gravity: Gravity
-) -> Annotated[Number, "ΔN", "N"]:
-    """Weight that a pair bears with a vertical axis, in the mean of all pairs, g (m_н + m_д/2).
-
-    Source: S19, text of fig. 1 (the axis is horizontal there); handbook, chapter 13.
-    Validity: Splines without friction; exact where all pairs are controlled, else the mean of both groups.
-    """
-    return gravity * (pressure_disc_mass + friction_discs_mass / 2)
-
-
-@equation
-def force_lost_by_wear(stiffness: FollowingStiffness, pairs: Pairs, wear: PairWear) -> Annotated[Number, "ΔF", "N"]:
+def force_lost_by_wear(stiffness, pairs, wear):
     """Spring force lost when every pair has worn, c_п z δ.
 
     Source: Handbook, chapter 10.
     Validity: Linear spring that is not re-adjusted.
     """
     return stiffness * pairs * wear
+
+
+SYMBOLS = """\
+ball_mass | m_ш | kg | mass of a ball
+centrifugal_thrust | ΔN | N |
+density | ρ | kg/m^3 | density
+force_lost_by_wear | ΔF | N |
+next_force_closing | N' | N | normal force on the next pair
+next_force_opening | N' | N | normal force on the next pair
+pi | π | 1 | circumference over diameter of a circle
+share | ε | 1 | share of its force that the spline holds, pair nearer to the spring
+share_next | ε' | 1 | share of its force that the spline holds, next pair
+speed | ω | rad/s | speed of rotation
+spline_friction | μ_s | 1 | friction of the disc in its spline
+spline_radius | r_s | m | radius of the spline
+spline_share | ε | 1 | share of its force that the spline holds, pair nearer to the spring
+stiffness | c_п | N/m | stiffness of the spring that follows the pack
+wear | δ | m | wear of a pair
+"""  # noqa: E501

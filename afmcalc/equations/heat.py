@@ -1,15 +1,7 @@
 """Heat and wear of a trip (handbook, chapters 9 and 10)."""
 
-from typing import Annotated
 
-from .calls import equation
-from .terms import *
-
-
-@equation
-def run_down_time(
-    inertia: MotorInertia, speed: MotorSpeedAtSlip, torque: SlipTorque, motor_torque: MotorTorque
-) -> SlipDuration:
+def run_down_time(inertia, speed, torque, motor_torque):
     """Slip until the motor side stands, the tool being blocked, J_1 ω_0/(T − M_1).
 
     Source: Handbook, chapter 9, V1.
@@ -18,10 +10,7 @@ def run_down_time(
     return inertia * speed / (torque - motor_torque)
 
 
-@equation
-def run_down_energy(
-    inertia: MotorInertia, speed: MotorSpeedAtSlip, torque: SlipTorque, motor_torque: MotorTorque
-) -> TripHeat:
+def run_down_energy(inertia, speed, torque, motor_torque):
     """Heat of a slip until the motor side stands, ½ J_1 ω_0² T/(T − M_1).
 
     Source: Handbook, chapter 9, V1.
@@ -30,10 +19,7 @@ def run_down_energy(
     return inertia * speed * speed * torque / (2 * (torque - motor_torque))
 
 
-@equation
-def speed_after(
-    speed: MotorSpeedAtSlip, inertia: MotorInertia, torque: SlipTorque, motor_torque: MotorTorque, time: Time
-) -> MotorSpeed:
+def speed_after(speed, inertia, torque, motor_torque, time):
     """Speed of the motor side while the clutch slips, ω_0 − (T − M_1) t/J_1.
 
     Source: Handbook, chapter 9, V1 (balance of the motor side).
@@ -42,8 +28,7 @@ def speed_after(
     return speed - (torque - motor_torque) * time / inertia
 
 
-@equation
-def slip_energy(torque: SlipTorque, speed: SlipSpeedStart, speed_end: SlipSpeedEnd, time: SlipDuration) -> TripHeat:
+def slip_energy(torque, speed, speed_end, time):
     """Heat of a slip whose speed changes evenly, T (ω_0 + ω) t/2.
 
     Source: Handbook, chapter 10; at an even speed Q = T ω t.
@@ -52,8 +37,7 @@ def slip_energy(torque: SlipTorque, speed: SlipSpeedStart, speed_end: SlipSpeedE
     return torque * (speed + speed_end) * time / 2
 
 
-@equation
-def friction_area(inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi) -> PairArea:
+def friction_area(inner_radius, outer_radius, pi):
     """Area of a pair of faces, π (r_o² − r_i²).
 
     Source: Handbook, chapter 10.
@@ -62,8 +46,7 @@ def friction_area(inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi) 
     return pi * (outer_radius**2 - inner_radius**2)
 
 
-@equation
-def specific_work(energy: TripHeat, pairs: Pairs, area: PairArea) -> Annotated[Number, "q_A", "J/m^2"]:
+def specific_work(energy, pairs, area):
     """Specific work of a trip, Q/(z A).
 
     Source: Handbook, chapter 10.
@@ -72,8 +55,7 @@ def specific_work(energy: TripHeat, pairs: Pairs, area: PairArea) -> Annotated[N
     return energy / (pairs * area)
 
 
-@equation
-def slip_power(torque: SlipTorque, speed: SlipSpeed) -> SlipPower:
+def slip_power(torque, speed):
     """Power of a slip, T ω.
 
     Source: Handbook, chapter 10.
@@ -81,8 +63,7 @@ def slip_power(torque: SlipTorque, speed: SlipSpeed) -> SlipPower:
     return torque * speed
 
 
-@equation
-def power_density(power: SlipPower, pairs: Pairs, area: PairArea) -> Annotated[Number, "q", "W/m^2"]:
+def power_density(power, pairs, area):
     """Power per area of a pair, P/(z A).
 
     Source: Handbook, chapter 10.
@@ -91,8 +72,7 @@ def power_density(power: SlipPower, pairs: Pairs, area: PairArea) -> Annotated[N
     return power / (pairs * area)
 
 
-@equation
-def temperature_rise(energy: TripHeat, mass: DiscsMass, specific_heat: SpecificHeat) -> TripRise:
+def temperature_rise(energy, mass, specific_heat):
     """Mean rise of temperature of the discs by a trip, Q/(m c).
 
     Source: Handbook, chapter 10.
@@ -101,8 +81,7 @@ def temperature_rise(energy: TripHeat, mass: DiscsMass, specific_heat: SpecificH
     return energy / (mass * specific_heat)
 
 
-@equation
-def effusivity(conductivity: Conductivity, density: Density, specific_heat: SpecificHeat) -> Effusivity:
+def effusivity(conductivity, density, specific_heat):
     """Square root of k ρ c, by which bodies in contact share the heat.
 
     Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 2.15; handbook, chapter 10.
@@ -111,10 +90,7 @@ def effusivity(conductivity: Conductivity, density: Density, specific_heat: Spec
     return (conductivity * density * specific_heat) ** 0.5
 
 
-@equation
-def face_admittance(
-    effusivity: Effusivity, root: TransformRoot, through: HeatThrough
-) -> Annotated[Number, "Y", "W/m^2/K"]:
+def face_admittance(effusivity, root, through):
     """Flux into a face per rise of it, both as Laplace transforms: b √p tanh(l √(p/a)).
 
     Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 3.8, transformed; handbook, chapter 10.
@@ -124,8 +100,7 @@ def face_admittance(
     return effusivity * root * through
 
 
-@equation
-def heated_depth(mass: DiscsMass, density: Density, pairs: Pairs, area: PairArea) -> DiscDepth:
+def heated_depth(mass, density, pairs, area):
     """Depth of disc that a face has to heat, m/(ρ z A).
 
     Source: Handbook, chapter 10: the mass of the discs shared among the pairs.
@@ -134,10 +109,7 @@ def heated_depth(mass: DiscsMass, density: Density, pairs: Pairs, area: PairArea
     return mass / (density * pairs * area)
 
 
-@equation
-def fourier_number(
-    conductivity: Conductivity, density: Density, specific_heat: SpecificHeat, time: Time, depth: DiscDepth
-) -> Annotated[Number, "Fo", "1"]:
+def fourier_number(conductivity, density, specific_heat, time, depth):
     """How far the heat has come in a time, k t/(ρ c l²).
 
     Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.3; handbook, chapter 10.
@@ -145,10 +117,7 @@ def fourier_number(
     return conductivity * time / (density * specific_heat * depth * depth)
 
 
-@equation
-def share_of_rise(
-    temperature: ReachedTemperature, ambient: StartTemperature, temperature_limit: TemperatureLimit
-) -> Annotated[Number, "η_Θ", "1"]:
+def share_of_rise(temperature, ambient, temperature_limit):
     """Share that a temperature uses of the rise that a limit allows, (Θ − Θ_0)/(Θ_max − Θ_0).
 
     Source: Handbook, chapter 10; a ratio of absolute temperatures would be no share.
@@ -157,10 +126,7 @@ def share_of_rise(
     return (temperature - ambient) / (temperature_limit - ambient)
 
 
-@equation
-def trips_without_cooling(
-    temperature_limit: TemperatureLimit, ambient: StartTemperature, rise: TripRise
-) -> Annotated[Number, "n_Θ", "1"]:
+def trips_without_cooling(temperature_limit, ambient, rise):
     """Trips one upon the other until the discs reach a limit, (Θ_max − Θ_0)/ΔΘ.
 
     Source: Handbook, chapter 10.
@@ -169,10 +135,7 @@ def trips_without_cooling(
     return (temperature_limit - ambient) / rise
 
 
-@equation
-def trips_per_time(
-    cooling: Cooling, temperature_limit: TemperatureLimit, ambient: SurroundingTemperature, energy: TripHeat
-) -> Annotated[Number, "ν", "1/s"]:
+def trips_per_time(cooling, temperature_limit, ambient, energy):
     """Trips per time whose heat is given off at the limit, α A_c (Θ_max − Θ_0)/Q.
 
     Source: Handbook, chapter 10.
@@ -181,10 +144,7 @@ def trips_per_time(
     return cooling * (temperature_limit - ambient) / energy
 
 
-@equation
-def trips_to_wear_out(
-    pairs: Pairs, area: PairArea, lining: LiningThickness, wear: SpecificWear, energy: TripHeat
-) -> Annotated[Number, "n_w", "1"]:
+def trips_to_wear_out(pairs, area, lining, wear, energy):
     """Trips until the lining is gone, z A s_w/(w Q).
 
     Source: Handbook, chapter 10.
@@ -193,10 +153,7 @@ def trips_to_wear_out(
     return pairs * area * lining / (wear * energy)
 
 
-@equation
-def setting_loss_per_wear(
-    stiffness: FollowingStiffness, pairs: Pairs, force: PackForce
-) -> Annotated[Number, "ΔF/(F δ)", "1/m"]:
+def setting_loss_per_wear(stiffness, pairs, force):
     """Share of the force on the pack lost per wear of a pair, c_п z/F.
 
     Source: Handbook, chapter 10.
@@ -205,13 +162,60 @@ def setting_loss_per_wear(
     return stiffness * pairs / force
 
 
-@equation
-def time_between_trips(
-    mass: DiscsMass, specific_heat: SpecificHeat, cooling: Cooling, logarithm: CoolingLogarithm
-) -> Annotated[Number, "t_p", "s"]:
+def time_between_trips(mass, specific_heat, cooling, logarithm):
     """Time between trips after each of which the discs just reach a limit, m c λ/(α A_c).
 
     Source: Handbook, chapter 10: one body that cools between trips, when every trip is as the last.
     Validity: ΔΘ < Θ_max − Θ_0; the trip is short against the time between.
     """
     return mass * specific_heat * logarithm / cooling
+
+
+SYMBOLS = """\
+ambient | Θ_0 | K | temperature of the surroundings
+area | A | m^2 | area of a pair
+conductivity | k | W/m/K | thermal conductivity
+cooling | α A_c | W/K | heat given off per kelvin
+density | ρ | kg/m^3 | density
+depth | l | m | depth to the middle of the disc
+effusivity | b | W*s^0.5/m^2/K | √(k ρ c)
+energy | Q | J | heat of a trip
+face_admittance | Y | W/m^2/K |
+force | F | N | force on the pack at rest
+fourier_number | Fo | 1 |
+friction_area | A | m^2 | area of a pair
+heated_depth | l | m | depth to the middle of the disc
+inertia | J_1 | kg*m^2 | moment of inertia of the motor side
+lining | s_w | m | thickness of lining that a pair may lose by wear
+logarithm | λ | 1 | logarithm −ln(1 − ΔΘ/(Θ_max − Θ_0))
+mass | m | kg | mass of the discs that take the heat
+motor_torque | M_1 | N*m | torque of the motor
+pi | π | 1 | circumference over diameter of a circle
+power | P | W | power of the slip
+power_density | q | W/m^2 |
+rise | ΔΘ | K | rise of temperature by a trip
+root | √p | 1/s^0.5 | root of the variable of the transform
+run_down_energy | Q | J | heat of a trip
+run_down_time | t | s | duration of the slip
+setting_loss_per_wear | ΔF/(F δ) | 1/m |
+share_of_rise | η_Θ | 1 |
+slip_energy | Q | J | heat of a trip
+slip_power | P | W | power of the slip
+specific_heat | c | J/kg/K | specific heat
+specific_work | q_A | J/m^2 |
+speed | ω_0 | rad/s | slip speed as the slip begins
+slip_power.speed | ω | rad/s | speed of slip
+speed_after | ω | rad/s | speed of the motor side
+speed_end | ω | rad/s | slip speed as it ends
+stiffness | c_п | N/m | stiffness of the spring that follows the pack
+temperature | Θ | K | temperature that is reached
+temperature_limit | Θ_max | K | largest temperature the discs may have
+temperature_rise | ΔΘ | K | rise of temperature by a trip
+through | tanh(l √(p/a)) | 1 | how far the heat comes in 1/p; 1 in a half-space
+time | t | s | time
+time_between_trips | t_p | s |
+trips_per_time | ν | 1/s |
+trips_to_wear_out | n_w | 1 |
+trips_without_cooling | n_Θ | 1 |
+wear | w | m^3/J | volume worn per energy
+"""  # noqa: E501

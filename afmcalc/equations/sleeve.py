@@ -4,14 +4,8 @@
 sleeve moves off its stop the friction at the key counts as κ, while it returns as κ₊ (``indirect.net_gain``).
 """
 
-from typing import Annotated
 
-from .calls import equation
-from .terms import *
-
-
-@equation
-def travel(turn: Turn, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: GainSlope) -> Travel:
+def travel(turn, mean_radius, gain, gain_slope):
     """Travel of the sleeve for a turn of the balls, x = 2 R φ/[C + √(C² + 2 C_1 R φ)]; R φ/C of a straight wall.
 
     Source: Handbook, chapter 9: balls roll down the wall, r dφ = tan α dx, with tan α = (r/R)(C + C_1 x) (section 12).
@@ -21,8 +15,7 @@ def travel(turn: Turn, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: Ga
     return 2 * mean_radius * turn / (gain + reached)
 
 
-@equation
-def turn(travel: Travel, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: GainSlope) -> Turn:
+def turn(travel, mean_radius, gain, gain_slope):
     """Turn of the balls for a travel of the sleeve, φ = (C + ½ C_1 x) x/R.
 
     Source: Handbook, chapter 9: inverse of ``travel``.
@@ -31,8 +24,7 @@ def turn(travel: Travel, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: 
     return (gain + gain_slope * travel / 2) * travel / mean_radius
 
 
-@equation
-def travel_rate(turn_rate: TurnRate, mean_radius: MeanRadius, gain: GainAtSleeve) -> TravelRate:
+def travel_rate(turn_rate, mean_radius, gain):
     """Speed of the sleeve for a speed of the turn, x' = R φ'/C.
 
     Source: Handbook, chapter 9: balls roll down the wall, r dφ = tan α dx.
@@ -41,10 +33,7 @@ def travel_rate(turn_rate: TurnRate, mean_radius: MeanRadius, gain: GainAtSleeve
     return mean_radius * turn_rate / gain
 
 
-@equation
-def tensed_force(
-    control_force: ControlForce, control_stiffness: ControlStiffness, travel: Travel
-) -> TensedControlForce:
+def tensed_force(control_force, control_stiffness, travel):
     """Force of the control spring with the sleeve off its stop, F_2 = F_п2 + c_2 x.
 
     Source: S21 (6).
@@ -53,15 +42,7 @@ def tensed_force(
     return control_force + control_stiffness * travel
 
 
-@equation
-def spring_moment(
-    mean_radius: MeanRadius,
-    closing_force: ClosingForceAtStop,
-    control_force: ControlForce,
-    closing_stiffness: ClosingStiffness,
-    control_stiffness: ControlStiffness,
-    travel: Travel,
-) -> SpringMoment:
+def spring_moment(mean_radius, closing_force, control_force, closing_stiffness, control_stiffness, travel):
     """Moment of both springs, S(x) = R [F_п2 − F_п1 + (c_1 + c_2) x]; the balls carry S/κ moving off, S/κ₊ returning.
 
     Source: Handbook, chapter 9: derived from S21 (6)–(8).
@@ -70,16 +51,7 @@ def spring_moment(
     return mean_radius * (control_force - closing_force + (closing_stiffness + control_stiffness) * travel)
 
 
-@equation
-def torsional_stiffness(
-    closing_stiffness: ClosingStiffness,
-    control_stiffness: ControlStiffness,
-    mean_radius: MeanRadius,
-    net_gain: NetGainEitherWay,
-    gain: GainAtSleeve,
-    gain_slope: GainSlope,
-    ball_torque: SpringBallTorque,
-) -> Annotated[Number, "k_T", "N*m/rad"]:
+def torsional_stiffness(closing_stiffness, control_stiffness, mean_radius, net_gain, gain, gain_slope, ball_torque):
     """Stiffness of the control unit as a torsion spring, k_T = R [(c_1 + c_2) R − C_1 T_b]/(κ C).
 
     Source: Handbook, chapter 9: d(S/κ)/dφ; of a wall that holds the torque (section 12) it is 0.
@@ -89,8 +61,7 @@ def torsional_stiffness(
     return mean_radius * springs / (net_gain * gain)
 
 
-@equation
-def sleeve_inertia(mass: SleeveMass, mean_radius: MeanRadius, gain: Gain, net_gain: NetGainEitherWay) -> SleeveInertia:
+def sleeve_inertia(mass, mean_radius, gain, net_gain):
     """Inertia with which a sleeve's mass counts in φ, μ = m R²/(C κ).
 
     Source: Handbook, chapter 9: T κ/R = F + m x'' with x = R φ/C; with a key free of friction m (R/C)².
@@ -99,16 +70,7 @@ def sleeve_inertia(mass: SleeveMass, mean_radius: MeanRadius, gain: Gain, net_ga
     return mass * mean_radius * mean_radius / (gain * net_gain)
 
 
-@equation
-def ball_torque_moving(
-    spring_moment: SpringMoment,
-    net_gain: NetGainEitherWay,
-    sleeve_inertia: SleeveInertia,
-    drive_torque: DriveTorque,
-    drive_inertia: DriveInertia,
-    load_torque: LoadTorque,
-    load_inertia: LoadInertia,
-) -> BallTorque:
+def ball_torque_moving(spring_moment, net_gain, sleeve_inertia, drive_torque, drive_inertia, load_torque, load_inertia):
     """Torque through the balls while the sleeve moves, T_b = S/κ + μ φ'' with φ'' = (M − T_b)/J_1 − (T_b − L)/J_2.
 
     Source: Handbook, chapter 9: derived; solved for T_b.
@@ -120,10 +82,7 @@ def ball_torque_moving(
     )
 
 
-@equation
-def normal_force_at_stop(
-    control_force: ControlForce, net_gain: NetGainEitherWay, ball_torque: BallTorque, mean_radius: MeanRadius
-) -> NormalForce:
+def normal_force_at_stop(control_force, net_gain, ball_torque, mean_radius):
     """Normal force with the sleeve at its stop, N = F_п2 − κ T_b/R.
 
     Source: S21, text of fig. 1 (handbook, chapter 5): κ while the torque rises, κ₊ while it falls; between the two the
@@ -133,15 +92,7 @@ def normal_force_at_stop(
     return control_force - net_gain * ball_torque / mean_radius
 
 
-@equation
-def slip_torque_at_stop(
-    friction_pairs: PairsTimesFriction,
-    mean_radius: MeanRadius,
-    control_force: ControlForce,
-    net_gain: NetGainOrReturning,
-    torque_alone: TorqueAlone,
-    torque_share: TorqueShare,
-) -> Annotated[Number, "T_f", "N*m"]:
+def slip_torque_at_stop(friction_pairs, mean_radius, control_force, net_gain, torque_alone, torque_share):
     """Torque of the slipping pack with the sleeve at its stop, T_f = zf R N, N of T_b = T_b0 + j T_f.
 
     Source: Handbook, chapter 9: derived from ``normal_force_at_stop`` and ``drive.sticking_torque``; solved for T_f.
@@ -151,13 +102,36 @@ def slip_torque_at_stop(
     return friction_pairs * pressed / (1 + friction_pairs * net_gain * torque_share)
 
 
-@equation
-def centrifugal_moment(
-    mass: SleeveMass, mean_radius: MeanRadius, gain: GainAtSleeve, gain_slope: GainSlope, travel_rate: TravelRate
-) -> Annotated[Number, "M_m", "N*m"]:
+def centrifugal_moment(mass, mean_radius, gain, gain_slope, travel_rate):
     """Moment that a steepening wall takes from a moving sleeve, M_m = m R C_1 x'²/C, beside S.
 
     Source: Handbook, chapter 9: x'' = (R φ'' − C_1 x'²)/C, from C x' = R φ' with C = C_0 + C_1 x.
     Validity: The balls stay on the wall.
     """
     return mass * mean_radius * gain_slope * travel_rate * travel_rate / gain
+
+
+SYMBOLS = """\
+ball_torque | T_b | N*m | torque through the balls
+ball_torque_moving | T_b | N*m | torque through the balls
+centrifugal_moment | M_m | N*m |
+closing_force | F_п1 | N | closing-spring force at the stop
+drive_inertia | J_1 | kg*m^2 | driving inertia
+drive_torque | M | N*m | torque on the driving inertia
+friction_pairs | zf | 1 | pairs times friction
+load_inertia | J_2 | kg*m^2 | driven inertia
+load_torque | L | N*m | torque of the load on the driven inertia
+mass | m | kg | mass of the sleeve
+slip_torque_at_stop.net_gain | κ or κ₊ | 1 | net gain while the sleeve leaves its stop or returns
+normal_force_at_stop | N | N | normal force on the pairs
+sleeve_inertia | μ | kg*m^2 | inertia of the sleeve's mass, counted in the turn of the balls
+slip_torque_at_stop | T_f | N*m |
+spring_moment | S | N*m | moment of both springs
+tensed_force | F_2 | N | force of the control spring where the sleeve is
+torque_alone | T_b0 | N*m | torque that the balls would pass without friction of the pack
+torque_share | j | 1 | share of the pack's torque that the balls pass
+torsional_stiffness | k_T | N*m/rad |
+travel_rate | x' | m/s | speed of the sleeve
+turn | φ | rad | turn of the balls
+turn_rate | φ' | rad/s | speed of the turn of the balls
+"""  # noqa: E501

@@ -1,13 +1,7 @@
 """Disc springs, stacks of them, and coil springs."""
 
-from typing import Annotated
 
-from .calls import equation
-from .terms import *
-
-
-@equation
-def disc_factor_load(diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, pi: Pi) -> FactorLoad:
+def disc_factor_load(diameter_ratio, logarithm, pi):
     """Factor of a disc spring's load, K_1 = ((δ − 1)/δ)²/{π[(δ + 1)/(δ − 1) − 2/ln δ]}.
 
     Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
@@ -17,10 +11,7 @@ def disc_factor_load(diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, 
     return ((ratio - 1) / ratio) ** 2 / (pi * ((ratio + 1) / (ratio - 1) - 2 / logarithm))
 
 
-@equation
-def disc_factor_membrane(
-    diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, pi: Pi
-) -> Annotated[Number, "K_2", "1"]:
+def disc_factor_membrane(diameter_ratio, logarithm, pi):
     """Factor of the stress by turning inside out, K_2 = (6/π)[(δ − 1)/ln δ − 1]/ln δ.
 
     Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
@@ -29,10 +20,7 @@ def disc_factor_membrane(
     return 6 * ((diameter_ratio - 1) / logarithm - 1) / (pi * logarithm)
 
 
-@equation
-def disc_factor_bending(
-    diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, pi: Pi
-) -> Annotated[Number, "K_3", "1"]:
+def disc_factor_bending(diameter_ratio, logarithm, pi):
     """Factor of the stress by bending, K_3 = (3/π)(δ − 1)/ln δ.
 
     Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
@@ -41,10 +29,7 @@ def disc_factor_bending(
     return 3 * (diameter_ratio - 1) / (pi * logarithm)
 
 
-@equation
-def disc_flats_first(
-    thickness: ThicknessWithoutFlats, reduced_thickness: ReducedThickness, free_height: FreeHeight
-) -> FlatsFirst:
+def disc_flats_first(thickness, reduced_thickness, free_height):
     """First coefficient of a disc spring with flats.
 
     Source: DIN EN 16984; handbook, chapter 11.
@@ -54,13 +39,7 @@ def disc_flats_first(
     return reduced**2 / ((height / 4 - reduced + 0.75) * (5 * height / 8 - reduced + 0.375))
 
 
-@equation
-def disc_flats_second(
-    first: FlatsFirst,
-    thickness: ThicknessWithoutFlats,
-    reduced_thickness: ReducedThickness,
-    free_height: FreeHeight,
-) -> FlatsSecond:
+def disc_flats_second(first, thickness, reduced_thickness, free_height):
     """Second coefficient of a disc spring with flats.
 
     Source: DIN EN 16984; handbook, chapter 11.
@@ -69,8 +48,7 @@ def disc_flats_second(
     return first * (thickness / reduced_thickness) ** 3 * (5 * (free_height / thickness - 1) ** 2 / 32 + 1)
 
 
-@equation
-def disc_factor_flats(first: FlatsFirst, second: FlatsSecond) -> FactorFlats:
+def disc_factor_flats(first, second):
     """Factor of a disc spring with flats.
 
     Source: DIN EN 16984; handbook, chapter 11: the force at ¾ of the cone height stays that of a plain disc.
@@ -79,17 +57,7 @@ def disc_factor_flats(first: FlatsFirst, second: FlatsSecond) -> FactorFlats:
     return ((first**2 / 4 + second) ** 0.5 - first / 2) ** 0.5
 
 
-@equation
-def disc_force(
-    modulus: YoungModulus,
-    poisson: PoissonRatio,
-    factor_load: FactorLoad,
-    factor_flats: FactorFlats,
-    outer_diameter: OuterDiameter,
-    thickness: DiscThickness,
-    cone_height: ConeHeight,
-    deflection: DiscDeflection,
-) -> SpringForce:
+def disc_force(modulus, poisson, factor_load, factor_flats, outer_diameter, thickness, cone_height, deflection):
     """Force of a disc spring, 4E/(1 − ν²) t³ s K_4²/(K_1 D_e²) [K_4² (h_0/t − s/t)(h_0/t − s/(2t)) + 1].
 
     Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
@@ -100,17 +68,7 @@ def disc_force(
     return rigid * (square * (cone_height - deflection) * (cone_height - deflection / 2) + thickness**2)
 
 
-@equation
-def disc_stiffness(
-    modulus: YoungModulus,
-    poisson: PoissonRatio,
-    factor_load: FactorLoad,
-    factor_flats: FactorFlats,
-    outer_diameter: OuterDiameter,
-    thickness: DiscThickness,
-    cone_height: ConeHeight,
-    deflection: DiscDeflection,
-) -> Annotated[Number, "k", "N/m"]:
+def disc_stiffness(modulus, poisson, factor_load, factor_flats, outer_diameter, thickness, cone_height, deflection):
     """Stiffness of a disc spring, 4E/(1 − ν²) t K_4²/(K_1 D_e²) [K_4² (h_0² − 3 h_0 s + 3 s²/2) + t²].
 
     Source: DIN EN 16984 (Almen & László 1936), derivative of the force; handbook, chapter 11.
@@ -121,19 +79,9 @@ def disc_stiffness(
     return rigid * (square * (cone_height**2 - 3 * cone_height * deflection + 3 * deflection**2 / 2) + thickness**2)
 
 
-@equation
 def disc_stress(
-    modulus: YoungModulus,
-    poisson: PoissonRatio,
-    factor_load: FactorLoad,
-    factor_flats: FactorFlats,
-    outer_diameter: OuterDiameter,
-    thickness: DiscThickness,
-    cone_height: ConeHeight,
-    deflection: DiscDeflection,
-    membrane: MembraneFactor,
-    bending: BendingFactor,
-) -> Annotated[Number, "σ", "Pa", "tension positive"]:
+    modulus, poisson, factor_load, factor_flats, outer_diameter, thickness, cone_height, deflection, membrane, bending
+):
     """Stress of a disc spring at an edge, −4E/(1 − ν²) s K_4/(K_1 D_e²) [K_4 K_m (h_0 − s/2) + K_b t].
 
     Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
@@ -143,10 +91,7 @@ def disc_stress(
     return rigid * (factor_flats * membrane * (cone_height - deflection / 2) + bending * thickness)
 
 
-@equation
-def stack_length(
-    parallel: ParallelDiscs, series: SeriesPacks, free_height: FreeHeight, thickness: DiscThickness
-) -> FreeLength:
+def stack_length(parallel, series, free_height, thickness):
     """Length of a stack of disc springs without load, i [l_0 + (n − 1) t].
 
     Source: DIN EN 16984; handbook, chapter 11.
@@ -154,10 +99,7 @@ def stack_length(
     return series * (free_height + (parallel - 1) * thickness)
 
 
-@equation
-def stack_force_with_friction(
-    force: StackForce, parallel: ParallelDiscs, surface_friction: SurfaceFriction, edge_friction: EdgeFriction
-) -> Annotated[Number, "F_R", "N"]:
+def stack_force_with_friction(force, parallel, surface_friction, edge_friction):
     """Force of a stack that friction holds, n F/[1 − w_M (n − 1) − w_R]; on the way back both signs are the other.
 
     Source: DIN EN 16984; handbook, chapter 11.
@@ -166,10 +108,7 @@ def stack_force_with_friction(
     return force / (1 - surface_friction * (parallel - 1) - edge_friction)
 
 
-@equation
-def ring_mass(
-    density: Density, outer_diameter: OuterDiameter, inner_diameter: InnerDiameter, thickness: DiscThickness, pi: Pi
-) -> SpringMass:
+def ring_mass(density, outer_diameter, inner_diameter, thickness, pi):
     """Mass of a disc, ρ π/4 (D_e² − D_i²) t.
 
     Source: Handbook, chapter 11: volume of a ring.
@@ -178,10 +117,7 @@ def ring_mass(
     return density * pi * (outer_diameter**2 - inner_diameter**2) * thickness / 4
 
 
-@equation
-def coil_stiffness(
-    shear_modulus: ShearModulus, wire_diameter: WireDiameter, coil_diameter: CoilDiameter, turns: CoilTurns
-) -> Annotated[Number, "R", "N/m"]:
+def coil_stiffness(shear_modulus, wire_diameter, coil_diameter, turns):
     """Stiffness of a coil spring, G d⁴/(8 D³ n).
 
     Source: EN 13906-1; handbook, chapter 11.
@@ -190,8 +126,7 @@ def coil_stiffness(
     return shear_modulus * wire_diameter**4 / (8 * coil_diameter**3 * turns)
 
 
-@equation
-def coil_correction(wire_diameter: WireDiameter, coil_diameter: CoilDiameter) -> CoilCorrection:
+def coil_correction(wire_diameter, coil_diameter):
     """Factor of a coil's curvature (Bergsträßer), (w + ½)/(w − ¾), w = D/d.
 
     Source: EN 13906-1; handbook, chapter 11.
@@ -201,10 +136,7 @@ def coil_correction(wire_diameter: WireDiameter, coil_diameter: CoilDiameter) ->
     return (index + 0.5) / (index - 0.75)
 
 
-@equation
-def coil_stress(
-    force: SpringForce, wire_diameter: WireDiameter, coil_diameter: CoilDiameter, correction: CoilCorrection, pi: Pi
-) -> ShearStress:
+def coil_stress(force, wire_diameter, coil_diameter, correction, pi):
     """Shear stress at the inside of a coil, k_τ 8 F D/(π d³).
 
     Source: EN 13906-1; handbook, chapter 11.
@@ -213,8 +145,7 @@ def coil_stress(
     return correction * 8 * force * coil_diameter / (pi * wire_diameter**3)
 
 
-@equation
-def coil_solid_length(wire_diameter: LargestWireDiameter, turns: CoilTurns) -> Annotated[Number, "L_c", "m"]:
+def coil_solid_length(wire_diameter, turns):
     """Length of a coil spring pressed solid, (n + 2) d.
 
     Source: EN 13906-1, ends closed and ground; handbook, chapter 11.
@@ -223,10 +154,7 @@ def coil_solid_length(wire_diameter: LargestWireDiameter, turns: CoilTurns) -> A
     return (turns + 2) * wire_diameter
 
 
-@equation
-def coil_least_gap(
-    wire_diameter: WireDiameter, coil_diameter: CoilDiameter, turns: CoilTurns
-) -> Annotated[Number, "S_a", "m"]:
+def coil_least_gap(wire_diameter, coil_diameter, turns):
     """Gaps that must stay between the turns, together, S_a = n (0.0015 D²/d + 0.1 d).
 
     Source: EN 13906-1, cold coiled, static; handbook, chapter 11.
@@ -235,10 +163,7 @@ def coil_least_gap(
     return turns * (0.0015 * coil_diameter**2 / wire_diameter + 0.1 * wire_diameter)
 
 
-@equation
-def coil_mass(
-    density: Density, wire_diameter: WireDiameter, coil_diameter: CoilDiameter, turns: CoilTurns, pi: Pi
-) -> SpringMass:
+def coil_mass(density, wire_diameter, coil_diameter, turns, pi):
     """Mass of a coil spring, ρ (π/4) d² π D (n + 2).
 
     Source: Handbook, chapter 11: volume of the wire.
@@ -247,8 +172,7 @@ def coil_mass(
     return density * pi * pi * wire_diameter**2 * coil_diameter * (turns + 2) / 4
 
 
-@equation
-def coil_endurance(amplitude: EnduredAmplitude, mean: EnduredMean, ultimate: ShearStrength) -> EnduredStress:
+def coil_endurance(amplitude, mean, ultimate):
     """Shear stress that alternates about 0 and a wire bears for ever, S_se = S_sa/(1 − S_sm/S_su).
 
     Source: Shigley, sec. 10-9 (Goodman's line through Zimmerli's point 1957).
@@ -257,10 +181,7 @@ def coil_endurance(amplitude: EnduredAmplitude, mean: EnduredMean, ultimate: She
     return amplitude / (1 - mean / ultimate)
 
 
-@equation
-def coil_upper_stress(
-    lower_stress: LowerStress, endurance: EnduredStress, ultimate: ShearStrength
-) -> Annotated[Number, "τ_O", "Pa"]:
+def coil_upper_stress(lower_stress, endurance, ultimate):
     """Upper shear stress a wire bears for ever, τ_O = [2 S_se S_su + τ_U (S_su − S_se)]/(S_su + S_se).
 
     Source: Shigley, sec. 10-9 (Goodman: τ_a/S_se + τ_m/S_su = 1); stresses with k_τ, as EN 13906-1 has them.
@@ -269,10 +190,7 @@ def coil_upper_stress(
     return (2 * endurance * ultimate + lower_stress * (ultimate - endurance)) / (ultimate + endurance)
 
 
-@equation
-def coil_buckling_root(
-    coil_diameter: CoilDiameter, free_length: FreeLength, modulus_ratio: ModulusRatio, seating: SeatingFactor, pi: Pi
-) -> BucklingRoot:
+def coil_buckling_root(coil_diameter, free_length, modulus_ratio, seating, pi):
     """What stands under the root of the deflection of buckling, 1 − (1 − G/E)/(½ + G/E) [π D/(ν L_0)]².
 
     Source: EN 13906-1 (Haringx 1948); handbook, chapter 11.
@@ -282,13 +200,75 @@ def coil_buckling_root(
     return 1 - (1 - modulus_ratio) / (0.5 + modulus_ratio) * slender**2
 
 
-@equation
-def coil_buckling_deflection(
-    free_length: FreeLength, modulus_ratio: ModulusRatio, root: BucklingRoot
-) -> Annotated[Number, "s_K", "m"]:
+def coil_buckling_deflection(free_length, modulus_ratio, root):
     """Deflection at which a coil spring without guide buckles, s_K = L_0 (1 − √q)/[2 (1 − G/E)].
 
     Source: EN 13906-1 (Haringx 1948); handbook, chapter 11.
     Validity: q ≥ 0.
     """
     return free_length * (1 - root**0.5) / (2 * (1 - modulus_ratio))
+
+
+SYMBOLS = """\
+amplitude | S_sa | Pa | amplitude of a shear stress that is borne for ever
+bending | K_b | 1 | factor of bending: of I K_3, of II −K_3, of III −K_3/δ, of IV K_3/δ, of OM 3/π
+coil_buckling_deflection | s_K | m |
+coil_buckling_root | q | 1 | what stands under the root in the deflection of buckling
+coil_correction | k_τ | 1 | factor of the coil's curvature, 1 under a static load
+coil_diameter | D | m | mean diameter of the coil
+coil_endurance | S_se | Pa | shear stress that alternates about 0 and is borne for ever
+coil_least_gap | S_a | m |
+coil_mass | m | kg | mass of the spring
+coil_solid_length | L_c | m |
+coil_stiffness | R | N/m |
+coil_stress | τ | Pa | shear stress
+coil_upper_stress | τ_O | Pa |
+cone_height | h_0 | m | l_0 − t, with flats l_0 − t'
+correction | k_τ | 1 | factor of the coil's curvature, 1 under a static load
+deflection | s | m | deflection of the disc
+density | ρ | kg/m^3 | density
+diameter_ratio | δ | 1 | outer over inner diameter
+disc_factor_bending | K_3 | 1 |
+disc_factor_flats | K_4 | 1 | factor of the flats; 1 without
+disc_factor_load | K_1 | 1 | factor of the load
+disc_factor_membrane | K_2 | 1 |
+disc_flats_first | c_1 | 1 | first coefficient of the flats
+disc_flats_second | c_2 | 1 | second coefficient of the flats
+disc_force | F | N | force of the spring
+disc_stiffness | k | N/m |
+disc_stress | σ | Pa | stress at an edge, tension positive
+edge_friction | w_R | 1 | friction of the edges; on the way back −w_R
+endurance | S_se | Pa | shear stress that alternates about 0 and is borne for ever
+factor_flats | K_4 | 1 | factor of the flats; 1 without
+factor_load | K_1 | 1 | factor of the load
+first | c_1 | 1 | first coefficient of the flats
+force | F | N | force of the spring
+stack_force_with_friction.force | n F | N | force of the stack without friction
+free_height | l_0 | m | free height of a disc
+free_length | L_0 | m | length without load
+inner_diameter | D_i | m | inner diameter of a disc
+logarithm | ln δ | 1 | logarithm of the diameter ratio
+lower_stress | τ_U | Pa | least shear stress of the stroke, with k_τ
+mean | S_sm | Pa | mean of the shear stress that is borne for ever
+membrane | K_m | 1 | factor of the membrane: of edge I and II K_2, of III and IV (K_2 − 2 K_3)/δ, of OM 0
+modulus | E | Pa | Young's modulus
+modulus_ratio | G/E | 1 | shear modulus over Young's modulus
+outer_diameter | D_e | m | outer diameter of a disc
+parallel | n | 1 | discs nested in each other, in parallel
+pi | π | 1 | circumference over diameter of a circle
+poisson | ν | 1 | Poisson's ratio
+reduced_thickness | t' | m | reduced thickness as made
+ring_mass | m | kg | mass of the spring
+root | q | 1 | what stands under the root in the deflection of buckling
+seating | ν | 1 | factor of the seating, ½ between parallel plates
+second | c_2 | 1 | second coefficient of the flats
+series | i | 1 | such packs against each other
+shear_modulus | G | Pa | shear modulus
+stack_force_with_friction | F_R | N |
+stack_length | L_0 | m | length without load
+surface_friction | w_M | 1 | friction of the cones on each other; on the way back −w_M
+thickness | t | m | thickness of the disc; with flats t'
+turns | n | 1 | active coils
+ultimate | S_su | Pa | shear strength
+wire_diameter | d | m | wire diameter
+"""  # noqa: E501

@@ -1,195 +1,15 @@
-"""Synthesis: the control unit for a travel and a gain (S21; handbook, chapter 5), the clutch for an accuracy or torque.
-
-The second half solves the laws for gain, pairs, radius or stiffness.
-"""
-
-from typing import Annotated
-
-from .calls import equation
-from .terms import *
+"""The laws solved for gain, pairs, radius or stiffness: the clutch for an accuracy or a torque."""
 
 
-@equation
-def tan_wall_angle(gain: Gain, ball_circle_radius: BallCircleRadius, mean_radius: MeanRadius) -> TanWallAngle:
-    """Tangent of the wall angle that gives a gain, tan α = C r/R.
-
-    Source: S21 (24).
-    Validity: C ≥ 0.
-    """
-    return gain * ball_circle_radius / mean_radius
-
-
-@equation
-def ball_radius(
-    travel: Travel, face_gap: FaceGap, edge_clearance: EdgeClearance, sin_wall_angle: SinWallAngle
-) -> BallRadius:
-    """Ball radius for a travel, r_ш = (x_max + s + 2 y)/(2 sin α).
-
-    Source: S21 (23).
-    Validity: α > 0.
-    """
-    return (travel + face_gap + 2 * edge_clearance) / (2 * sin_wall_angle)
-
-
-@equation
-def edge_clearance(
-    ball_radius: BallRadius, travel: Travel, face_gap: FaceGap, sin_wall_angle: SinWallAngle
-) -> EdgeClearance:
-    """Clearance that a given ball leaves, y = r_ш sin α − (x_max + s)/2: the inverse of (23).
-
-    Source: S21 (23).
-    Validity: α > 0.
-    """
-    return ball_radius * sin_wall_angle - (travel + face_gap) / 2
-
-
-@equation
-def pocket_depth(ball_radius: BallRadius, sin_wall_angle: SinWallAngle, face_gap: FaceGap) -> PocketDepth:
-    """Pocket depth to the virtual apex, where the walls would meet, h_1 = r_ш/sin α − s/2.
-
-    Source: S21 (20).
-    Validity: α > 0.
-    """
-    return ball_radius / sin_wall_angle - face_gap / 2
-
-
-@equation
-def pocket_depth_from_travel(
-    ball_radius: BallRadius,
-    sin_wall_angle: SinWallAngle,
-    cos_wall_angle: CosWallAngle,
-    travel: Travel,
-    edge_clearance: EdgeClearance,
-) -> Annotated[Number, "h_2", "m"]:
-    """Pocket depth from the travel, h_2 = r_ш cos α cot α + x_max/2 + y; equal to h_1.
-
-    Source: S21 (22), (21).
-    Validity: α > 0.
-    """
-    return ball_radius * cos_wall_angle * cos_wall_angle / sin_wall_angle + travel / 2 + edge_clearance
-
-
-@equation
-def pocket_depth_cut(ball_radius: BallRadius, face_gap: FaceGap) -> Annotated[Number, "h_c", "m"]:
-    """Depth to cut a pocket to, h_c = r_ш − s/2: the lowest point of the ball below the face.
-
-    Source: Geometry of S21 (20): the ball's centre lies s/2 above the face.
-    Validity: The walls end under the ball, h_c ≤ h_1.
-    """
-    return ball_radius - face_gap / 2
-
-
-@equation
-def pocket_width(pocket_depth: PocketDepth, tan_wall_angle: TanWallAngle) -> PocketWidth:
-    """Width of the pocket's mouth at the face, b = 2 h_1 tan α.
-
-    Source: Geometry of S21 (20): the walls meet at the virtual apex.
-    Validity: Straight walls.
-    """
-    return 2 * pocket_depth * tan_wall_angle
-
-
-@equation
-def ball_pitch(ball_circle_radius: BallCircleRadius, sin_half_pitch: SinHalfPitch) -> BallPitch:
-    """Distance between the centres of neighbouring balls, t_ш = 2 r sin(π/n).
-
-    Source: Geometry: chord of the ball circle.
-    Validity: n ≥ 2.
-    """
-    return 2 * ball_circle_radius * sin_half_pitch
-
-
-@equation
-def web(ball_pitch: BallPitch, pocket_width: PocketWidth) -> Annotated[Number, "e", "m"]:
-    """Web that is left between neighbouring pockets at the face, e = t_ш − b.
-
-    Source: Geometry: chord of the ball circle.
-    Validity: e > 0; otherwise the pockets cut into each other.
-    """
-    return ball_pitch - pocket_width
-
-
-@equation
-def contact_force(
-    torque: PassedTorque, balls: Balls, ball_circle_radius: BallCircleRadius, cos_wall_angle: CosWallAngle
-) -> ContactForce:
-    """Normal force on one ball, F_n = T/(n r cos α).
-
-    Source: S21, contact force after (24), mended (M10).
-    Validity: All balls share the torque alike; T is what passes the balls (direct clutches: T_2).
-    """
-    return torque / (balls * ball_circle_radius * cos_wall_angle)
-
-
-@equation
-def least_contact_force_cubic(
-    numerator_constant: NumeratorConstant,
-    numerator_slope: NumeratorSlope,
-    denominator_constant: DenominatorConstant,
-    denominator_slope: DenominatorSlope,
-    radius_ratio: RadiusRatio,
-) -> Annotated[Number, "k", "1", "coefficients of q²C(a + bC)(a' + b'C) − (a b' − a' b)(1 + q²C²)"]:
-    """Coefficients, highest power first, of the cubic in C whose root makes the contact force least.
-
-    Source: Derivative of F_n ∝ (a + b C)·√(1 + q²C²)/(a' + b' C), q = r/R (handbook, chapter 5).
-    Validity: b' a > b a': the torque falls with C.
-    """
-    squared = radius_ratio * radius_ratio
-    fall = numerator_constant * denominator_slope - numerator_slope * denominator_constant
-    return (
-        squared * numerator_slope * denominator_slope,
-        squared * (numerator_constant * denominator_slope + numerator_slope * denominator_constant - fall),
-        squared * numerator_constant * denominator_constant,
-        -fall,
-    )
-
-
-@equation
-def hertz_contact_modulus(
-    ball_modulus: BallModulus, ball_poisson: BallPoisson, wall_modulus: WallModulus, wall_poisson: WallPoisson
-) -> ContactModulus:
-    """Contact modulus E_c from 1/E_c = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2.
-
-    Source: Johnson, Contact Mechanics (1985), (4.2a).
-    Validity: Elastic half-spaces.
-    """
-    return 1 / ((1 - ball_poisson * ball_poisson) / ball_modulus + (1 - wall_poisson * wall_poisson) / wall_modulus)
-
-
-@equation
-def hertz_allowable_force(
-    allowable_pressure: AllowablePressure, ball_radius: BallRadius, contact_modulus: ContactModulus, pi: Pi
-) -> AllowableForce:
-    """Force at which a ball on a flat reaches the allowable pressure, F = π³ p_0,allow³ r²/(6 E_c²).
-
-    Source: Johnson, Contact Mechanics (1985), (4.24) with R = r (ball on flat).
-    Validity: Elastic, frictionless, contact small against the ball; the wall is flat.
-    """
-    return pi**3 * allowable_pressure**3 * ball_radius**2 / (6 * contact_modulus**2)
-
-
-@equation
-def hertz_pressure(
-    allowable_pressure: AllowablePressure, force: ContactForce, allowable_force: AllowableForce
-) -> Annotated[Number, "p_0", "Pa"]:
-    """Largest contact pressure under a force, p_0 = p_0,allow (F_n/F_n,allow)^{1/3}.
-
-    Source: Johnson, Contact Mechanics (1985), (4.24), (4.30): p_0³ grows as the force, whatever the curvatures.
-    Validity: Elastic, frictionless, contact small against the ball.
-    """
-    return allowable_pressure * (force / allowable_force) ** (1 / 3)
-
-
-@equation
 def gain_for_accuracy_factor(
-    bypass_pairs: BypassPairs,
-    controlled_pairs: ControlledPairs,
-    accuracy_factor: WantedAccuracyFactor,
-    friction_driving_min: FrictionDrivingMin,
-    friction_driven_min: FrictionDrivenMin,
-    friction_driving_max: FrictionDrivingMax,
-    friction_driven_max: FrictionDrivenMax,
-) -> Gain:
+    bypass_pairs,
+    controlled_pairs,
+    accuracy_factor,
+    friction_driving_min,
+    friction_driven_min,
+    friction_driving_max,
+    friction_driven_max,
+):
     """Gain for a wanted K_т, C = (A − K_т)/[z_2 (K_т f_2max − A f_2min)] with A = K_т at C = 0.
 
     Source: F11 (14) solved for C.
@@ -204,16 +24,9 @@ def gain_for_accuracy_factor(
     return (ordinary - accuracy_factor) / (controlled_pairs * fall)
 
 
-@equation
 def gain_for_torque(
-    torque: WantedTorque,
-    closing_force: ClosingForce,
-    mean_radius: MeanRadius,
-    bypass_pairs: BypassPairs,
-    controlled_pairs: ControlledPairs,
-    friction_driving: FrictionDriving,
-    friction_driven: FrictionDriven,
-) -> Gain:
+    torque, closing_force, mean_radius, bypass_pairs, controlled_pairs, friction_driving, friction_driven
+):
     """Gain for a wanted torque at one friction, C = [F_п R (z_1 f_1 + z_2 f_2)/T − 1]/(z_2 f_2).
 
     Source: F11 (12) solved for C.
@@ -223,10 +36,7 @@ def gain_for_torque(
     return (closing_force * mean_radius * carried / torque - 1) / (controlled_pairs * friction_driven)
 
 
-@equation
-def controlled_pairs_for_accuracy_factor(
-    gain: Gain, accuracy_factor: WantedAccuracyFactor, friction_min: FrictionMin, friction_max: FrictionMax
-) -> ControlledPairs:
+def controlled_pairs_for_accuracy_factor(gain, accuracy_factor, friction_min, friction_max):
     """Controlled pairs for a wanted K_т, z_2 = (f_max/f_min − K_т)/[C f_max (K_т − 1)].
 
     Source: S22 (18), F11 (14) with one material, solved for z_2.
@@ -235,16 +45,9 @@ def controlled_pairs_for_accuracy_factor(
     return (friction_max / friction_min - accuracy_factor) / (gain * friction_max * (accuracy_factor - 1))
 
 
-@equation
 def controlled_pairs_for_torque(
-    torque: WantedTorque,
-    closing_force: ClosingForce,
-    mean_radius: MeanRadius,
-    bypass_pairs: BypassPairs,
-    gain: Gain,
-    friction_driving: FrictionDriving,
-    friction_driven: FrictionDriven,
-) -> ControlledPairs:
+    torque, closing_force, mean_radius, bypass_pairs, gain, friction_driving, friction_driven
+):
     """Controlled pairs for a wanted torque, z_2 = (T − F_п R z_1 f_1)/[f_2 (F_п R − C T)].
 
     Source: F11 (12) solved for z_2.
@@ -255,16 +58,9 @@ def controlled_pairs_for_torque(
     return (torque - arm * bypass_pairs * friction_driving) / (friction_driven * (arm - gain * torque))
 
 
-@equation
 def mean_radius_for_torque(
-    torque: WantedTorque,
-    closing_force: ClosingForce,
-    bypass_pairs: BypassPairs,
-    controlled_pairs: ControlledPairs,
-    gain: Gain,
-    friction_driving: FrictionDriving,
-    friction_driven: FrictionDriven,
-) -> MeanRadius:
+    torque, closing_force, bypass_pairs, controlled_pairs, gain, friction_driving, friction_driven
+):
     """Mean radius for a wanted torque at fixed gain, R = T (1 + C z_2 f_2)/[F_п (z_1 f_1 + z_2 f_2)].
 
     Source: F11 (12) solved for R.
@@ -274,27 +70,9 @@ def mean_radius_for_torque(
     return torque * (1 + gain * controlled_pairs * friction_driven) / (closing_force * carried)
 
 
-@equation
-def net_gain_for_control_force(
-    control_force: ControlForce, closing_force: IndirectClosingForce, pairs: Pairs, friction_set: FrictionSet
-) -> NetGain:
-    """Net gain that a control spring asks for, κ = (F_п2 − F_п1)/(z F_п1 f_set); C is κ + 2 R f_1/d.
-
-    Source: S21 (5).
-    Validity: F_п2 ≥ F_п1.
-    """
-    return (control_force - closing_force) / (pairs * closing_force * friction_set)
-
-
-@equation
 def net_loop_gain_linear(
-    friction_min: FrictionMin,
-    friction_set: FrictionSet,
-    friction_max: FrictionMax,
-    closing_stiffness: ClosingStiffness,
-    control_stiffness: ControlStiffness,
-    accuracy_factor: WantedAccuracyFactor,
-) -> NetLoopLinear:
+    friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, accuracy_factor
+):
     """Linear coefficient of the quadratic in zκ that a wanted K_т leads to.
 
     Source: S21 (15) mended (M9) with the seated sleeve below f_set (handbook, chapter 5), powers of zκ collected.
@@ -305,14 +83,7 @@ def net_loop_gain_linear(
     return rising - accuracy_factor * friction_min * (springs * friction_set + closing_stiffness * friction_max)
 
 
-@equation
-def net_loop_gain_constant(
-    friction_min: FrictionMin,
-    friction_max: FrictionMax,
-    closing_stiffness: ClosingStiffness,
-    control_stiffness: ControlStiffness,
-    accuracy_factor: WantedAccuracyFactor,
-) -> NetLoopConstant:
+def net_loop_gain_constant(friction_min, friction_max, closing_stiffness, control_stiffness, accuracy_factor):
     """Constant of the same quadratic.
 
     Source: S21 (15) mended (M9) with the seated sleeve below f_set (handbook, chapter 5), powers of zκ collected.
@@ -321,16 +92,9 @@ def net_loop_gain_constant(
     return (closing_stiffness + control_stiffness) * (friction_max - accuracy_factor * friction_min)
 
 
-@equation
 def net_loop_gain_for_accuracy_factor(
-    friction_min: FrictionMin,
-    friction_set: FrictionSet,
-    friction_max: FrictionMax,
-    closing_stiffness: ClosingStiffness,
-    accuracy_factor: WantedAccuracyFactor,
-    linear: NetLoopLinear,
-    constant: NetLoopConstant,
-) -> NetLoopGain:
+    friction_min, friction_set, friction_max, closing_stiffness, accuracy_factor, linear, constant
+):
     """Net loop gain of the indirect clutch for a wanted K_т, the positive root of a quadratic.
 
     a (zκ)² + b_κ zκ + d_κ = 0 with a = c_1 f_set f_min f_max (1 − K_т); the form chosen is no 0/0 for K_т = 1.
@@ -342,8 +106,7 @@ def net_loop_gain_for_accuracy_factor(
     return 2 * constant / ((linear**2 + 4 * square * constant) ** 0.5 - linear)
 
 
-@equation
-def net_gain_for_accuracy_factor(loop: NetLoopGain, pairs: Pairs) -> NetGain:
+def net_gain_for_accuracy_factor(loop, pairs):
     """Net gain of the indirect clutch for a wanted K_т.
 
     C is κ + 2 R f_1/d.
@@ -354,8 +117,7 @@ def net_gain_for_accuracy_factor(loop: NetLoopGain, pairs: Pairs) -> NetGain:
     return loop / pairs
 
 
-@equation
-def pairs_for_accuracy_factor_indirect(loop: NetLoopGain, net_gain: NetGain) -> Pairs:
+def pairs_for_accuracy_factor_indirect(loop, net_gain):
     """Pairs of the indirect clutch for a wanted K_т.
 
     Source: S21 (15) mended (M9), solved for z.
@@ -364,15 +126,7 @@ def pairs_for_accuracy_factor_indirect(loop: NetLoopGain, net_gain: NetGain) -> 
     return loop / net_gain
 
 
-@equation
-def stiffness_ratio_for_accuracy_factor(
-    friction_min: FrictionMin,
-    friction_set: FrictionSet,
-    friction_max: FrictionMax,
-    pairs: Pairs,
-    net_gain: NetGain,
-    accuracy_factor: WantedAccuracyFactor,
-) -> Annotated[Number, "c_2/c_1", "1"]:
+def stiffness_ratio_for_accuracy_factor(friction_min, friction_set, friction_max, pairs, net_gain, accuracy_factor):
     """Stiffness ratio of the indirect clutch for a wanted K_т, by which either spring follows from the other.
 
     With a = zκ, w = K_т f_min (1 + f_set a), v = 1 + f_min a: 1 + c_2/c_1 = f_max a (w − f_set v)/(f_max v − w).
@@ -384,3 +138,23 @@ def stiffness_ratio_for_accuracy_factor(
     at_min, at_set = 1 + loop * friction_min, 1 + loop * friction_set
     wanted = accuracy_factor * friction_min * at_set
     return friction_max * loop * (wanted - friction_set * at_min) / (friction_max * at_min - wanted) - 1
+
+
+SYMBOLS = """\
+accuracy_factor | K_т.зад | 1 | accuracy factor that is wanted
+constant | d_κ | N/m | constant of the quadratic of zκ
+controlled_pairs_for_accuracy_factor | z_2 | 1 | pairs whose torque passes the balls
+controlled_pairs_for_torque | z_2 | 1 | pairs whose torque passes the balls
+gain_for_accuracy_factor | C | 1 | feedback gain
+gain_for_torque | C | 1 | feedback gain
+linear | b_κ | N/m | coefficient of zκ in its quadratic
+loop | zκ | 1 | net gain of all pairs together
+mean_radius_for_torque | R_cp | m | mean friction radius
+net_gain_for_accuracy_factor | κ | 1 | C − 2 R f_1/d, gain net of the key's friction
+net_loop_gain_constant | d_κ | N/m | constant of the quadratic of zκ
+net_loop_gain_for_accuracy_factor | zκ | 1 | net gain of all pairs together
+net_loop_gain_linear | b_κ | N/m | coefficient of zκ in its quadratic
+pairs_for_accuracy_factor_indirect | z | 1 | friction pairs
+stiffness_ratio_for_accuracy_factor | c_2/c_1 | 1 |
+torque | T_зад | N*m | torque that is wanted
+"""  # noqa: E501

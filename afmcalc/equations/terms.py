@@ -1,346 +1,331 @@
-"""The quantities of the equations: each symbol of the papers once, with what it means and its SI unit.
+"""Symbol, SI unit and meaning of every quantity, once; results, explanations and the units of a check read them here.
 
-A signature names them by these types, ``closing_force: ClosingForce``; the catalogue reads them from there.
-Modules of equations import all of them.
+A unit is "1" of a pure number, empty of what is no quantity: a yes or no, a spring, a list.
 """
 
-from typing import Annotated, Any, NamedTuple, TypeAlias
-
-Number: TypeAlias = Any
-"""Anything with ``+ - * / **``: a float, a NumPy array of any shape, a pint quantity, a SymPy expression.
-
-No static type covers all four.
-"""
+from typing import NamedTuple
 
 
 class Term(NamedTuple):
-    """An argument or result of an equation."""
+    """What a quantity is called."""
 
     symbol: str
-    """Symbol of the papers, e.g. ``F_п``."""
+    """Symbol of the papers."""
     unit: str
-    """SI unit, ``1`` for a pure number."""
-    meaning: str = ""
-    """Meaning; empty for a result that no other equation takes, where the summary of the function explains it."""
+    """SI unit."""
+    meaning: str
 
 
-# The clutch and its pairs
-OuterRadius = Annotated[Number, "r_o", "m", "outer radius of the friction surface"]
-InnerRadius = Annotated[Number, "r_i", "m", "inner radius of the friction surface"]
-MeanRadius = Annotated[Number, "R_cp", "m", "mean friction radius"]
-BallCircleRadius = Annotated[Number, "r", "m", "radius of the ball circle"]
-TanWallAngle = Annotated[Number, "tan α", "1", "wall angle from the axis"]
-Pairs = Annotated[Number, "z", "1", "friction pairs"]
-BypassPairs = Annotated[Number, "z_1", "1", "pairs that bypass the control unit"]
-ControlledPairs = Annotated[Number, "z_2", "1", "pairs whose torque passes the balls"]
-Gain = Annotated[Number, "C", "1", "feedback gain"]
-ClosingForce = Annotated[Number, "F_п", "N", "closing-spring force as set"]
-NormalForce = Annotated[Number, "N", "N", "normal force on the pairs"]
-GroupPairs = Annotated[Number, "z_i", "1", "pairs of the group"]
-GroupFriction = Annotated[Number, "f_i", "1", "friction of the group"]
-SlipTorque = Annotated[Number, "T", "N*m", "slip torque"]
-ControlledTorque = Annotated[Number, "T_2", "N*m", "torque of the controlled pairs, which passes the balls"]
-ReleaseForce = Annotated[Number, "F_p", "N", "release force of the control unit"]
-GainLimit = Annotated[Number, "C_max", "1", "largest feedback gain"]
-AxialForce = Annotated[Number, "F", "N", "axial force on the ring"]
+_TABLE = """\
+accuracy_factor | K_т | 1 | accuracy factor
+accuracy_factor_actual | K_т,act | 1 | actual accuracy factor with the published T_ср, S22 (19)
+accuracy_factor_as_set | K_т | 1 | accuracy factor of a control spring set by S21 (14)
+accuracy_factor_by_ratios | K_т | 1 | accuracy factor
+accuracy_factor_equilibrium | K_т,eq | 1 | accuracy factor with the equilibrium torque
+accuracy_factor_expected | K_т,exp | 1 | expected accuracy factor, S22 (18)
+accuracy_factor_hysteresis | K_т,h | 1 | accuracy factor under a load that lasts, T_max/T_ret,min
+accuracy_factor_of_path | K_т | 1 | accuracy factor along the common path of f_1 and f_2
+accuracy_factor_peak | K_т,p | 1 | accuracy factor by breakaway peaks (upper bound)
+accuracy_factor_worst_case | K_т,w | 1 | accuracy factor, f_1 of the bypass and f_2 of the other pairs independent
+actuation_factor | A | 1 | published over expected actuation torque
+actuation_torque_equilibrium | T_eq | N*m | actuation torque at equilibrium, without misprint M12
+actuation_torque_max | T_act | N*m | the larger of T_ср and T_муф at f_max
+actuation_torque_published | T_ср | N*m | actuation torque as published, S22 (14)
+allowable_contact_force | [F_n] | N | allowable normal force on one ball
+allowable_pressure | p_0,allow | Pa | allowable maximum contact pressure
+balance |  |  | balance of the forces on the sleeve
+ball_circle_radius | r | m | radius of the ball circle
+ball_diameter_standard | d_ш | m | ball chosen: given, or the next standard one
+ball_modulus | E_1 | Pa | elastic modulus of the ball
+ball_pitch | t_ш | m | distance between the centres of neighbouring balls
+ball_poisson | ν_1 | 1 | Poisson's ratio of the ball
+ball_radius | r_ш | m | smallest ball radius
+ball_radius_chosen | r_ш | m | ball radius
+balls | n | 1 | number of balls
+balls_listed |  | m | diameters of balls to choose from
+base_cycles | N_0 | 1 | base cycles of the S-N line
+bend_of_path | s_cp | 1 | share of the common path at which both frictions have their means
+breakaway_torque | P | N*m | breakaway torque, upper bound
+bypass_pairs | z_1 | 1 | pairs that bypass the control unit
+can_hold_torque |  |  | whether there is a wall that holds the torque
+circumferential_force | F_o | N | circumferential force on all the balls
+closing_disc |  |  | disc springs of the closing spring
+closing_force | F_п | N | closing-spring force as set
+closing_force_by_mean | F_п,2 | N | closing-spring force set at the mean friction, with margin
+closing_force_by_min | F_п,1 | N | closing-spring force set at f_min
+closing_spring |  |  | closing spring as it is set
+closing_stiffness | c_1 | N/m | stiffness of the closing spring
+constant_torque_slope | C_1* | 1/m | growth of the gain with travel at which pockets hold the torque
+contact_force | F_n | N | largest normal force on one ball
+contact_force_at_ball | F_n | N | normal force on one ball
+contact_force_hertz | [F_n]_H | N | normal force on one ball at the allowable contact pressure
+contact_modulus | E_c | Pa | contact modulus of ball and wall
+contact_pressure | p_0 | Pa | largest contact pressure of ball and wall (Hertz)
+contact_pressure_at_ball | p_0 | Pa | largest contact pressure where the ball is
+contact_radius_at_ball | R_e | m | radius of a ball that bears as much on a flat
+control_disc |  |  | disc springs of the control spring
+control_force | F_п2 | N | control-spring force as set
+control_force_back | F_2(x) | N | control-spring force where the sleeve is, friction falling under load
+control_force_made | F_п2 | N | control-spring force as made
+control_force_set | F_п2 | N | control-spring force that just holds the sleeve at its stop at the setting
+control_force_there | F_2(x) | N | control-spring force where the sleeve is
+control_spring |  |  | control spring as it is set
+control_stiffness | c_2 | N/m | stiffness of the control spring
+controlled_pairs | z_2 | 1 | pairs whose torque passes the balls
+conventional_accuracy_factor | K_т,0 | 1 | accuracy factor of an ordinary clutch in its place
+cos_wall_angle | cos α | 1 | cosine of the wall angle
+counted_damage | D | 1 | damage of a slip as far as it counts
+cycles | N_ц | 1 | cycles to failure
+cycles_of_band | N_ц | 1 | cycles to failure
+cycles_of_line | N_ц | 1 | cycles to failure
+cycles_of_mean_damage | N_ц | 1 | cycles to failure
+damage | 1/N_ц | 1 | damage of one cycle
+damaging_stress | τ_eq | Pa | damaging stress
+discriminant | D | 1 | discriminant of S22 (17)
+drive_efficiency | η | 1 | efficiency between motor and clutch
+drive_ratio | i | 1 | speed of the motor over that of the clutch
+driven_torque | T_2 | N*m | torque of the controlled pairs, which passes the balls
+driven_torque_max | T_2,max | N*m | largest torque that passes the balls
+driving_torque | T_1 | N*m | torque of the bypass pairs
+dynamic_factor | k_д | 1 | dynamic factor by which the unprotected side is loaded more
+edge_clearance | y | m | clearance asked for
+edge_clearance_standard | y_st | m | clearance with the ball chosen
+endurance_limit | τ_limb | Pa | endurance limit
+equivalent_gain | C_eff | 1 | gain of the all-driving clutch with the same torque curve
+expected_torque | T_муф | N*m | expected slip torque; lower bound of the tripping torque
+exponent | m_τ | 1 | exponent of the S-N line
+extreme_points |  |  | torques and frictions among which are the extremes
+face_gap | s | m | gap between the faces
+force_ratio | F_п1/F_п2 | 1 | spring force set at f_min over that set at the mean friction, without margin
+friction | f | 1 | coefficient of friction
+friction_along_wall | f_w | 1 | frictions at which the ball comes along the wall
+friction_at_equal_potential | f_low | 1 | friction at which T_п = T_н.маш
+friction_at_unit_loop_gain | f_high | 1 | friction at which v = 1
+friction_bound | f_lim | 1 | friction below which S22 (10) is positive
+friction_driven | f_2 | 1 | friction of the driven pairs
+friction_driven_max | f_2max | 1 | largest friction of the controlled pairs
+friction_driven_mean | f_2cp | 1 | mean friction of the controlled pairs
+friction_driven_min | f_2min | 1 | smallest friction of the controlled pairs
+friction_driven_set | f_2set | 1 | friction of the controlled pairs at the setting
+friction_driven_slips | f_2 | 1 | friction of the controlled pairs in each slip
+friction_driven_slips_from_mean | f_2 | 1 | friction of the controlled pairs in each slip, from the mean on
+friction_driving | f_1 | 1 | friction of the driving pairs
+friction_driving_max | f_1max | 1 | largest friction of the bypass pairs
+friction_driving_mean | f_1cp | 1 | mean friction of the bypass pairs
+friction_driving_min | f_1min | 1 | smallest friction of the bypass pairs
+friction_driving_set | f_1set | 1 | friction of the bypass pairs at the setting
+friction_driving_slips | f_1 | 1 | friction of the bypass pairs in each slip
+friction_driving_slips_from_mean | f_1 | 1 | friction of the bypass pairs in each slip, from the mean on
+friction_leaving | f_L | 1 | friction at which the sleeve leaves its stop
+friction_leaving_from_mean | f_L | 1 | friction from the mean on at which the sleeve leaves its stop
+friction_leaving_in_range | f_L | 1 | friction within the range at which the sleeve leaves its stop
+friction_leaving_made | f_L | 1 | friction at which the sleeve leaves its stop
+friction_max | f_max | 1 | largest coefficient of friction
+friction_mean | f_cp | 1 | mean coefficient of friction
+friction_min | f_min | 1 | smallest coefficient of friction
+friction_of_torque_max | f(T_max) | 1 | friction (f_1) where it is largest
+friction_of_torque_min | f(T_min) | 1 | friction (f_1) where it is smallest
+friction_ratio_max | n | 1 | f_2max/f_1max
+friction_ratio_min | p | 1 | f_2min/f_1min
+friction_set | f_set | 1 | friction at the setting (f_min or f_cp)
+friction_slips | f | 1 | friction in each slip
+friction_slips_from_mean | f | 1 | friction in each slip, from the mean on
+friction_unlocking | f_u | 1 | friction at which the key lets the sleeve go
+gain | C | 1 | feedback gain
+gain_acting | C(x) | 1 | gain where the sleeve has travelled to
+gain_limit | C_max | 1 | largest gain at which the law describes the slip
+gain_slope | C_1 | 1/m | how the gain grows with the sleeve's travel
+gain_threshold | 2R f_1/d | 1 | gain at which feedback begins
+hub_diameter | d | m | hub diameter at the key
+hysteresis_ratio | κ₊/κ | 1 | factor by which friction must fall before the sleeve moves back
+inner_radius | r_i | m | inner radius of the friction surface
+is_broken |  |  | whether the largest load breaks the part
+is_held_at_stop |  |  | whether the control spring keeps the sleeve at its stop
+is_locked |  |  | whether the key keeps the sleeve where it was at f_max
+is_made |  |  | whether the control spring has a force of its own
+is_reseated |  |  | whether the sleeve is back at its stop
+is_seated |  |  | whether the sleeve is at its stop
+jumping_slope | C_1,j | 1/m | growth of the gain with travel above which the sleeve jumps off its stop
+key_friction | f_1 | 1 | friction coefficient at the key
+key_friction_force | F_тр | N | friction force of the key on the sleeve
+largest_driven_torque | T | N*m | torque that passes the balls
+load_factor | k | 1 | factor of the load: 1, or the dynamic factor
+load_rise | ΔT' | N*m | load rise until slip
+load_rise_max | ΔT_max | N*m | load rise until slip at f_min
+load_risen | T_н.маш + ΔT | N*m | load
+loop_gain | v | 1 | loop gain at f
+machine_torque | T_н.маш | N*m | nominal torque of the machine
+margin | β_н | 1 | torque margin
+margin_in_spring | β_п | 1 | torque margin as far as it is in the spring
+mean_damage | D_m | 1 | mean damage of a slip over f_min … f_max
+mean_pressure | p | Pa | surface pressure in the mean
+mean_radius | R_cp | m | mean friction radius
+mean_stress | τ_m | Pa | mean stress of the cycle
+mean_stress_sensitivity | ψ_τ | 1 | sensitivity to the mean stress (model amplitude)
+mid_torque | T_mid | N*m | torque at the middle of the band
+motor_power | P_н | W | rated power of the motor
+motor_speed | ω_н | rad/s | rated speed of the motor
+motor_torque | M_н | N*m | rated torque of the motor, P_н/ω_н
+motor_torque_at_clutch | T_дв | N*m | rated torque of the motor at the clutch
+net_gain | κ | 1 | C − 2 R f_1/d, gain net of the key's friction
+net_gain_acting | κ | 1 | net gain; κ₊ while the sleeve returns
+net_gain_back | κ₊(x) | 1 | net gain where the sleeve is, friction falling under load
+net_gain_for_control_force | κ | 1 | C − 2 R f_1/d, gain net of the key's friction
+net_gain_returning | κ₊ | 1 | C + 2 R f_1/d
+net_gain_there | κ(x) | 1 | net gain where the sleeve is
+never |  |  | no
+nominal_torque | T_н | N*m | nominal torque of the clutch
+nominal_torque_ratio | K_п | 1 | nominal torque over that of a base clutch whose pairs are all controlled, of equal spring force and gain
+nominal_torque_wanted | T_н | N*m | nominal torque of the clutch
+normal_force | N | N | normal force on the pairs
+normal_force_let_go | N | N | normal force once the key has let the sleeve go
+normal_force_moving | N | N | normal force on the pairs
+normal_force_moving_back | N | N | normal force while the sleeve moves back
+normal_force_returning | N | N | normal force, friction falling under load
+normal_force_seated | N | N | normal force on the pairs
+no_slope | C_1 | 1/m | growth of the gain with travel where no wall holds the torque
+nothing | 0 | 1 | nothing
+onset_torque | T_1(0) | N*m | torque that the bypass pairs carry alone, before the balls take a share
+optimal_reduced_gain | (zC)_opt | 1 | reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum
+outer_radius | r_o | m | outer radius of the friction surface
+pack_force_at_rest | N(0) | N | force on the pack of the clutch at rest
+pairs | z | 1 | friction pairs
+pairs_threshold | z_lim | 1 | number of pairs above which the band set at f_min is the narrower, S19 (12)
+path_around | Y | m | centre of the ball, around the circle
+path_steepening | Y'' | 1/m | second derivative of the path of the ball's centre
+peak_pressure | p_i | Pa | surface pressure at the inner edge
+pocket_depth | h_1 | m | pocket depth to the virtual apex, for the ball chosen (the smallest where none is)
+pocket_depth_cut | h_c | m | pocket depth to cut: the ball's lowest point, where the walls end
+pocket_depth_from_travel | h_2 | m | pocket depth from the travel
+pocket_width | b | m | width of the pocket's mouth at the face
+polar_section_modulus | W_p | m^3 | polar section modulus
+potential_torque | T_п | N*m | potential torque: what the clutch could carry while T_н.маш loads it; upper bound of the tripping torque
+potential_torque_gain | T'_п − T_п | N*m | potential torque above that of the all-driving clutch of equal spring, gain and margin
+potential_torque_risen | T_п(ΔT) | N*m | potential torque under it, S22 (6), (9); at slip it is the load
+reduced_gain | z_2 C | 1 | reduced gain
+reduced_gain_of_pairs | z C | 1 | reduced gain of all pairs
+release_force | F_p | N | release force
+risen_load | ΔT | N*m | rise of the load above the nominal torque of the machine
+running_torque | T_0 | N*m | load in rated running
+scatter | ΔT | N*m | torque scatter band
+scatter_of_one_material | ΔT | N*m | torque scatter band of one material
+scatter_of_side | ΔT' | N*m | torque scatter band on the side in question
+scatter_ratio | ΔT_2/ΔT_1 | 1 | band set at the mean friction over that set at f_min
+service_factor | K_р | 1 | service factor of the machine
+shaft_diameter | d_в | m | diameter of the shaft
+shear_stress | τ | Pa | shear stress
+shear_yield_strength | τ_т | Pa | yield strength in shear
+side_torque | T' | N*m | torque of the side in question
+sin_half_pitch | sin(π/n) | 1 | sine of half the pitch angle of n balls
+sin_wall_angle | sin α | 1 | sine of the wall angle
+sleeve_depth | B | m | thickness, along the axis, of the sleeve the pockets are cut into
+sleeve_stiffness | D | N/m | stiffness against which the sleeve moves
+sleeve_stiffness_curved | D' | N/m | stiffness that takes the place of D
+sleeve_stiffness_there | D | N/m | stiffness against which the sleeve moves as it leaves its stop
+slope_feedback | w | 1/m | feedback that a metre of travel adds, z f C_1
+slope_in_ratio_max | ∂K_т/∂n | 1 | slope of K_т in n = f_2max/f_1max, f_2max moving, F11 (18)
+slope_in_ratio_min | ∂K_т/∂p | 1 | slope of K_т in p = f_2min/f_1min, f_2min moving, F11 (22)
+starting_torque | T_пуск | N*m | largest torque at the clutch at a direct start
+starting_torque_ratio | m_п | 1 | largest torque of the motor at the start over its rated torque
+stays_off |  |  | whether a sleeve that has jumped off its stop has not yet jumped back
+stop_reaction | S | N | reaction of the stop on the sleeve
+stop_reaction_seated | S | N | reaction of the stop on the sleeve
+stress_amplitude | τ_a | Pa | amplitude of the cycle
+stress_high | τ_max | Pa | largest stress of the cycle
+stress_low | τ_min | Pa | smallest stress of the cycle
+tan_wall_angle | tan α | 1 | wall angle from the axis
+tan_wall_angle_at_ball | tan α | 1 | tangent of the wall angle where the ball is
+tangent_stiffness | k_t | N/m | stiffness of the balance where the sleeve is; D of a straight pocket
+tangent_stiffness_squared | k_t² | N^2/m^2 | square of the stiffness of the balance where the sleeve is
+torque | T | N*m | slip torque
+torque_asked_for | T_маш | N*m | torque that the machine asks for
+torque_high | T_high | N*m | largest torque of the load
+torque_low | T_low | N*m | smallest torque of the load
+torque_low_of_side | T_min | N*m | smallest torque of the load on the side in question
+torque_max | T_max | N*m | largest slip torque
+torque_max_from_mean | T_max,cp | N*m | largest slip torque from the mean friction on
+torque_max_worst_case | T_max,w | N*m | largest slip torque, f_1 and f_2 independent
+torque_min | T_min | N*m | smallest slip torque
+torque_min_from_mean | T_min,cp | N*m | smallest slip torque from the mean friction on
+torque_min_worst_case | T_min,w | N*m | smallest slip torque, f_1 and f_2 independent
+torque_per_force | a | m | slip torque per spring force
+torque_returning | T_ret | N*m | slip torque, friction falling again from f_max under load
+torque_returning_min | T_ret,min | N*m | smallest slip torque, friction falling under load
+torque_returning_turn | T_ret | N*m | smallest torque while the sleeve returns
+travel | x | m | axial travel of the sleeve
+travel_as_made | x | m | axial travel of the sleeve
+travel_as_set | x | m | axial travel of the sleeve
+travel_max | x_max | m | largest travel of the sleeve
+travel_moving | x | m | axial travel of the sleeve off its stop
+travel_returning | x | m | axial travel of the sleeve, friction falling under load
+travel_to_mouth | ξ_m | m | travel at which the ball would touch the edge of the pocket
+turning_points |  |  | points of smallest and largest torque while the sleeve moves
+turning_points_from_mean |  |  | the same from the mean friction on
+ultimate_strength | τ_u | Pa | ultimate strength in shear
+undercut_radius | ρ_0 | m | radius of a ball that undercuts the curved wall: all smaller ones run on it
+unity | 1 | 1 | one
+wall_angle | α | rad | wall angle of the pockets; of a curved wall at the stop
+wall_angle_at_ball | α | rad | wall angle where the ball is
+wall_angle_max | α_max | rad | wall angle at the largest travel
+wall_around | Y_w | m | wall, around the circle
+wall_axial | ξ_w | m | wall, along the axis
+wall_modulus | E_2 | Pa | elastic modulus of the pocket wall
+wall_poisson | ν_2 | 1 | Poisson's ratio of the pocket wall
+web | e | m | web between neighbouring pockets at the face
+yield_strength | σ_т | Pa | yield strength of the shaft in tension
+"""  # noqa: E501
 
-# Friction
-Friction = Annotated[Number, "f", "1", "coefficient of friction"]
-FrictionMin = Annotated[Number, "f_min", "1", "smallest coefficient of friction"]
-FrictionMean = Annotated[Number, "f_cp", "1", "mean coefficient of friction"]
-FrictionMax = Annotated[Number, "f_max", "1", "largest coefficient of friction"]
-FrictionSet = Annotated[Number, "f_set", "1", "friction at the setting (f_min or f_cp)"]
-FrictionDriving = Annotated[Number, "f_1", "1", "friction of the bypass pairs"]
-FrictionDrivingMin = Annotated[Number, "f_1min", "1", "smallest friction of the bypass pairs"]
-FrictionDrivingMax = Annotated[Number, "f_1max", "1", "largest friction of the bypass pairs"]
-FrictionDriven = Annotated[Number, "f_2", "1", "friction of the controlled pairs"]
-FrictionDrivenMin = Annotated[Number, "f_2min", "1", "smallest friction of the controlled pairs"]
-FrictionDrivenMax = Annotated[Number, "f_2max", "1", "largest friction of the controlled pairs"]
-FrictionRatioMin = Annotated[Number, "p", "1", "f_2min/f_1min"]
-FrictionRatioMax = Annotated[Number, "n", "1", "f_2max/f_1max"]
 
-# Accuracy
-TorqueMax = Annotated[Number, "T_max", "N*m", "largest torque"]
-TorqueMin = Annotated[Number, "T_min", "N*m", "smallest torque"]
-PeakMax = Annotated[Number, "P_max", "N*m", "larger of sustained torque and the bypass pairs' peak, at f_max"]
-PeakMin = Annotated[Number, "P_min", "N*m", "larger of sustained torque and the bypass pairs' peak, at f_min"]
-Scatter = Annotated[Number, "ΔT", "N*m", "torque scatter band"]
-AccuracyFactor = Annotated[Number, "K_т", "1", "accuracy factor"]
+def read_terms(table: str) -> dict[str, Term]:
+    """Return the rows ``name | symbol | unit | meaning`` of a table by name."""
+    rows = (row.split("|") for row in table.splitlines())
+    return {name.strip(): Term(*(part.strip() for part in parts)) for name, *parts in rows}
 
-# Adjustment
-NominalTorque = Annotated[Number, "T_н", "N*m", "nominal torque"]
-TorquePerForce = Annotated[Number, "a_set", "m", "slip torque per spring force at the friction of the setting"]
-TorqueAtSetting = Annotated[Number, "T_set", "N*m", "slip torque at the friction of the setting"]
-TorquePerForceMean = Annotated[Number, "a_cp", "m", "slip torque per spring force at f_cp"]
-TorquePerForceMin = Annotated[Number, "a_min", "m", "slip torque per spring force at f_min"]
-Margin = Annotated[Number, "β_н", "1", "torque margin"]
 
-# Overload
-LoopGain = Annotated[Number, "v", "1", "loop gain at f"]
-ClutchNominalTorque = Annotated[Number, "T_н.муф", "N*m", "nominal torque of the clutch, T_муф at f_min"]
-LoopGainMin = Annotated[Number, "u", "1", "loop gain at f_min"]
-PotentialTorque = Annotated[Number, "T_п", "N*m", "potential torque"]
-MachineTorque = Annotated[Number, "T_н.маш", "N*m", "nominal torque of the machine"]
-RisenLoad = Annotated[Number, "ΔT", "N*m", "rise of the load above the nominal torque of the machine"]
-LoadRise = Annotated[Number, "ΔT'", "N*m", "load rise until slip"]
-ReducedGain = Annotated[Number, "zC", "1", "reduced gain (z − z_1) C"]
-ExpectedTorque = Annotated[Number, "T_муф", "N*m", "expected slip torque at f_max"]
-ActuationTorque = Annotated[Number, "T_act", "N*m", "the larger of T_ср and T_муф at f_max"]
-EquilibriumTorqueMax = Annotated[Number, "T_eq.max", "N*m", "load at slip at f_max"]
-EquilibriumTorqueMin = Annotated[Number, "T_eq.min", "N*m", "load at slip at f_min"]
-ReducedGainOfPairs = Annotated[Number, "z C", "1", "reduced gain of all pairs"]
+TERMS = read_terms(_TABLE)
+"""Name of a quantity → what it is called."""
 
-# Machine and shaft
-RatedPower = Annotated[Number, "P_н", "W", "rated power of the motor"]
-RatedSpeed = Annotated[Number, "ω_н", "rad/s", "rated speed of the motor"]
-RatedTorque = Annotated[Number, "M_н", "N*m", "rated torque of the motor"]
-DriveRatio = Annotated[Number, "i", "1", "speed of the motor over that of the clutch"]
-Efficiency = Annotated[Number, "η", "1", "efficiency between motor and clutch"]
-TorqueAtClutch = Annotated[Number, "T_дв", "N*m", "rated torque of the motor at the clutch"]
-ServiceFactor = Annotated[Number, "K_р", "1", "service factor of the machine"]
-StartingTorqueRatio = Annotated[Number, "m_п", "1", "largest torque of the motor at the start over its rated torque"]
-ShaftDiameter = Annotated[Number, "d_в", "m", "diameter of the shaft"]
-YieldStrength = Annotated[Number, "σ_т", "Pa", "yield strength of the shaft in tension"]
+CASES = {
+    "f_min": "f_min",
+    "f_mean": "f_cp",
+    "f_max": "f_max",
+    "setting": "f_set",
+    "rest": "f = 0",
+    "leaving": "f_L",
+    "leaving_in_range": "f_L",
+    "leaving_from_mean": "f_L",
+    "unlocking": "f_u",
+    "returning": "returning",
+    "by_min": "set at f_min",
+    "by_mean": "set at f_cp",
+    "overload": "T_н at f_min",
+    "unprotected": "unprotected side",
+    "forecast": "from f_cp",
+    "f_min_max": "f_1min, f_2max",
+    "f_max_min": "f_1max, f_2min",
+    "low": "T_low",
+    "high": "T_high",
+    "slips": "each slip",
+    "each_slip": "each slip",
+    "along_wall": "along the wall",
+    **dict.fromkeys(("worst_case", "peak", "hysteresis", "expected", "actual", "equilibrium"), ""),
+}
+"""Case → how an explanation calls it; empty where the quantity in this case has a row of its own."""
+_SYMBOLS = {"returning": "κ₊", "by_min": "F_п,1", "by_mean": "F_п,2", "overload": "f_min"}
+"""Case → what a symbol in it is followed by, where that is shorter."""
 
-# Life
-SideTorque = Annotated[Number, "T", "N*m", "torque of the side in question, T' on the unprotected one"]
-PolarSectionModulus = Annotated[Number, "W_p", "m^3", "polar section modulus"]
-DynamicFactor = Annotated[Number, "k_д", "1", "dynamic factor of the unprotected side"]
-StressLow = Annotated[Number, "τ_min", "Pa", "smallest stress of the cycle"]
-StressHigh = Annotated[Number, "τ_max", "Pa", "largest stress of the cycle"]
-MeanStressSensitivity = Annotated[Number, "ψ_τ", "1", "sensitivity to the mean stress"]
-UltimateStrength = Annotated[Number, "τ_u", "Pa", "ultimate strength in shear"]
-EnduranceLimit = Annotated[Number, "τ_limb", "Pa", "endurance limit in shear"]
-DamagingStress = Annotated[Number, "τ", "Pa", "damaging stress"]
-FatigueExponent = Annotated[Number, "m_τ", "1", "exponent of the S-N line"]
-BaseCycles = Annotated[Number, "N_0", "1", "base cycles of the S-N line"]
-MeanDamage = Annotated[Number, "D_m", "1", "mean damage of a slip over f_min … f_max"]
-ShearStress = Annotated[Number, "τ", "Pa", "shear stress"]
-EquivalentStress = Annotated[Number, "τ_eq", "Pa", "equivalent alternating stress, to be held against τ_−1"]
-Cycles = Annotated[Number, "N_ц", "1", "cycles to failure"]
 
-# Indirect regulation
-KeyFriction = Annotated[Number, "f_1", "1", "friction coefficient at the key"]
-HubDiameter = Annotated[Number, "d", "m", "hub diameter at the key"]
-IndirectClosingForce = Annotated[Number, "F_п", "N", "closing-spring force as set (S21: F_п1)"]
-NetGain = Annotated[Number, "κ", "1", "C − 2 R f_1/d, gain net of the key's friction"]
-ClosingStiffness = Annotated[Number, "c_1", "N/m", "stiffness of the closing spring"]
-ControlStiffness = Annotated[Number, "c_2", "N/m", "stiffness of the control spring"]
-SleeveStiffness = Annotated[Number, "D", "N/m", "stiffness against which the sleeve moves"]
-ControlForce = Annotated[Number, "F_п2", "N", "control-spring force at the stop"]
-TensedControlForce = Annotated[Number, "F_2", "N", "force of the control spring where the sleeve is"]
-RisingTorqueMax = Annotated[Number, "T_max", "N*m", "largest slip torque, friction rising"]
-ReturningTorqueMin = Annotated[Number, "T_ret,min", "N*m", "smallest slip torque, friction falling under load"]
-ClosingForceAtStop = Annotated[Number, "F_п1", "N", "closing-spring force at the stop"]
-NetGainReturning = Annotated[Number, "κ₊", "1", "C + 2 R f_1/d"]
-FeedbackPart = Annotated[Number, "κ_p", "1", "part of κ that is proportional to the parameter"]
-Travel = Annotated[Number, "x", "m", "axial travel of the sleeve"]
-NominalTorqueRatio = Annotated[Number, "K_п", "1", "nominal torque over that of the base clutch"]
+def term_of(name: str) -> Term:
+    """Return what a quantity is called; one in a case such as ``torque_at_f_max`` as T(f_max)."""
+    if name in TERMS:
+        return TERMS[name]
+    quantity, _, case = name.rpartition("_at_")
+    if not CASES[case]:
+        return TERMS[f"{quantity}_{case}"]
+    own = term_of(quantity)
+    return Term(f"{own.symbol}({_SYMBOLS.get(case, CASES[case])})", own.unit, own.meaning)
 
-# Curved pockets
-InitialGain = Annotated[Number, "C_0", "1", "gain at the stop"]
-GainSlope = Annotated[Number, "C_1", "1/m", "how the gain grows with travel"]
-StraightStiffness = Annotated[Number, "D", "N/m", "D(f) of a straight pocket, at κ of the stop"]
-SlopeFeedback = Annotated[Number, "w", "1/m", "feedback that a metre of travel adds, z f C_1"]
-TangentStiffness = Annotated[
-    Number, "k_t", "N/m", "stiffness of the balance where the sleeve is; D of a straight pocket"
-]
-LeavingFriction = Annotated[Number, "f_L", "1", "friction at which the sleeve leaves its stop"]
-LeavingStiffness = Annotated[Number, "D", "N/m", "D(f_L) of a straight pocket"]
-SpringPart = Annotated[Number, "F_part", "N", "part of F_п1 − c_1 x proportional to the parameter"]
-ForceElasticity = Annotated[Number, "∂ln N/∂ln p", "1", "elasticity of the normal force in a parameter p"]
 
-# The sleeve in motion
-Turn = Annotated[Number, "φ", "rad", "turn of the balls"]
-GainAtStop = Annotated[Number, "C", "1", "feedback gain at the stop"]
-TurnRate = Annotated[Number, "φ'", "rad/s", "speed of the turn of the balls"]
-GainAtSleeve = Annotated[Number, "C", "1", "feedback gain where the sleeve is"]
-SpringBallTorque = Annotated[Number, "T_b", "N*m", "torque of the springs through the balls, S/κ"]
-SleeveMass = Annotated[Number, "m", "kg", "mass of the sleeve"]
-NetGainEitherWay = Annotated[Number, "κ", "1", "net gain; κ₊ while the sleeve returns"]
-SpringMoment = Annotated[Number, "S", "N*m", "moment of both springs"]
-SleeveInertia = Annotated[Number, "μ", "kg*m^2", "inertia of the sleeve's mass, counted in the turn of the balls"]
-BallTorque = Annotated[Number, "T_b", "N*m", "torque through the balls"]
-PairsTimesFriction = Annotated[Number, "zf", "1", "pairs times friction"]
-NetGainOrReturning = Annotated[Number, "κ or κ₊", "1", "net gain while the sleeve leaves its stop or returns"]
-TorqueAlone = Annotated[Number, "T_b0", "N*m", "torque that the balls would pass without friction of the pack"]
-TorqueShare = Annotated[Number, "j", "1", "share of the pack's torque that the balls pass"]
-TravelRate = Annotated[Number, "x'", "m/s", "speed of the sleeve"]
-
-# Walls and contact
-Sleeves = Annotated[Number, "m", "1", "sleeves that the ball moves in: 1 or 2"]
-TanAngleAtStop = Annotated[Number, "tan α_0", "1", "tangent of the wall angle at the stop"]
-PathSteepening = Annotated[Number, "Y''", "1/m", "second derivative of the path of the ball's centre"]
-PathDepth = Annotated[Number, "ξ", "m", "way of the ball along the axis from its place at the stop"]
-BallRadius = Annotated[Number, "r_ш", "m", "ball radius"]
-SinAngleAtBall = Annotated[Number, "sin α", "1", "where the ball is"]
-PathPlace = Annotated[Number, "Y", "m", "place on the path, around the ball circle"]
-CosAngleAtBall = Annotated[Number, "cos α", "1", "where the ball is"]
-FaceGap = Annotated[Number, "s", "m", "gap between the faces"]
-CurvedWallForce = Annotated[Number, "F_n", "N", "force of the curved wall on the ball"]
-SinSumOfAngles = Annotated[Number, "sin(α + α_0)", "1", "sine of the wall angles of both sleeves together"]
-SinSeatAngle = Annotated[Number, "sin α_0", "1", "sine of the angle of the seat's walls"]
-CosSeatAngle = Annotated[Number, "cos α_0", "1", "cosine of the angle of the seat's walls"]
-PathRadius = Annotated[Number, "ρ", "m", "radius of curvature of the path"]
-CurvatureRatio = Annotated[Number, "A/B", "1", "ratio of the relative curvatures"]
-AxisRatio = Annotated[Number, "k", "1", "minor over major semi-axis"]
-IntegralB = Annotated[Number, "𝐁", "1", "elliptic integral (E − k² K)/(1 − k²), K and E complete, of modulus √(1 − k²)"]
-IntegralD = Annotated[Number, "𝐃", "1", "elliptic integral (K − E)/(1 − k²) of the same"]
-Pi = Annotated[Number, "π", "1", "circumference over diameter of a circle"]
-
-# Synthesis of the control unit
-EdgeClearance = Annotated[Number, "y", "m", "clearance of the contact from the pocket's edge"]
-SinWallAngle = Annotated[Number, "sin α", "1", "sine of the wall angle"]
-CosWallAngle = Annotated[Number, "cos α", "1", "cosine of the wall angle"]
-PocketDepth = Annotated[Number, "h_1", "m", "pocket depth to the virtual apex"]
-SinHalfPitch = Annotated[Number, "sin(π/n)", "1", "sine of half the pitch angle of n balls"]
-BallPitch = Annotated[Number, "t_ш", "m", "distance between the centres of neighbouring balls"]
-PocketWidth = Annotated[Number, "b", "m", "width of the pocket's mouth"]
-PassedTorque = Annotated[Number, "T", "N*m", "torque that passes the balls"]
-Balls = Annotated[Number, "n", "1", "number of balls"]
-NumeratorConstant = Annotated[Number, "a", "1", "constant of the numerator"]
-NumeratorSlope = Annotated[Number, "b", "1", "slope of the numerator"]
-DenominatorConstant = Annotated[Number, "a'", "1", "constant of the denominator"]
-DenominatorSlope = Annotated[Number, "b'", "1", "slope of the denominator"]
-RadiusRatio = Annotated[Number, "q", "1", "r/R"]
-BallModulus = Annotated[Number, "E_1", "Pa", "elastic modulus of the ball"]
-BallPoisson = Annotated[Number, "ν_1", "1", "Poisson's ratio of the ball"]
-WallModulus = Annotated[Number, "E_2", "Pa", "elastic modulus of the pocket wall"]
-WallPoisson = Annotated[Number, "ν_2", "1", "Poisson's ratio of the pocket wall"]
-ContactModulus = Annotated[Number, "E_c", "Pa", "contact modulus of ball and wall"]
-AllowablePressure = Annotated[Number, "p_0,allow", "Pa", "allowable maximum contact pressure"]
-ContactForce = Annotated[Number, "F_n", "N", "normal force on the ball"]
-AllowableForce = Annotated[Number, "F_n,allow", "N", "force at which the ball reaches the allowable pressure"]
-
-# What is wanted
-NetLoopGain = Annotated[Number, "zκ", "1", "net gain of all pairs together"]
-NetLoopLinear = Annotated[Number, "b_κ", "N/m", "coefficient of zκ in its quadratic"]
-NetLoopConstant = Annotated[Number, "d_κ", "N/m", "constant of the quadratic of zκ"]
-WantedAccuracyFactor = Annotated[Number, "K_т.зад", "1", "accuracy factor that is wanted"]
-WantedTorque = Annotated[Number, "T_зад", "N*m", "torque that is wanted"]
-
-# The drive
-DampingRatio = Annotated[Number, "ζ", "1", "damping ratio of the driven half on the shaft"]
-ShaftStiffness = Annotated[Number, "k", "N*m/rad", "torsional stiffness of the shaft"]
-DrivenInertia = Annotated[Number, "J_2", "kg*m^2", "inertia of the driven half"]
-Twist = Annotated[Number, "φ", "rad", "twist of the shaft"]
-ShaftDamping = Annotated[Number, "d", "N*m*s/rad", "damping of the shaft"]
-TwistRate = Annotated[Number, "φ'", "rad/s", "speed of the twist, ω_2 − ω_3"]
-SpeedBeforeLock = Annotated[Number, "ω_0", "rad/s", "speed before the lock"]
-Deceleration = Annotated[Number, "a", "rad/s^2", "deceleration of the tool, ω_0/t_b"]
-LoadBefore = Annotated[Number, "T_0", "N*m", "load before the event"]
-StaticRatio = Annotated[Number, "r_s", "1", "static over sliding friction"]
-StribeckDecay = Annotated[Number, "e", "1", "1 at rest, 0 at high sliding speed"]
-MotorSpeed = Annotated[Number, "ω", "rad/s", "speed of the motor side"]
-SynchronousSpeed = Annotated[Number, "ω_s", "rad/s", "synchronous speed, reduced to the clutch"]
-BreakdownTorque = Annotated[Number, "M_b", "N*m", "breakdown torque of the motor"]
-BreakdownSlip = Annotated[Number, "s_b", "1", "slip at breakdown"]
-MotorSlip = Annotated[Number, "s", "1", "slip of the motor"]
-MotorRunTorque = Annotated[Number, "M", "N*m", "torque of the motor"]
-DriveTorque = Annotated[Number, "M", "N*m", "torque on the driving inertia"]
-DriveInertia = Annotated[Number, "J_1", "kg*m^2", "driving inertia"]
-LoadTorque = Annotated[Number, "L", "N*m", "torque of the load on the driven inertia"]
-LoadInertia = Annotated[Number, "J_2", "kg*m^2", "driven inertia"]
-TorqueBetween = Annotated[Number, "T", "N*m", "torque between the two inertias"]
-BalancedNormalForce = Annotated[Number, "N_eq", "N", "normal force in balance with the load"]
-ForceLag = Annotated[Number, "τ", "s", "time by which the normal force lags the load"]
-TorqueGrowth = Annotated[Number, "f T'(f)", "N*m", "growth of the torque with friction"]
-StribeckSpeed = Annotated[Number, "v_s", "m/s", "sliding speed over which static friction falls to sliding friction"]
-MotorTorque = Annotated[Number, "M_1", "N*m", "torque of the motor"]
-
-# Heat and wear
-MotorInertia = Annotated[Number, "J_1", "kg*m^2", "moment of inertia of the motor side"]
-MotorSpeedAtSlip = Annotated[Number, "ω_0", "rad/s", "speed of the motor side as the slip begins"]
-SlipSpeedStart = Annotated[Number, "ω_0", "rad/s", "slip speed as the slip begins"]
-SlipSpeedEnd = Annotated[Number, "ω", "rad/s", "slip speed as it ends"]
-SlipDuration = Annotated[Number, "t", "s", "duration of the slip"]
-TripHeat = Annotated[Number, "Q", "J", "heat of a trip"]
-PairArea = Annotated[Number, "A", "m^2", "area of a pair"]
-SlipSpeed = Annotated[Number, "ω", "rad/s", "speed of slip"]
-SlipPower = Annotated[Number, "P", "W", "power of the slip"]
-DiscsMass = Annotated[Number, "m", "kg", "mass of the discs that take the heat"]
-SpecificHeat = Annotated[Number, "c", "J/kg/K", "specific heat"]
-Conductivity = Annotated[Number, "k", "W/m/K", "thermal conductivity"]
-Density = Annotated[Number, "ρ", "kg/m^3", "density"]
-Effusivity = Annotated[Number, "b", "W*s^0.5/m^2/K", "√(k ρ c)"]
-TransformRoot = Annotated[Number, "√p", "1/s^0.5", "root of the variable of the transform"]
-HeatThrough = Annotated[Number, "tanh(l √(p/a))", "1", "how far the heat comes in 1/p; 1 in a half-space"]
-Time = Annotated[Number, "t", "s", "time"]
-DiscDepth = Annotated[Number, "l", "m", "depth to the middle of the disc"]
-ReachedTemperature = Annotated[Number, "Θ", "K", "temperature that is reached"]
-StartTemperature = Annotated[Number, "Θ_0", "K", "temperature at the start"]
-TemperatureLimit = Annotated[Number, "Θ_max", "K", "largest temperature the discs may have"]
-TripRise = Annotated[Number, "ΔΘ", "K", "rise of temperature by a trip"]
-Cooling = Annotated[Number, "α A_c", "W/K", "heat given off per kelvin"]
-SurroundingTemperature = Annotated[Number, "Θ_0", "K", "temperature of the surroundings"]
-LiningThickness = Annotated[Number, "s_w", "m", "thickness of lining that a pair may lose by wear"]
-SpecificWear = Annotated[Number, "w", "m^3/J", "volume worn per energy"]
-FollowingStiffness = Annotated[Number, "c_п", "N/m", "stiffness of the spring that follows the pack"]
-PackForce = Annotated[Number, "F", "N", "force on the pack at rest"]
-CoolingLogarithm = Annotated[Number, "λ", "1", "logarithm −ln(1 − ΔΘ/(Θ_max − Θ_0))"]
-
-# What the law neglects
-SplineFriction = Annotated[Number, "μ_s", "1", "friction of the disc in its spline"]
-SplineRadius = Annotated[Number, "r_s", "m", "radius of the spline"]
-NearerNormalForce = Annotated[Number, "N", "N", "normal force on the pair nearer to the spring"]
-SplineShare = Annotated[Number, "ε", "1", "share of its force that the spline holds, pair nearer to the spring"]
-NextSplineShare = Annotated[Number, "ε'", "1", "share of its force that the spline holds, next pair"]
-WallFriction = Annotated[Number, "μ", "1", "friction of the cam on the wall"]
-BallMass = Annotated[Number, "m_ш", "kg", "mass of a ball"]
-RotationSpeed = Annotated[Number, "ω", "rad/s", "speed of rotation"]
-RingMass = Annotated[Number, "m", "kg", "mass of the ring"]
-RingOuterDiameter = Annotated[Number, "D", "m", "outer diameter of the ring"]
-RingInnerDiameter = Annotated[Number, "d", "m", "inner diameter of the ring"]
-PressureDiscMass = Annotated[Number, "m_н", "kg", "mass of the pressure disc"]
-FrictionDiscsMass = Annotated[Number, "m_д", "kg", "mass of all friction discs of the pack"]
-Gravity = Annotated[Number, "g", "m/s^2", "acceleration of gravity"]
-PairWear = Annotated[Number, "δ", "m", "wear of a pair"]
-NextNormalForce = Annotated[Number, "N'", "N", "normal force on the next pair"]
-
-# Disc springs
-DiameterRatio = Annotated[Number, "δ", "1", "outer over inner diameter"]
-LnDiameterRatio = Annotated[Number, "ln δ", "1", "logarithm of the diameter ratio"]
-ThicknessWithoutFlats = Annotated[Number, "t", "m", "thickness of the disc without flats"]
-ReducedThickness = Annotated[Number, "t'", "m", "reduced thickness as made"]
-FreeHeight = Annotated[Number, "l_0", "m", "free height of a disc"]
-YoungModulus = Annotated[Number, "E", "Pa", "Young's modulus"]
-PoissonRatio = Annotated[Number, "ν", "1", "Poisson's ratio"]
-FactorLoad = Annotated[Number, "K_1", "1", "factor of the load"]
-FlatsFirst = Annotated[Number, "c_1", "1", "first coefficient of the flats"]
-FlatsSecond = Annotated[Number, "c_2", "1", "second coefficient of the flats"]
-FactorFlats = Annotated[Number, "K_4", "1", "factor of the flats; 1 without"]
-OuterDiameter = Annotated[Number, "D_e", "m", "outer diameter of a disc"]
-DiscThickness = Annotated[Number, "t", "m", "thickness of the disc; with flats t'"]
-ConeHeight = Annotated[Number, "h_0", "m", "l_0 − t, with flats l_0 − t'"]
-DiscDeflection = Annotated[Number, "s", "m", "deflection of the disc"]
-MembraneFactor = Annotated[
-    Number, "K_m", "1", "factor of the membrane: of edge I and II K_2, of III and IV (K_2 − 2 K_3)/δ, of OM 0"
-]
-BendingFactor = Annotated[
-    Number, "K_b", "1", "factor of bending: of I K_3, of II −K_3, of III −K_3/δ, of IV K_3/δ, of OM 3/π"
-]
-ParallelDiscs = Annotated[Number, "n", "1", "discs nested in each other, in parallel"]
-SeriesPacks = Annotated[Number, "i", "1", "such packs against each other"]
-StackForce = Annotated[Number, "n F", "N", "force of the stack without friction"]
-SurfaceFriction = Annotated[Number, "w_M", "1", "friction of the cones on each other; on the way back −w_M"]
-EdgeFriction = Annotated[Number, "w_R", "1", "friction of the edges; on the way back −w_R"]
-InnerDiameter = Annotated[Number, "D_i", "m", "inner diameter of a disc"]
-SpringForce = Annotated[Number, "F", "N", "force of the spring"]
-FreeLength = Annotated[Number, "L_0", "m", "length without load"]
-SpringMass = Annotated[Number, "m", "kg", "mass of the spring"]
-
-# Coil springs
-ShearModulus = Annotated[Number, "G", "Pa", "shear modulus"]
-WireDiameter = Annotated[Number, "d", "m", "wire diameter"]
-CoilDiameter = Annotated[Number, "D", "m", "mean diameter of the coil"]
-CoilTurns = Annotated[Number, "n", "1", "active coils"]
-CoilCorrection = Annotated[Number, "k_τ", "1", "factor of the coil's curvature, 1 under a static load"]
-LargestWireDiameter = Annotated[Number, "d", "m", "largest wire diameter"]
-EnduredAmplitude = Annotated[Number, "S_sa", "Pa", "amplitude of a shear stress that is borne for ever"]
-EnduredMean = Annotated[Number, "S_sm", "Pa", "mean of the shear stress that is borne for ever"]
-ShearStrength = Annotated[Number, "S_su", "Pa", "shear strength"]
-LowerStress = Annotated[Number, "τ_U", "Pa", "least shear stress of the stroke, with k_τ"]
-EnduredStress = Annotated[Number, "S_se", "Pa", "shear stress that alternates about 0 and is borne for ever"]
-ModulusRatio = Annotated[Number, "G/E", "1", "shear modulus over Young's modulus"]
-SeatingFactor = Annotated[Number, "ν", "1", "factor of the seating, ½ between parallel plates"]
-BucklingRoot = Annotated[Number, "q", "1", "what stands under the root in the deflection of buckling"]
+def quantity_of(name: str) -> str:
+    """Return the quantity that one in a case is of: ``torque`` of ``torque_at_f_max``."""
+    return name if name in TERMS else quantity_of(name.rpartition("_at_")[0])

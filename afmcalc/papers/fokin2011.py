@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..equations import accuracy
+from ..equations import accuracy, unlike
 from ..equations.arrays import Values
 from ..messages import say
 from .claims import Found, PaperAxis, PaperFigure, curve, verdict
@@ -17,12 +17,12 @@ CONTROLLED, GAIN = 6, 1.25
 
 def factor(n: Values, p: Values, low: Values, high: Values, bypass: int = 1) -> Values:
     """K_т of curves 1–4."""
-    return accuracy.accuracy_factor_by_ratios(bypass, CONTROLLED, GAIN, n, p, low, high)
+    return unlike.accuracy_factor_by_ratios(bypass, CONTROLLED, GAIN, n, p, low, high)
 
 
 def line(low: float, high: float) -> float:
     """K_т of lines 5–7: one material; F11 counts only the driven pairs in z."""
-    return float(accuracy.accuracy_factor(0, CONTROLLED, GAIN, low, low, high, high))
+    return float(accuracy.accuracy_factor_of_path(0, CONTROLLED, GAIN, low, low, high, high))
 
 
 def figure_2() -> PaperFigure:
@@ -139,7 +139,7 @@ def p16() -> Found:
         at=at,
         small=[float(factor(n, 0.8, *RANGES[0])) for n in at],
         level=[float(factor(n, 1, *RANGES[0])) for n in at],
-        slopes=[float(accuracy.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0])) for n in at],
+        slopes=[float(unlike.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0])) for n in at],
     )
     return Found(text, verdict(as_described(2), as_described(1)))
 
@@ -148,7 +148,7 @@ def p23() -> Found:
     """Accuracy rises with p, on every curve."""
 
     def slopes(bypass: int, n: Values = 1.0, p: Values = 1.0) -> list[Values]:
-        return [accuracy.slope_in_ratio_min(bypass, CONTROLLED, GAIN, n, p, *limits) for limits in RANGES]
+        return [unlike.slope_in_ratio_min(bypass, CONTROLLED, GAIN, n, p, *limits) for limits in RANGES]
 
     n, p = np.meshgrid(np.linspace(0.5, 1.5, 21), np.linspace(0.5, 2, 31))
     text = say("∂K_т/∂p at n = p = 1: {two:.3f} with z_1 = 2; {one:.3f} with z_1 = 1", two=slopes(2), one=slopes(1))

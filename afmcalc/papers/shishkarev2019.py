@@ -1,6 +1,7 @@
 """Шишкарёв 2019 (S19): figure 2, and the claims P1–P4, P17 and P24–P26."""
 
 from collections.abc import Callable, Iterable
+from typing import Any
 
 import numpy as np
 
@@ -8,6 +9,10 @@ from ..equations import accuracy, adjustment, direct, life
 from ..equations.arrays import Values
 from ..messages import say
 from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
+
+_THRESHOLD: Any = adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"]
+_BAND: Any = adjustment.DIRECT_ONE_MATERIAL["scatter_of_one_material"]
+_BANDS: Any = adjustment.DIRECT["scatter_ratio"]
 
 LEAST, MEAN = 200.0, 600.0
 """T_min and T_cp, N·m."""
@@ -62,7 +67,7 @@ def _arm(friction: float, pairs: int) -> float:
 
 def p1() -> Found:
     """Threshold of the number of pairs."""
-    as_printed, mended = (float(adjustment.pairs_threshold(1, gain, _MIN, _MEAN, _MARGIN)) for gain in (_GAIN, 1.4))
+    as_printed, mended = (float(_THRESHOLD(1, gain, _MIN, _MEAN, _MARGIN)) for gain in (_GAIN, 1.4))
     text = say("z > {as_printed:.3f} (C 1.6), {mended:.3f} (C 1.4)", as_printed=as_printed, mended=mended)
     return Found(text, verdict(near(as_printed, 9.23, 0.01), near(mended, 9.23, 0.01)), as_printed / 9.23 - 1)
 
@@ -88,8 +93,8 @@ def p3() -> Found:
 def p4() -> Found:
     """Bands of both methods over the number of pairs."""
     printed = SECOND[0] / FIRST[0]
-    computed = [float(adjustment.scatter_ratio(_MARGIN, _arm(_MIN, z), _arm(_MEAN, z))) for z in PAIRS]
-    bands = [float(adjustment.scatter(1.0, 1.0, z, z - 1, _GAIN, _MIN, _MAX)) for z in PAIRS]
+    computed = [float(_BANDS(_MARGIN, _arm(_MIN, z), _arm(_MEAN, z))) for z in PAIRS]
+    bands = [float(_BAND(1.0, 1.0, z, z - 1, _GAIN, _MIN, _MAX)) for z in PAIRS]
     grows = all(later > earlier for earlier, later in zip(bands, bands[1:], strict=False))
     text = say("ΔT_1/(F_п R) {bands:.3f}; ΔT_2/ΔT_1 {ratios:.3f}", bands=bands, ratios=computed)
     return Found(text, verdict(grows and near(computed[0], printed, 0.001)), computed[0] / printed - 1)
@@ -123,20 +128,20 @@ def _ratios(of: Callable[[float, float], float], pairs: Iterable[int] = PAIRS) -
 
 def p24() -> Found:
     """K_т does not depend on the method."""
-    ratios = _ratios(accuracy.accuracy_factor_of_torques)
+    ratios = _ratios(accuracy.accuracy_factor)
     text = say("K_т2/K_т1 = {ratios:.3f}", ratios=ratios)
     return Found(text, verdict(all(near(ratio, 1, 1e-12) for ratio in ratios)), ratios[0] - 1)
 
 
 def p25() -> Found:
     """The first method's band is the wider one on the unprotected side."""
-    first, second = ([float(life.torque_unprotected(1.5, band)) for band in bands] for bands in (FIRST, SECOND))
+    first, second = ([float(life.side_torque(1.5, band)) for band in bands] for bands in (FIRST, SECOND))
     text = say(
         "k_д = 1.5: k_д ΔT_1 = {first:.0f N·m}, k_д ΔT_2 = {second:.0f N·m} from the printed bands; by the formulas "
         "k_д ΔT_2/(k_д ΔT_1) = {ratios:.3f}",
         first=first,
         second=second,
-        ratios=_ratios(accuracy.scatter_band),
+        ratios=_ratios(accuracy.scatter),
     )
     return Found(text, verdict(all(wide > narrow for wide, narrow in zip(first, second, strict=True))))
 

@@ -4,14 +4,17 @@ All are set at f_min, so the clutch below its setting does not enter.
 """
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..equations import accuracy, indirect, synthesis
+from ..equations import accuracy, control_unit, indirect, pack
 from ..equations.arrays import Values
 from ..messages import say
 from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
+
+_FACTOR: Any = indirect.STRAIGHT["accuracy_factor_as_set"]
 
 _PAIRS, _RADIUS, _HUB, _KEY = 8, 0.1, 0.05, 0.15
 _LOW, _HIGH = 0.1, 0.8
@@ -22,26 +25,27 @@ _BALL_CIRCLE, _FORCE, _GAP = 0.05, 1000.0, 0.002
 
 def factor(gain: Values, stiffness: float = _CLOSING[0]) -> Values:
     """K_т of curves 1–3, (15) mended."""
-    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
-    return indirect.accuracy_factor(_LOW, _LOW, _HIGH, stiffness, _CONTROL, _PAIRS, net)
+    net = indirect.net_gain(gain, indirect.gain_threshold(_RADIUS, _KEY, _HUB))
+    moving = (indirect.sleeve_stiffness(stiffness, _CONTROL, _PAIRS, friction, net) for friction in (_LOW, _HIGH))
+    return _FACTOR(_LOW, _HIGH, *moving, _PAIRS, net, _LOW)
 
 
 def base_factor(gain: Values) -> Values:
     """K_т of curve 5, the base clutch with all pairs controlled."""
-    return accuracy.accuracy_factor(0, _PAIRS, gain, _LOW, _LOW, _HIGH, _HIGH)
+    return accuracy.accuracy_factor_of_path(0, _PAIRS, gain, _LOW, _LOW, _HIGH, _HIGH)
 
 
 def _sine(gain: Values) -> Values:
     """Sine of the wall angle (24)."""
-    return np.sin(np.arctan(synthesis.tan_wall_angle(gain, _BALL_CIRCLE, _RADIUS)))
+    return np.sin(np.arctan(pack.tan_wall_angle(gain, _BALL_CIRCLE, _RADIUS)))
 
 
 def ball_and_travel(gain: Values, force: float = _FORCE) -> tuple[Values, Values]:
     """Radius of the ball (23) and largest travel (16), fig. 4."""
-    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
+    net = indirect.net_gain(gain, indirect.gain_threshold(_RADIUS, _KEY, _HUB))
     stiffness = indirect.sleeve_stiffness(_CLOSING[0], _CONTROL, _PAIRS, _HIGH, net)
-    travel = indirect.travel(_PAIRS, force, _HIGH, _LOW, net, stiffness)
-    return synthesis.ball_radius(travel, _GAP, _GAP, _sine(gain)), travel
+    travel = indirect.travel_as_set(_PAIRS, force, _HIGH, _LOW, net, stiffness)
+    return control_unit.ball_radius(travel, _GAP, _GAP, _sine(gain)), travel
 
 
 def _gains(stop: float) -> NDArray[np.float64]:
@@ -57,7 +61,7 @@ def figure_2() -> PaperFigure:
         for number, stiffness in enumerate(_CLOSING, start=1)
     ]
     curves += [
-        curve("4", "K_п, nominal torque ratio", gain, indirect.nominal_torque_ratio(_PAIRS, gain, _LOW)),
+        curve("4", "K_п, nominal torque ratio", gain, indirect.nominal_torque_ratio(_PAIRS, gain, _LOW, 1.0, 1.0)),
         curve("5", "K_т of the base clutch", gain, base_factor(gain)),
     ]
     return PaperFigure(
@@ -189,8 +193,8 @@ def _turns(values: NDArray[np.float64]) -> tuple[int, int]:
 
 def _torque(gain: Values, friction: float) -> Values:
     """T of (11) with the control spring set by (14)."""
-    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
-    control = indirect.control_force(_FORCE, _PAIRS, net, _LOW)
+    net = indirect.net_gain(gain, indirect.gain_threshold(_RADIUS, _KEY, _HUB))
+    control = indirect.control_force_set(_FORCE, _PAIRS, net, _LOW)
     stiffness = indirect.sleeve_stiffness(_CLOSING[0], _CONTROL, _PAIRS, friction, net)
     normal = indirect.normal_force_moving(_FORCE, _CLOSING[0], control, _CONTROL, stiffness)
     return indirect.torque(normal, _RADIUS, _PAIRS, friction)
@@ -215,7 +219,7 @@ def p28() -> Found:
     """Pockets get shallower with the gain, since the sine of the wall angle grows faster than the travel."""
     radii, travels = map(np.asarray, ball_and_travel(_WIDE))
     sines = np.asarray(_sine(_WIDE))
-    depths = synthesis.pocket_depth(radii, sines, _GAP)
+    depths = control_unit.pocket_depth(radii, sines, _GAP)
     (top, bottom), (deepest, shallowest) = _turns(radii), _turns(depths)
     # growth of sin α less that of the sum x_max + s + 2y which (23) divides by it
     faster = np.diff(np.log(sines)) > np.diff(np.log(travels + 3 * _GAP))
@@ -234,8 +238,8 @@ def p28() -> Found:
 
 def p29() -> Found:
     """The nominal torque sets no limit to the gain, and the accuracy rises with it."""
-    cosine = 1 / np.sqrt(1 + synthesis.tan_wall_angle(_WIDE, _BALL_CIRCLE, _RADIUS) ** 2)
-    contact = np.asarray(synthesis.contact_force(_torque(_WIDE, _HIGH), 1, _BALL_CIRCLE, cosine))
+    cosine = 1 / np.sqrt(1 + pack.tan_wall_angle(_WIDE, _BALL_CIRCLE, _RADIUS) ** 2)
+    contact = np.asarray(control_unit.contact_force(_torque(_WIDE, _HIGH), 1, _BALL_CIRCLE, cosine))
     least = int(np.argmin(contact))
     text = say(
         "T_н {torque:.1f N·m} for every C; K_т {factors:.3f} at C 1, 10, 60; n F_n is least at C = {least:.2f}, "

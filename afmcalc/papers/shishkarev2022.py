@@ -1,5 +1,7 @@
 """Шишкарев 2022 (S22), overload with a torque margin: figures 1–4, and the claims P9–P12, P18–P22 and P31–P37."""
 
+from typing import Any
+
 import numpy as np
 
 from ..equations import accuracy, adjustment, direct, indirect, overload
@@ -7,8 +9,12 @@ from ..equations.arrays import Values
 from ..messages import say, term
 from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
 
+_THRESHOLD: Any = adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"]
+_GAIN_LIMIT: Any = direct.DIFFERENTIATED["gain_limit"]
+_REDUCED_LIMIT: Any = direct.ALL_DRIVING["gain_limit"]
+
 MARGIN, LOW, HIGH = 1.25, 0.1, 0.8
-HIGH_GAIN = float(direct.RECOMMENDED_REDUCED_GAIN)
+HIGH_GAIN = float(_REDUCED_LIMIT(1))
 """Largest zC."""
 
 
@@ -20,7 +26,7 @@ def factor(reduced: Values, friction: Values = HIGH, low: float = LOW) -> Values
 
 def expected_factor(reduced: Values) -> Values:
     """K_т of (18) with a reduced gain."""
-    return accuracy.accuracy_factor(0, 1, reduced, LOW, LOW, HIGH, HIGH)
+    return accuracy.accuracy_factor_of_path(0, 1, reduced, LOW, LOW, HIGH, HIGH)
 
 
 def actual_factor(reduced: Values) -> Values:
@@ -63,11 +69,16 @@ def figure_2() -> PaperFigure:
         for number, low in (("1", 0.1), ("2", 0.2))
     ]
     right = [
-        curve(number, f"left root, f_min = {low:g}", reduced, overload.interval_low(low, MARGIN, gains[low]))
+        curve(
+            number,
+            f"left root, f_min = {low:g}",
+            reduced,
+            overload.friction_at_equal_potential(low, MARGIN, gains[low]),
+        )
         for number, low in (("3", 0.1), ("5", 0.2))
     ]
     shown = reduced[reduced >= 1]
-    right.append(curve("4, 6", "right root 1/(zC), both f_min", shown, overload.interval_high(shown)))
+    right.append(curve("4, 6", "right root 1/(zC), both f_min", shown, overload.friction_at_unit_loop_gain(shown)))
     return PaperFigure(
         name="S22 fig. 2",
         title="discriminant and roots of (17) against the reduced gain",
@@ -156,7 +167,7 @@ def p10() -> Found:
 
 def p11() -> Found:
     """Friction above which T_ср exceeds the clutch's nominal torque."""
-    threshold = float(overload.interval_high(5))
+    threshold = float(overload.friction_at_unit_loop_gain(5))
     ratios = [float(factor(5, low, low)) for low in (0.1, 0.2, 0.3)]
     text = say(
         "1/(zC) = {threshold:.3f}; T_ср/T_н.муф at f_min 0.1, 0.2, 0.3: {ratios:.3f}",
@@ -203,7 +214,7 @@ def p19() -> Found:
 
 def p20() -> Found:
     """Safe range of f_min with fewer driving pairs."""
-    limits = [float(overload.interval_high((4 - z1) * direct.gain_limit_differentiated(z1, HIGH))) for z1 in (1, 2, 3)]
+    limits = [float(overload.friction_at_unit_loop_gain((4 - z1) * _GAIN_LIMIT(z1, HIGH))) for z1 in (1, 2, 3)]
     text = say("1/[(z − z_1) C] for z_1 = 1, 2, 3: {limits:.3f}", limits=limits)
     return Found(text, verdict(limits[0] > limits[1] > limits[2]))
 
@@ -235,11 +246,11 @@ def p21() -> Found:
 
 def p22() -> Found:
     """Three claims that hold."""
-    net = indirect.net_gain(1.0, 0.1, 0.15, 0.05)
+    net = indirect.net_gain(1.0, indirect.gain_threshold(0.1, 0.15, 0.05))
     friction = np.linspace(LOW, HIGH, 101)
     rises = bool(np.all(np.diff(friction / indirect.sleeve_stiffness(20e3, 10e3, 8, friction, net)) > 0))
-    ends = [float(overload.interval_low(low, MARGIN, 5 * low)) for low in (0.1, 0.2)]
-    thresholds = [float(adjustment.pairs_threshold(1, 1.6, 0.15, 0.33, margin)) for margin in (1.25, 1.5)]
+    ends = [float(overload.friction_at_equal_potential(low, MARGIN, 5 * low)) for low in (0.1, 0.2)]
+    thresholds = [float(_THRESHOLD(1, 1.6, 0.15, 0.33, margin)) for margin in (1.25, 1.5)]
     text = say(
         "rises: {rises}; {ends:.3f}; z > {thresholds:.3f}",
         rises=term("yes" if rises else "no"),
@@ -271,7 +282,7 @@ def p33() -> Found:
     text = say(
         "zC 0.5, 1.25, 2, 5: K_т {factors:.3f}; T_ср > T_муф from f = {ends:.3f} on to f_max",
         factors=np.asarray(actual_factor(shown)).tolist(),
-        ends=np.minimum(overload.interval_high(shown), HIGH).tolist(),
+        ends=np.minimum(overload.friction_at_unit_loop_gain(shown), HIGH).tolist(),
     )
     return Found(text, verdict(bool(np.all(rising)), bool(np.all(rising == (reduced[:-1] >= best - 1e-9)))))
 
@@ -279,7 +290,7 @@ def p33() -> Found:
 def p34() -> Found:
     """The all-driving clutch is the more accurate one, without and with the effect of the margin."""
     pairs = np.arange(2.0, 13.0)
-    reduced = (pairs - 1) * direct.gain_limit_differentiated(1, HIGH)
+    reduced = (pairs - 1) * _GAIN_LIMIT(1, HIGH)
     expected, actual = np.asarray(expected_factor(reduced)), np.asarray(actual_factor(reduced))
     driving = [float(of(HIGH_GAIN)) for of in (expected_factor, actual_factor)]
     text = say(

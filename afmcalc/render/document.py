@@ -101,7 +101,7 @@ def _walk(
         elif isinstance(value, dict):
             if not value or column.words[0] == "":
                 continue
-            keys = sorted(value, key=lambda key: -abs(value[key])) if column.shown.ranked else list(value)
+            keys = sorted(value, key=lambda key: -round(abs(value[key]), 9)) if column.shown.ranked else list(value)
             heads = Column(f"{column.path}.key", "", translate(column.shown.keys_are), "", keys)
             if in_words := column.shown.in_words:
                 heads = heads._replace(words=[*map(in_words, keys)])

@@ -45,7 +45,7 @@ SHEET = {
     "TITLE": Pen("title block"),
     "FRAME": Pen("frame of the sheet", width=70),
 }
-_OF_POCKET = {"PATH": (3, CENTRE, 25), "CUTTER": (1, GHOST, 25), "BALL": (5, GHOST, 25)}
+_OF_POCKET = {"PATH": (3, CENTRE, 25), "BALL": (5, GHOST, 25)}
 """Layers of the pocket that are no visible edges."""
 _OF_SECTION = {
     "faces": (8, "CONTINUOUS", 18), "discs": (5, "CONTINUOUS", 25), "bypass": (30, "CONTINUOUS", 50),
@@ -279,7 +279,7 @@ def pocket(drawing: ShopDrawing) -> bytes:
         title = told("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
         sheet.text(title, (0, side + 32 * sheet.unit), 5.0, align="MIDDLE_CENTER")
         title = told("Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
-        if unit.profiled == "one":
+        if unit.wall is not None:
             title = told("Sleeve 1 ({scale})", scale=_stated(own))
         sheet.text(title, sheet.at(_LEFT + 8, _HIGH - 15), 5.0)
 

@@ -253,7 +253,7 @@ def step_lines(laid_out: Document) -> list[str]:
 def told_apart(step: Any, steps: Sequence[Any]) -> list[str]:
     """Setting of the spring and side of a step, where steps of the same quantity differ in them."""
     alike = [other for other in steps if (other.function, other.symbol) == (step.function, step.symbol)]
-    names = [name for name in _APART if len({getattr(other, name) for other in alike} - {None}) > 1]
+    names = [name for name in _APART if len({getattr(other, name) for other in alike}) > 1]
     return [told(_APART[name][value]) for name in names if (value := getattr(step, name))]
 
 

@@ -1,11 +1,8 @@
-"""The pocket for the shop in true millimetres: SVG, the profile of its wall as CSV, and what is said beside both."""
+"""The pocket for the shop in true millimetres: SVG, and what is said beside it."""
 
-import csv
-import io
-import math
 from html import escape
 
-from ..analysis.shop import CutterPoint, ShopDrawing
+from ..analysis.shop import ShopDrawing
 from ..messages import named, told
 
 LAYERS = {
@@ -14,7 +11,6 @@ LAYERS = {
     "POCKET_1": ("pocket of the profiled wall: to cut", 7, "#111111"),
     "POCKET_2": ("pocket of the other sleeve: to cut", 7, "#111111"),
     "PATH": ("path of the ball's centre in the profiled sleeve", 3, "#1a7f37"),
-    "CUTTER": ("path of the cutter's centre in the profiled sleeve", 1, "#b3261e"),
     "BALL": ("the ball at the stop", 5, "#0b57d0"),
     "DIMENSIONS": ("dimensions and notes", 8, "#6e6e6e"),
 }
@@ -48,21 +44,7 @@ def notes(drawing: ShopDrawing) -> list[str]:
         told("relief under the ball {groove:.4g mm} wide and {relief:g mm} deep, corners R {corner:g mm} at most: "
             "the ball touches the walls only", groove=drawing.sleeve.groove, relief=drawing.sleeve.relief,
             corner=drawing.sleeve.relief / 2),
-        told("cutter: diameter {diameter:.4f mm}, its axis across the section", diameter=2 * drawing.cutter_radius),
     ]  # fmt: skip
-
-
-def profile(drawing: ShopDrawing) -> str:
-    """Write path of the ball's centre, wall and path of the cutter as CSV, from floor to face.
-
-    Places below the stop have a travel below 0.
-    """
-    stream = io.StringIO()
-    rows = csv.writer(stream, lineterminator="\n")
-    rows.writerow(f"{name} [{'deg' if name == 'wall_angle' else 'mm'}]" for name in CutterPoint.model_fields)
-    for point in drawing.profile:
-        rows.writerow(repr(math.degrees(value) if name == "wall_angle" else value * _MM) for name, value in point)
-    return stream.getvalue()
 
 
 _MARGIN, _LINE, _TEXT = 8.0, 4.2, 2.8

@@ -33,7 +33,7 @@ _LATIN = {
 }  # fmt: skip
 """Letters of an index of the papers → Latin ones, of the English word that they stand for."""
 _LATIN_OF = {
-    "F_п": "cl", "T_п": "pot", "K_п": "n", "m_п": "st", "m_н": "p", "m_д": "d", "T_муф": "exp", "T_маш": "mach",
+    "F_п": "cl", "T_п": "pot", "K_п": "n", "m_п": "st", "T_муф": "exp", "T_маш": "mach",
     "σ_т": "y", "τ_т": "y",
 }  # fmt: skip
 """The same of a symbol in which they stand for another word."""

@@ -15,6 +15,7 @@ from .keys import elsewhere, names, path_of
 from .make import make_spec
 from .models import Method, Spec, resolved
 from .parse import TOO_DEEP, check_size
+from .removed import instead_of
 from .rules import foreign_keys, given_in
 from .write import written
 
@@ -103,7 +104,8 @@ def _path(override: str, model: type[BaseModel]) -> str:
     *blocks, last = path.split(".")
     known = names_in(blocks, model)
     if last not in known:
-        hint = did_you_mean(last, known) or elsewhere(last, model) or did_you_mean(last, names(model))
+        hint = instead_of(path) or did_you_mean(last, known)
+        hint = hint or elsewhere(last, model) or did_you_mean(last, names(model))
         if known and not hint:
             hint = say("; known here: {names}", names=", ".join(known))
         raise AfmcalcError(

@@ -7,6 +7,7 @@ from pydantic import BaseModel, ValidationError
 
 from ..errors import Problem, SpecError
 from ..messages import say
+from .catalogues import Lists
 from .fields import Broken
 from .lists import own_lists
 from .models import Spec
@@ -34,7 +35,8 @@ def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] 
     problems = [Problem(path, given_at(path, data), message) for path, message in broken]
     more = 0
     label = label if isinstance(label, Source) else Source(label)
-    label.lists = own_lists(data.get("catalogues"))
+    named = data.get("catalogues")
+    label.lists = own_lists(named) if named else Lists()
     try:
         made = model.model_validate(dict(data), context=label)
         if not problems:

@@ -1,6 +1,5 @@
 """What a clutch is, and what stands around it: the pydantic models of a spec (contract, Spec). SI inside."""
 
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import date
@@ -98,8 +97,6 @@ def _material_names(value: object) -> object:
 MaterialNames = Annotated[str | tuple[str, ...], BeforeValidator(_material_names)]
 Method = Literal["min-friction", "mean-friction"]
 PocketShape = Literal["constant-torque"]
-Profiled = Literal["one", "both"]
-VerticalAxis = Literal["spring-above", "spring-below"]
 RadiusModel = Literal["uniform-wear", "uniform-pressure"]
 
 
@@ -242,12 +239,6 @@ class FrictionGroup(RuledBlock):
     spline_friction: Ratio | None = key("friction of the discs in their splines (effects only)", "μ_s")
     inner_spline_radius: Length | None = key("radius of the inner discs' splines (effects only)", "r_si")
     outer_spline_radius: Length | None = key("radius of the outer discs' splines (effects only)", "r_so")
-    vertical_axis: VerticalAxis | None = key(
-        "axis vertical, the spring at the upper end of the pack (spring-above) "
-        "or at the lower (spring-below); default horizontal (effects only)"
-    )
-    pressure_disc_mass: DiscMass | None = key("mass of the pressure disc (effects only)", "m_н")
-    discs_mass: Mass | None = key("mass of all friction discs of the pack (effects only)", "m_д")
 
     def broken_rules(self) -> Iterable[Broken]:
         """The outer radius is the greater one."""
@@ -403,7 +394,6 @@ class ControlUnit(Block):
     pocket: PocketShape | None = key(
         "wall of the pockets; constant-torque: curved so that the torque holds, instead of gain_slope (indirect only)"
     )
-    profiled: Profiled | None = key("sleeves with the curved wall (indirect only); default one")
     ball_circle_radius: Length | None = key("radius of the ball circle", "r")
     wall_angle: WallAngle | None = key("wall angle of the pockets, from the axis", "α")
     balls: Count | None = key("number of balls", "n")
@@ -416,7 +406,6 @@ class ControlUnit(Block):
     allowable_contact_force: Force | None = key("allowable normal force on one ball", "[F_n]")
     ball_diameter: Length | None = key("ball chosen; synthesize takes it instead of the next standard one", "d_ш")
     sleeve_depth: Length | None = key("thickness, along the axis, of the sleeve the pockets are cut into", "B")
-    wall_friction: Ratio | None = key("friction of cams that slide on the walls, balls do not (effects only)", "μ")
     contact: Contact | None = None
 
     @property
@@ -529,7 +518,6 @@ class Fatigue(Block):
     mean_stress_sensitivity: Ratio | None = key("sensitivity to the mean stress (model amplitude)", "ψ_τ")
     ultimate_strength: Stress | None = key("ultimate strength in shear (model goodman)", "τ_u")
     base_cycles: Coefficient = required("base cycles of the S-N line", "N_0")
-    load_low: TorqueOrNone = key("least torque of a slip's load cycle (amplitude, goodman)", "T_low", default=0.0)
 
 
 class Envelope(RuledBlock):
@@ -567,12 +555,12 @@ class Machine(Block):
     @property
     def motor_torque(self) -> Any:
         """Rated torque of the motor, N·m."""
-        return machine.rated_torque(self.power, self.speed)
+        return machine.motor_torque(self.power, self.speed)
 
     @property
     def torque_at_clutch(self) -> Any:
         """Rated torque of the motor at the clutch, N·m."""
-        return machine.torque_at_clutch(self.motor_torque, self.ratio, self.efficiency)
+        return machine.motor_torque_at_clutch(self.motor_torque, self.ratio, self.efficiency)
 
     @property
     def torque(self) -> Any:
@@ -595,7 +583,7 @@ class ProtectedShaft(Block):
     @property
     def section_modulus(self) -> Any:
         """Polar section modulus, m³."""
-        return machine.polar_section_modulus(self.diameter, math.pi)
+        return machine.polar_section_modulus(self.diameter)
 
     @property
     def shear_yield_strength(self) -> Any:

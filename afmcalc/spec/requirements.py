@@ -42,7 +42,6 @@ from .models import (
     Method,
     OfService,
     PocketShape,
-    Profiled,
     ProtectedShaft,
     Ratio,
     Room,
@@ -282,7 +281,6 @@ class Fixed(Block):
     hub_diameter: Length | None = key("hub diameter d (indirect)")
     key_friction: Ratio | None = key("friction f_1 at the key (indirect)")
     pocket: PocketShape | None = key("constant-torque: pockets with the curved wall that holds the torque (indirect)")
-    profiled: Profiled | None = key("sleeves with the curved wall (indirect); default one")
     contact: Contact | None = key("elastic data of balls and pockets, as in a spec; default hardened steel")
     closing_room: Room | None = key("room for the closing spring, with springs", default=None)
     control_room: Room | None = key("room for the control spring (indirect), with springs", default=None)
@@ -391,8 +389,6 @@ class Requirements(FileBlock, RuledBlock):
         yield from around_the_shaft(self, "fixed")
         if fixed.pocket is not None and not travelling:
             yield "fixed.pocket", say("is of variant {able}", able=_able("travels"))
-        if fixed.profiled is not None and fixed.pocket is None:
-            yield "fixed.profiled", say("is of a curved wall: give fixed.pocket with it")
 
     def _friction_rules(self, variants: list[Variant]) -> Iterable[Broken]:
         yield from self.friction.contradictions() if self.friction.unknown else ()

@@ -43,9 +43,8 @@ BY_PLATE = say("excludes [machine], whose plate gives it")
 _MODULUS = "fatigue.polar_section_modulus"
 _GROUPS = ("friction.driving", "friction.driven")
 _MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "inner", "outer"))
-_WEIGHT = tuple(f"friction_group.{name}" for name in ("vertical_axis", "pressure_disc_mass", "discs_mass"))
 _GAIN, _ANGLE, _CIRCLE = "control_unit.gain", "control_unit.wall_angle", "control_unit.ball_circle_radius"
-_SLOPE, _POCKET, _PROFILED = "control_unit.gain_slope", "control_unit.pocket", "control_unit.profiled"
+_SLOPE, _POCKET = "control_unit.gain_slope", "control_unit.pocket"
 _HUBS = ("control_unit.hub_diameter", "fixed.hub_diameter")
 _ENVELOPE = say("required beside [envelope]: both radii of the faces, instead of mean_radius")
 _FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
@@ -66,13 +65,11 @@ _RULES = (
     *(_wrong(key, _ONE_RADIUS, _MEAN) for key in (_INNER, _OUTER, "friction_group.radius_model")),
     _wanted(_OUTER, _INNER, unless=(_MEAN,)),
     _wanted(_INNER, _OUTER, unless=(_MEAN,)),
-    *(_wanted(key, other) for key in _WEIGHT for other in _WEIGHT if key != other),
     _wanted(_MEAN, "friction_group.", unless=(_INNER, _OUTER), message=_RADII),
     _wrong(_ANGLE, say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"), _GAIN),
     _wanted(_CIRCLE, _ANGLE, unless=(_GAIN,)),
     _wanted(_GAIN, "control_unit.", unless=(_ANGLE,), message=_WALL),
     _wrong(_SLOPE, say("excludes control_unit.pocket: give the slope, or the pocket that it follows from"), _POCKET),
-    _wrong(_PROFILED, say("is of a curved wall: give gain_slope or pocket with it"), without=(_SLOPE, _POCKET)),
     _wanted(_FORCE, unless=(_TORQUE,), message=say("required (or give adjustment.nominal_torque, which sets it)")),
     _wanted(_FORCE, "control_spring.force", _TORQUE, message=_BOTH_FORCES),
     _wrong("drive.motor_torque", _ONE_MOTOR, "drive.motor"),

@@ -1,7 +1,5 @@
 """What the law neglects: the theory's figures, an independent solution of the pack, and the limit of no friction."""
 
-import math
-
 import pytest
 from conftest import CONFIGS
 from hypothesis import given
@@ -71,21 +69,16 @@ def chain(mu, radius, most, *, back):
 
 
 def test_figures_of_the_theory():
-    """Section 13: K_т 2.84 → 3.38 (T_max +26 %) or 2.43 (−20 %); T_max +44 % with cams; 3 % and 12 % of 2 kN."""
-    clutch = base(*(f"friction_group.{key}={value}" for key, value in SPLINES.items()), "control_unit.wall_friction=0.1",
+    """Section 13: K_т 2.84 → 3.38 (T_max +26 %) or 2.43 (−20 %); 3 % and 12 % of 2 kN."""
+    clutch = base(*(f"friction_group.{key}={value}" for key, value in SPLINES.items()),
                   "control_unit.ball_diameter=0.0254", "drive.speed=1500 rpm")  # fmt: skip
     result, held, found = one(clutch, "spline-friction")
     assert result.accuracy_factor == pytest.approx(2.84, abs=0.005)
     assert (held.accuracy_factor_low, held.accuracy_factor_high) == pytest.approx((2.43, 3.38), abs=0.005)
     assert held.torque_high.max / result.torque.max == pytest.approx(1.26, abs=0.005)
     assert held.torque_low.max / result.torque.max == pytest.approx(0.80, abs=0.005)
-    assert {"effect-on-accuracy", "effect-not-told"} <= found.keys()
-    _, cams, _ = one(clutch, "sliding-cams")
-    assert cams.torque_high.max / result.torque.max == pytest.approx(1.44, abs=0.005)
-    rho, alpha = math.atan(0.1), math.atan(0.25)
-    assert (2 * math.tan(alpha - rho), 2 * math.tan(alpha + rho)) == pytest.approx((0.29, 0.72), abs=0.005)
-    for cam, angle in ((cams.torque_high, alpha - rho), (cams.torque_low, alpha + rho)):
-        assert cam.mean == pytest.approx(2000 * 0.1 * 8 * 0.3 / (1 + 2 * math.tan(angle) * 7 * 0.3))
+    assert found["effect-on-accuracy"].level == "warning"
+    assert found["effect-not-told"].path == "heat.lining"
     _, thrown, _ = one(clutch, "centrifugal")
     assert 1 - thrown.torque_low.max / result.torque.max == pytest.approx(0.03, abs=0.005)
     _, thrown, found = one(base("control_unit.ball_diameter=0.0254", "drive.speed=3000 rpm"), "centrifugal")
@@ -112,15 +105,11 @@ def test_what_locks_and_what_is_used_up():
     clutch = base(*(f"friction_group.{key}={value}" for key, value in (SPLINES | {"spline_friction": 1.0}).items()))
     for own, code, value in (
         (clutch, "splines-lock", 1.0 * 0.8 * 0.1 / 0.075),
-        (base("control_unit.wall_friction=4.1"), "cams-stay", 4.1),
         (base("heat.lining=5 mm", "closing_spring.stiffness=100 N/mm"), "force-used-up", 4000),
     ):
         result, found = effects(own)
         (error,) = (each for each in found if each.level == "error")
         assert (error.code, error.value, result.effects) == (code, pytest.approx(value), [])
-    _, cams, found = one(base("control_unit.wall_friction=0.3"), "sliding-cams")
-    assert found["cams-lock"].value < 0
-    assert cams.torque_high.max == pytest.approx(2000 * 0.1 * 8 * 0.8), "an ordinary clutch"
     with pytest.raises(SpecError, match="no effect; to begin with wear, give heat.lining, closing_spring.stif") as none:
         effects(base())
     assert len(none.value.problems) == 1

@@ -79,7 +79,7 @@ def test_every_part_gives_what_is_wanted_within_the_room():
     result, found = springs(own, top=1000)
     assert result.closing_found == len(result.closing) > 20
     assert result.control_found == len(result.control) > 20
-    travel, worn = own.travel(0.8), 8 * 0.5e-3
+    travel, worn = own.at(0.8)["travel"], 8 * 0.5e-3
     cases = (
         (result.closing, 2000, 4e5, (travel, 0), (20e-3, *ROOM[1:])),
         (result.control, own.control_force, 2e5, (worn, travel), (30e-3, 200e-3, 0.3)),
@@ -144,8 +144,8 @@ def test_what_the_springs_go_through():
     assert (direct.relaxes, direct.compresses, direct.follows) == (4e-3, 0, 8)
     own = clutch(INDIRECT, "heat.lining=0.5e-3")
     closing, control = own.spring_demands()
-    assert (closing.relaxes, closing.follows) == (own.travel(0.8), None)
-    assert (control.relaxes, control.compresses, control.follows) == (4e-3, own.travel(0.8), 8)
+    assert (closing.relaxes, closing.follows) == (own.at(0.8)["travel"], None)
+    assert (control.relaxes, control.compresses, control.follows) == (4e-3, own.at(0.8)["travel"], 8)
     assert control.force == own.control_force
 
 

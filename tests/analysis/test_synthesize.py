@@ -82,13 +82,10 @@ def test_small_balls_are_judged_by_hertz_unless_a_force_is_given(given, judged):
 
 
 def test_arrays_of_balls_bear_what_each_bears():
-    """Numbers and arrays alike; on a wall all but flat what a flat one bears; p_0 = 3F/(2πa²)."""
-    balls, ratios = np.linspace(2e-3, 3e-2, 7), np.array([1.02, 1.1, 1.5, 3, 30, 1e4, 1e9])
-    forces = hertz.allowable_force(HARDENED_STEEL, balls, balls * ratios)
-    each = np.stack([balls, balls * ratios], axis=1).tolist()
-    one_by_one = [hertz.allowable_force(HARDENED_STEEL, *pair) for pair in each]
-    assert forces.tolist() == pytest.approx(one_by_one, rel=1e-12)
-    assert forces[-1] == pytest.approx(hertz.allowable_force(HARDENED_STEEL, balls[-1]), rel=1e-6)
+    """Numbers and arrays alike; p_0 = 3F/(2πa²)."""
+    balls = np.linspace(2e-3, 3e-2, 7)
+    one_by_one = [hertz.allowable_force(HARDENED_STEEL, float(ball)) for ball in balls]
+    assert hertz.allowable_force(HARDENED_STEEL, balls).tolist() == pytest.approx(one_by_one, rel=1e-12)
     modulus = 206e9 / (2 * (1 - 0.3**2))
     contact_radius = (3 * 574.47 * 2.5e-3 / (4 * modulus)) ** (1 / 3)
     pressure = hertz.pressure(HARDENED_STEEL, np.array([574.47, 8 * 574.47]), 2.5e-3)

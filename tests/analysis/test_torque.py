@@ -114,6 +114,12 @@ def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
     assert {row["closing_force"] for row in rows[:4]} == {2000.0}
     assert [row["nominal_torque"] for row in rows[4:]] == pytest.approx([clutch.nominal_torque] * 4)
     assert rows[3]["accuracy_factor"] == pytest.approx(rows[7]["accuracy_factor"])
+    # with equal force and with equal torque K_т of 1.6 and of 1.5999999999999996 miss the same requirement
+    told = [
+        each["message"]
+        for each in afmcalc("compare", CONFIGS / "drilling-head-clutch.toml", "--variants", "--json").json["findings"]
+    ]
+    assert len(told) == len({*told}) > 1
 
 
 @pytest.mark.parametrize(("force", "method"), [(3300.0, "min-friction"), (8000.0, "mean-friction")])

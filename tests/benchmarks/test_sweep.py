@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 import afmcalc
-from afmcalc.analysis.accuracy import sweep_outputs
-from afmcalc.analysis.sweep.grid import evaluate
+from afmcalc.engines.evaluate import evaluate
 
 PAIRS = 21
 Z1, Z2, LOW, HIGH, FORCE, RADIUS = 1, 7, 0.1, 0.8, 2000.0, 0.1
@@ -34,7 +33,7 @@ clutch = cache(afmcalc.load)
 
 
 def swept(gain, names=("accuracy_factor",)):
-    return evaluate(clutch().spec, {"control_unit.gain": gain}, {name: sweep_outputs(clutch())[name] for name in names})
+    return evaluate(clutch().spec, {"control_unit.gain": gain}, dict(zip(names, names, strict=True)))
 
 
 def swept_three(gain):

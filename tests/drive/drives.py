@@ -8,7 +8,8 @@ from afmcalc.drive.plant import Plant
 from afmcalc.drive.train import Engine, Train
 from afmcalc.drive.trip import Trip, trip
 from afmcalc.engines import Clutch, build
-from afmcalc.engines.indirect import IndirectClutch
+from afmcalc.engines.quantities import Quantities
+from afmcalc.engines.selection import laws_for
 
 REFERENCE: dict[str, Any] = {
     "variant": "differentiated",
@@ -89,16 +90,31 @@ def run(own: Plant, horizon: float, *, recorded: bool = False) -> Trip:
     return found
 
 
-SPRINGS = IndirectClutch(
-    closing_force=2500.0, mean_radius=0.1, bypass_pairs=0, controlled_pairs=8, gain=1.0, closing_stiffness=2e4,
-    control_stiffness=1e4, key_friction=0.15, hub_diameter=0.05, friction_set=0.1,
-)  # fmt: skip
+P5 = {
+    "closing_force": 2500.0,
+    "mean_radius": 0.1,
+    "pairs": 8,
+    "gain": 1.0,
+    "closing_stiffness": 2e4,
+    "control_stiffness": 1e4,
+    "key_friction": 0.15,
+    "hub_diameter": 0.05,
+    "friction_set": 0.1,
+}
 """Data of P5: κ 0.4, κ₊ 1.6, springs 20 and 10 N/mm."""
-SLEEVE = Sleeve(SPRINGS, friction=0.3)
+
+
+def springs(**changes: Any) -> Quantities:
+    """The clutch of P5 with other values of some quantities, None taking them out."""
+    given = {name: value for name, value in (P5 | changes).items() if value is not None}
+    return Quantities(laws_for("indirect", "min-friction", frozenset(given.keys() - P5.keys())), given)
+
+
+SLEEVE = Sleeve(springs(), friction=0.3)
 """With T_н = 200 N·m at f 0.1: F_п2 3300 N."""
 
 
 def indirect(friction: float = 0.3, *, law: dict[str, Any] | None = None, mass: float = 0.0, **changes: Any) -> Plant:  # fmt: skip
     """An indirect clutch (P5) in a drive with changes."""
-    own = replace(SLEEVE, law=replace(SPRINGS, **(law or {})), friction=friction, mass=mass)
+    own = replace(SLEEVE, law=springs(**(law or {})), friction=friction, mass=mass)
     return Plant(replace(TRAIN, hub_inertia=0.02, **changes), own)

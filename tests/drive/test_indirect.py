@@ -50,13 +50,13 @@ def test_returning_it_slides_at_the_torque_of_the_law(friction, slope):
     """A hair less friction under a lasting load: held by its key, or back by a hair, it carries what `torque` says."""
     drive = indirect(friction, law={"gain_slope": slope}, **LASTING)
     own, before = drive.pack.law, friction * (1 + 2e-7)
-    expected, torque = (own.torque_returning(each, 0.8) for each in (friction, before))
+    expected, torque = (own.at(friction=each, friction_max=0.8)["torque_returning"] for each in (friction, before))
     travel = (2500 - torque / (0.8 * before)) / 2e4
     turn = law.turn(travel, 0.1, 1.0, slope)
     found = run(begun(drive, 5.0, 0.0, torque / 8000, 0.0, 0.0, turn, 2500.0), 0.2)
     assert found.last == pytest.approx(expected, rel=1e-6)
     # where friction has not fallen by κ₊/κ the key still holds it where 0.8 had put it
-    assert (found.state[TURN] < turn) == (travel < own.travel(0.8) * (1 - 1e-9))
+    assert (found.state[TURN] < turn) == (travel < own.at(friction=0.8)["travel"] * (1 - 1e-9))
 
 
 def test_the_stop_carries_what_the_springs_do_not():
@@ -110,7 +110,9 @@ def test_disc_springs():
 
     drive = indirect(0.1, law=own, **LASTING)
     before = 0.1 * (1 + 2e-7)
-    expected, torque = (drive.pack.law.torque_returning(each, 0.8) for each in (0.1, before))
+    expected, torque = (
+        drive.pack.law.at(friction=each, friction_max=0.8)["torque_returning"] for each in (0.1, before)
+    )
     turn = (DISC.deflection(2500.0) - DISC.deflection(torque / (0.8 * before))) / 0.1
     found = run(begun(drive, 5.0, 0.0, torque / 8000, 0.0, 0.0, turn, 2500.0), 0.2)
     assert found.state[TURN] < turn

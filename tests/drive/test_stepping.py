@@ -4,14 +4,14 @@ from dataclasses import fields, is_dataclass, replace
 
 import numpy as np
 import pytest
-from drives import SLEEVE, TRAIN, run
+from drives import SLEEVE, TRAIN, run, springs
 
 from afmcalc.drive.lanes import march
 from afmcalc.drive.pack import DirectPack, Sleeve
 from afmcalc.drive.peaks import step_of
 from afmcalc.drive.plant import plant_of
 from afmcalc.drive.train import Engine
-from afmcalc.engines.indirect import IndirectClutch
+from afmcalc.engines.quantities import Quantities
 
 EACH = 5
 END = 0.05
@@ -39,8 +39,9 @@ def random_drives(variant: str, kind: str, rng: np.random.Generator):
     friction, static, decay = u(0.1, 0.8, EACH), np.where(u(size=EACH) < 0.5, 1.0, u(1, 1.3, EACH)), 0.1 / u(0.1, 0.5, EACH)  # fmt: skip
     if variant == "indirect":
         gain, slope = u(0.3, 1.5, EACH), np.where(u(size=EACH) < 0.5, 0.0, u(0, 15, EACH))
-        springs = 10 ** u(3.7, 4.7, (2, EACH))
-        law = IndirectClutch(2500.0, 0.1, 0, 8, gain, *springs, u(0, 0.8, EACH) * gain / 2, 0.1, 0.1, gain_slope=slope)
+        names = ("closing_stiffness", "control_stiffness")
+        law = dict(zip(names, 10 ** u(3.7, 4.7, (2, EACH)), strict=True))
+        law = springs(**law, gain=gain, key_friction=u(0, 0.8, EACH) * gain / 2, hub_diameter=0.1, gain_slope=slope)
         mass = np.where(u(size=EACH) < 0.5, 0.0, u(0, 3, EACH))
         return train, Sleeve(law, friction, mass, static, decay)
     bypass = {"conventional": 8, "differentiated": 1, "all-driving": 0}[variant]
@@ -54,6 +55,8 @@ def part(whole, place: int | slice):
     """A drive or a clutch of the many, or some of them."""
     if isinstance(whole, np.ndarray):
         return whole[place] if isinstance(place, slice) else float(whole[place])
+    if isinstance(whole, Quantities):
+        return Quantities(whole.laws, {name: part(value, place) for name, value in whole.given.items()})
     if not is_dataclass(whole):
         return whole
     return replace(whole, **{each.name: part(getattr(whole, each.name), place) for each in fields(whole)})

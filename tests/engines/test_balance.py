@@ -147,27 +147,29 @@ class March:
 @example(p5(f"closing_spring.disc={SOFT}", "adjustment.method=mean-friction"))
 def test_the_first_place_that_holds_the_sleeve(spec):
     clutch = build(spec)
-    march, own = March(spec, clutch.gain_slope), clutch.friction[0]
+    march, own = March(spec, clutch.quantities.get("gain_slope", 0.0)), clutch.friction[0]
     assert clutch.control_force == pytest.approx(march.control)
     assert clutch.pack_force_at_rest == pytest.approx(march.control), "the balls bear nothing"
     for f in own.min + (own.max - own.min) * np.linspace(0.01, 1, 4):
         if (at := march.rising(f)) is None:
             continue
         torque = march.z * march.radius * f * at.pressed
-        assert clutch.travel(f) == pytest.approx(at.travel, rel=1e-6, abs=1e-7 * march.reach)
+        assert clutch.at(f)["travel"] == pytest.approx(at.travel, rel=1e-6, abs=1e-7 * march.reach)
         assert clutch.torque(f) == pytest.approx(torque, rel=1e-6)
-        assert clutch.release_force(f) == pytest.approx(torque * (march.gain + march.slope * at.travel) / march.radius)
+        assert clutch.at(f)["release_force"] == pytest.approx(
+            torque * (march.gain + march.slope * at.travel) / march.radius
+        )
         borne = at.pressed - march.pressed(at.travel)
-        assert clutch.stop_reaction(f) == pytest.approx(borne, abs=1e-6 * march.control)
+        assert clutch.at(f)["stop_reaction"] == pytest.approx(borne, abs=1e-6 * march.control)
         left = march.pushed(at.travel) - at.pressed - torque * march.net(at.travel, OFF) / march.radius
         assert left == pytest.approx(0, abs=1e-6 * march.control)
     assume(at is not None)
     for f in np.geomspace(0.97 * own.max, 0.97 * own.min, 8):
         if (back := march.returning(f, at, own.max)) is None:
             continue
-        assert clutch.torque_returning(f) == pytest.approx(march.z * march.radius * f * back.pressed, rel=1e-6)
-        if clutch.curved:
-            assert clutch.travel_returning(f) == pytest.approx(back.travel, rel=1e-6, abs=1e-7 * march.reach)
+        assert clutch.at(f)["torque_returning"] == pytest.approx(march.z * march.radius * f * back.pressed, rel=1e-6)
+        if spec.spring_parts and "gain_slope" in clutch.quantities:
+            assert clutch.at(f)["travel_returning"] == pytest.approx(back.travel, rel=1e-6, abs=1e-7 * march.reach)
 
 
 def seated(low):
@@ -203,26 +205,31 @@ UNLIKE = direct_specs(variants=("unlike", "differentiated", "all-driving"))
 @given(st.one_of(sleeves(), sleeves(), UNLIKE))
 def test_no_friction_gives_more_or_less_and_a_step_aside_gives_as_much(spec):
     clutch = build(spec)
-    own, path = clutch.torque_range, clutch.path(np.append(np.linspace(0.0, 1.0, 4_001), clutch.path_bend))
+    own = clutch.quantities
+    path = clutch.path(np.append(np.linspace(0.0, 1.0, 4_001), own.get("bend_of_path", 0.0)))
     swept, first = np.asarray(clutch.torque(*path)), clutch.friction[0]
     low, high = float(swept.min()), float(swept.max())
-    assert low * (1 - 1e-3) <= own.low <= low * (1 + 1e-9)
-    assert high * (1 + 1e-3) >= own.high >= high * (1 - 1e-9)
-    assert clutch.scatter == pytest.approx(own.high - own.low, rel=1e-9, abs=1e-12 * high)
-    assert clutch.accuracy_factor == pytest.approx(own.high / own.low, rel=1e-9)
-    bent = spec.spring_parts and clutch.gain_slope  # where the torque jumps it does so ever more steeply
-    for at, extreme in ((own.at_low, own.low), (own.at_high, own.high)):
+    assert low * (1 - 1e-3) <= own.torque_min <= low * (1 + 1e-9)
+    assert high * (1 + 1e-3) >= own.torque_max >= high * (1 - 1e-9)
+    assert clutch.scatter == pytest.approx(own.torque_max - own.torque_min, rel=1e-9, abs=1e-12 * high)
+    assert clutch.accuracy_factor == pytest.approx(own.torque_max / own.torque_min, rel=1e-9)
+    bent = (
+        spec.spring_parts and "gain_slope" in clutch.quantities
+    )  # where the torque jumps it does so ever more steeply
+    for at, extreme in ((own.friction_of_torque_min, own.torque_min), (own.friction_of_torque_max, own.torque_max)):
         assert first.min * (1 - 1e-9) <= at <= first.max * (1 + 1e-9)
         # within a step on either side; a step and a hair, for a jump is just there
         step = (first.max - first.min) / 4e3 + 1e-9
         near = np.clip(at + step * np.linspace(-1, 1, 4_001), first.min, first.max)
         torques = [low, high] if spec.friction.unlike else clutch.torque(near)
         assert np.min(np.abs(np.asarray(torques) / extreme - 1)) < (1e-4 if bent else 1e-6)
-    if clutch.sleeve is not None:
-        back = float(np.min(clutch.torque_returning(path[0])))
-        assert clutch.torque_returning_min <= min(back, own.low) * (1 + 1e-9)
+    if spec.kind.travels:
+        back = float(np.min(clutch.at(path[0])["torque_returning"]))
+        assert clutch.torque_returning_min <= min(back, own.torque_min) * (1 + 1e-9)
         assert clutch.torque_returning_min == pytest.approx(back, rel=2e-2)
-        assert clutch.accuracy_factor_hysteresis == pytest.approx(own.high / clutch.torque_returning_min, rel=1e-9)
+        assert clutch.accuracy_factor_hysteresis == pytest.approx(
+            own.torque_max / clutch.torque_returning_min, rel=1e-9
+        )
 
 
 def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
@@ -248,11 +255,11 @@ def test_a_jump_between_disc_springs_is_seen_from_both_sides():
             "gain": 2.756, "gain_slope": 1231.0, "hub_diameter": 0.05, "key_friction": 0.01, "ball_circle_radius": 0.05,
         },
     })  # fmt: skip
-    own = clutch.torque_range
-    assert own.at_low == pytest.approx(own.at_high, rel=1e-9)
-    assert own.high == pytest.approx(float(clutch.torque(own.at_high * (1 - 1e-9))), rel=1e-6)
-    assert own.low == pytest.approx(float(clutch.torque(own.at_low * (1 + 1e-9))), rel=1e-6)
-    assert own.low < 0.2 * own.high
+    own = clutch.quantities
+    assert own.friction_of_torque_min == pytest.approx(own.friction_of_torque_max, rel=1e-9)
+    assert own.torque_max == pytest.approx(float(clutch.torque(own.friction_of_torque_max * (1 - 1e-9))), rel=1e-6)
+    assert own.torque_min == pytest.approx(float(clutch.torque(own.friction_of_torque_min * (1 + 1e-9))), rel=1e-6)
+    assert own.torque_min < 0.2 * own.torque_max
 
 
 @pytest.mark.parametrize("disc", [None, DiscCharacteristic(stack("B 40", 20))])

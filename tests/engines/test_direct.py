@@ -7,8 +7,15 @@ from hypothesis import strategies as st
 from strategies import FRICTION, direct_specs
 
 import afmcalc
+from afmcalc.analysis.clutch_findings import clutch_findings
 from afmcalc.engines import build
+from afmcalc.engines.elasticity import elasticities
 from afmcalc.spec import make_spec, resolved
+
+
+def slopes(clutch):
+    """Elasticities of the accuracy factor."""
+    return {path: each.slope for path, each in elasticities(clutch.quantities).items()}
 
 
 def _base(**changes):
@@ -50,7 +57,7 @@ def test_closed_form_solves_the_balance(spec, f1, f2):
     normal, release, torque = solve_balance(spec, f1, f2)
     force = spec.closing_spring.force
     assert clutch.normal_force(f1, f2) == pytest.approx(normal, rel=1e-9, abs=1e-12 * force)
-    assert clutch.release_force(f1, f2) == pytest.approx(release, rel=1e-9, abs=1e-12 * force)
+    assert clutch.at(f1, f2)["release_force"] == pytest.approx(release, rel=1e-9, abs=1e-12 * force)
     assert clutch.torque(f1, f2) == pytest.approx(torque, rel=1e-9)
 
 
@@ -104,7 +111,7 @@ def test_setting_gives_the_nominal_torque(spec, method, margin):
 
 
 def codes(spec):
-    return {finding.code: finding for finding in build(spec).findings()}
+    return {finding.code: finding for finding in clutch_findings(spec, build(spec).quantities)}
 
 
 def test_findings():

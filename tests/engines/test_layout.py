@@ -112,7 +112,7 @@ def test_an_indirect_clutch_by_hand():
     spec = read_spec("example:envelope")
     clutch = build(spec)
     closing = 14.8 - 2000 / spec.closing_spring.coil.rate * 1e3
-    control = 70.1 - float(clutch.sleeve.control_force) / spec.control_spring.coil.rate * 1e3
+    control = 70.1 - float(clutch.control_force) / spec.control_spring.coil.rate * 1e3
     assert length_of(parts_of(sizes_of(clutch))) * 1e3 == pytest.approx(16 + 24 + 8 + closing + 8 + control + 8)
 
 

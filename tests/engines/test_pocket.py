@@ -5,10 +5,12 @@ import pytest
 from strategies import p5
 
 from afmcalc.analysis.accuracy import accuracy
+from afmcalc.analysis.clutch_findings import clutch_findings
 from afmcalc.analysis.life import life
 from afmcalc.analysis.tolerance.model import Model, inputs_of, with_setting
 from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
+from afmcalc.spec import read_spec
 
 BEST = 18.75
 """C_1* of P5's clutch: (20 + 10) N/mm/(8·0.1·2 kN)."""
@@ -17,6 +19,10 @@ HELD = "control_unit.pocket=constant-torque"
 
 def clutch(*overrides, **blocks):
     return build(p5(*overrides, **blocks))
+
+
+def told(own):
+    return codes(clutch_findings(own.spec, own.quantities))
 
 
 def codes(findings):
@@ -28,10 +34,10 @@ def test_the_torque_does_not_know_the_friction():
     assert held.gain_slope == held.constant_torque_slope == pytest.approx(BEST, rel=1e-15)
     assert held.torque(np.linspace(0.1, 5, 1000)) == pytest.approx(160, rel=1e-12)
     # back under load it is S/κ₊ of the same places: between T_н κ/κ₊ at the stop and T_н
-    kappa, back = 0.4 + BEST * held.travel(0.8), 1.6 + BEST * held.travel(0.8)
-    assert held.torque_returning(0.8 * kappa / back) == pytest.approx(160 * kappa / back, rel=1e-12)
-    assert held.torque_returning(0.1 * 0.4 / 1.6) == pytest.approx(160 * 0.4 / 1.6, rel=1e-12)
-    assert held.accuracy_factor_hysteresis == pytest.approx(160 / held.torque_returning(0.1))
+    kappa, back = 0.4 + BEST * held.at(0.8)["travel"], 1.6 + BEST * held.at(0.8)["travel"]
+    assert held.at(0.8 * kappa / back)["torque_returning"] == pytest.approx(160 * kappa / back, rel=1e-12)
+    assert held.at(0.1 * 0.4 / 1.6)["torque_returning"] == pytest.approx(160 * 0.4 / 1.6, rel=1e-12)
+    assert held.accuracy_factor_hysteresis == pytest.approx(160 / held.at(0.1)["torque_returning"])
 
 
 @pytest.mark.parametrize(
@@ -41,9 +47,9 @@ def test_the_torque_does_not_know_the_friction():
 def test_a_torque_that_falls_is_said(slope, found):
     """D(f_set) = (20 + 10 + 8·20·0.1·0.4) N/mm over 8·0.1·2 kN: 22.75 1/m."""
     given = f"control_unit.gain_slope={slope}"
-    assert codes(clutch(given).findings()) & {"torque-falls-with-travel", "torque-jumps"} == found
+    assert told(clutch(given)) & {"torque-falls-with-travel", "torque-jumps"} == found
     never = clutch(given, "friction.mean=0.8", "adjustment.method=mean-friction")
-    assert not codes(never.findings()) & {"torque-falls-with-travel", "torque-jumps"}, "it rests all the way"
+    assert not told(never) & {"torque-falls-with-travel", "torque-jumps"}, "it rests all the way"
 
 
 def test_life_where_the_torque_jumps():
@@ -52,7 +58,7 @@ def test_life_where_the_torque_jumps():
         "control_unit.gain_slope=30", "adjustment.method=mean-friction", "closing_spring.force=75 kN",
         "closing_spring.stiffness=1500 N/mm", "control_spring.stiffness=750 N/mm", "fatigue.ultimate_strength=5 GPa",
     )  # fmt: skip
-    assert "torque-jumps" in codes(steep.findings())
+    assert "torque-jumps" in told(steep)
     torque, part = steep.torque(np.linspace(0.1, 0.8, 400_001)), steep.spec.fatigue
     assert torque.max() == pytest.approx(float(steep.torque_max), rel=1e-5)
     high = torque / part.polar_section_modulus / 2
@@ -60,7 +66,7 @@ def test_life_where_the_torque_jumps():
     above = stress > part.endurance_limit
     assert 0.2 < above.mean() < 0.8
     damage = np.where(above, (stress / part.endurance_limit) ** part.exponent / part.base_cycles, 0.0).mean()
-    assert life(steep, "goodman")[0].protected.mean_friction == pytest.approx(1 / damage, rel=1e-4)
+    assert life(steep, "goodman")[0].protected.mean_friction == pytest.approx(1 / damage, rel=1e-2), "256 slips"
 
 
 @pytest.mark.parametrize("setting", ["as-made", "each-adjusted"])
@@ -91,3 +97,11 @@ def test_where_pockets_hold_the_torque_an_elasticity_is_one_side_s():
     assert min(factors[0], factors[2]) > 1.0005
     said = [[each.limit for each in findings if each.code == "elasticity-one-sided"] for _, findings in told]
     assert said == [[], [pytest.approx(BEST)], []]
+
+
+def test_a_kink_of_any_key_is_told():
+    """The sleeve leaves its stop just at f_min: below it the stop still bears a part of the control spring."""
+    made = build(read_spec("example:indirect", ["control_spring.force=6608", "friction.min=0.3"]))
+    (told,) = [each for each in accuracy(made)[1] if each.code.startswith("elasticity-one-sided")]
+    assert (told.code, told.path) == ("elasticity-one-sided", "friction.min")
+    assert "control_spring.force" in told.message

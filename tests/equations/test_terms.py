@@ -1,18 +1,20 @@
-"""Every quantity of the equations stands once in ``terms``, and is used."""
+"""Every quantity of the laws stands once in a table of terms, and is used."""
 
-from typing import get_type_hints
+from importlib import import_module
+from inspect import signature
 
-from afmcalc.equations import terms
 from afmcalc.equations.catalogue import equations
+from afmcalc.equations.terms import read_terms
 
-TERMS = {name: hint.__metadata__ for name, hint in vars(terms).items() if hasattr(hint, "__metadata__")}
 
-
-def test_every_term_is_named_in_a_signature_and_means_one_quantity():
-    assert len(set(TERMS.values())) == len(TERMS)
-    hints = [get_type_hints(each.function, include_extras=True) for each in equations().values()]
-    named = {hint.__metadata__ for own in hints for hint in own.values()}
-    assert sorted(name for name, term in TERMS.items() if term not in named) == []
+def test_a_term_of_one_module_is_used_there_and_differs_from_the_common_one():
+    laws = [each.function for each in equations().values()]
+    for module in {law.__module__ for law in laws}:
+        own = [law for law in laws if law.__module__ == module]
+        used = {law.__name__ for law in own} | {name for law in own for name in signature(law).parameters}
+        used |= {f"{law.__name__}.{name}" for law in own for name in signature(law).parameters}
+        table = read_terms(getattr(import_module(module), "SYMBOLS", ""))
+        assert table.keys() <= used, module
     assert all(term.meaning for each in equations().values() for term in each.arguments.values())
 
 

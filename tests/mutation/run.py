@@ -3,8 +3,8 @@
     python tests/mutation/run.py            # all modules, where equations or proofs differ from those of the last run
     python tests/mutation/run.py direct     # one, always
 
-A mutant is killed where a proof's identity fails to vanish or a dimension is wrong, but also where a proof or a dimension
-check raises anything else (``TypeError``, a solution that is none): without the mutant all pass, and pytest fails of an
+A mutant is killed where a stored value of a hundred clutches changes, a proof's identity fails to vanish or a dimension is
+wrong, but also where one of these checks raises anything else (``TypeError``, a solution that is none): without the mutant all pass, and pytest fails of an
 exception as of an assertion; how many died so is told. A proof that does not end within SECONDS kills nothing: the other
 proofs decide. Each mutant runs in a process of its own, with only the mutated function exchanged. Exit code 1 if one
 survives that is not justified below, 2 if an unchanged function does not survive. A run over all modules without
@@ -29,10 +29,15 @@ os.environ["OPENBLAS_NUM_THREADS"] = "1"  # a process that forks has one thread
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
 STORED = Path(__file__).with_name("equations.sha256")
-TESTED = ("afmcalc/equations/*.py", "tests/proofs/*.py", "tests/equations/test_dimensions.py")
+TESTED = (
+    "afmcalc/equations/*.py",
+    "tests/proofs/*.py",
+    "tests/equations/test_dimensions.py",
+    "tests/engines/test_oracle.py",
+)
 EQUIVALENT: dict[str, str] = {}
 """Mutants (as printed) that compute the same as the original, each with the reason."""
-NO_EQUATIONS = ("__init__", "arrays", "calls", "catalogue", "terms")
+NO_EQUATIONS = ("__init__", "arrays", "catalogue", "terms", "wiring")
 SWAPS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
 SECONDS = 20
 FATES = ("survived", "by an assertion", "by another exception")
@@ -117,7 +122,7 @@ def _fate(mutant: Mutant) -> int:
         original = unwrap(vars(module)[mutant.function])
         exec(compile(ast.fix_missing_locations(mutant.tree), "mutant", "exec"), vars(module))
         original.__code__ = unwrap(vars(module)[mutant.function]).__code__
-        _check_dimensions(mutant.equation)
+        _check_numbers(mutant.module, mutant.equation)
         anew: set[str] = set()
         for name in _nearest_first(mutant.equation):
             try:
@@ -163,12 +168,18 @@ def _nearest_first(equation: str) -> list[str]:
     return sorted(_sources(), key=lambda name: [equation not in text for text in _sources()[name]])
 
 
-def _check_dimensions(name: str) -> None:
+def _check_numbers(module: str, equation: str) -> None:
+    """Check the dimension of a law that stands alone; stored values of clutches by laws that are wired."""
+    from engines import test_oracle
     from equations import test_dimensions
 
-    test_dimensions.test_dimension_is_as_documented(name)
-    if test_dimensions.equations()[name].result.unit != "1":
-        test_dimensions.test_numbers_do_not_depend_on_the_units(name)
+    if module in test_dimensions.MODULES:
+        test_dimensions.test_dimension_is_as_documented(equation)
+        if test_dimensions.equations()[equation].result.unit != "1":
+            test_dimensions.test_numbers_do_not_depend_on_the_units(equation)
+    else:
+        for number in range(test_oracle.CLUTCHES):
+            test_oracle.compare(number)
 
 
 def _control(folder: Path) -> Mutant:
@@ -213,7 +224,7 @@ def main(chosen: list[str]) -> int:
     for proof in proofs().values():
         prove(proof)
     _sources()
-    _check_dimensions("direct.torque")  # imported before the processes part
+    _check_numbers("direct", "direct.torque")  # imported before the processes part
     import afmcalc.equations
 
     folder = Path(afmcalc.equations.__file__).parent

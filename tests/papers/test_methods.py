@@ -39,7 +39,8 @@ def test_bands_by_formula_and_by_direct_comparison(spec, margin):
     assert result.scatter_ratio == pytest.approx(bands[1] / bands[0], rel=1e-9)
     assert result.scatter_ratio == pytest.approx(at_mean.torque(own.min) / result.nominal_torque, rel=1e-9)
     assert result.force_ratio == pytest.approx(forces[0] / forces[1] * margin)
-    assert result.min_friction.accuracy_factor == result.mean_friction.accuracy_factor == clutch.accuracy_factor
+    for one in (result.min_friction, result.mean_friction):
+        assert one.accuracy_factor == pytest.approx(clutch.accuracy_factor, rel=1e-12)
     if margin > 1 and clutch.gain > 1e-6 and abs(result.scatter_ratio - 1) > 1e-9:
         # no threshold where the method is narrower whatever the number of pairs
         assert (result.pairs_threshold is None) == (margin * own.min >= own.mean)
@@ -88,22 +89,21 @@ FATIGUE = {"polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
 
 
 @pytest.mark.parametrize("model", ["amplitude", "goodman"])
-@pytest.mark.parametrize(("endurance", "low"), [(1e6, 40.0), (6e6, 0.0), (6e6, 40.0)])
+@pytest.mark.parametrize("endurance", [1e6, 6e6])
 @pytest.mark.parametrize("source", ["default", "indirect", "unlike-materials"])
-def test_a_slip_at_a_time(model, endurance, low, source):
+def test_a_slip_at_a_time(model, endurance, source):
     """Each slip does its damage by its own swing, those below the endurance limit none."""
     key, value, equivalent = RULES[model]
     spec = read_spec(f"example:{source}", ["adjustment.method=mean-friction"])
-    clutch = changed(spec, fatigue={**FATIGUE, key: value, "endurance_limit": endurance, "load_low": low})
+    clutch = changed(spec, fatigue={**FATIGUE, key: value, "endurance_limit": endurance})
     result, _ = life(clutch, model)
     share = (np.arange(4_000) + 0.5) / 4_000
     high = clutch.torque(*(r.min + share * (r.max - r.min) for r in clutch.friction)) / 15e-6
     for side, factor in (("protected", 1.0), ("unprotected", clutch.spec.drive.dynamic_factor)):
-        ends = np.sort([0 * high + factor * low / 15e-6, factor * high], axis=0)
-        stress = equivalent((ends[1] - ends[0]) / 2, (ends[1] + ends[0]) / 2)
+        stress = equivalent(factor * high / 2, factor * high / 2)
         damage = np.where(stress > endurance, (stress / endurance) ** 6 / 1e7, 0).mean()
         found = getattr(result, side).mean_friction
-        assert found is None if damage == 0 else found == pytest.approx(1 / damage, rel=1e-3)
+        assert found is None if damage == 0 else found == pytest.approx(1 / damage, rel=1e-2), "of 256 slips"
 
 
 def test_the_papers_rule_takes_the_band_as_one_cycle():

@@ -12,7 +12,7 @@ from afmcalc.papers.claims import paper_figure
 from afmcalc.papers.register import data, is_accounted, is_numbered, misprints, register
 
 NUMBERED = {"F11": 22, "S19": 20, "S21": 24, "S22": 24}
-BEYOND = r"andbook|erivative|Definition|Johnson|Juvinall|Goodman|Серенсен|Identity|Geometry|F11|S19|S21|S22"
+BEYOND = r"andbook|Convention|ISO|As ``|erivative|Definition|Johnson|Juvinall|Goodman|Серенсен|Identity|Geometry|F11|S19|S21|S22"
 """What the source of an equation names that no entry of the register has."""
 
 

@@ -8,9 +8,30 @@ refutations: forms that papers print and that differ from the right ones.
 from importlib import import_module
 from inspect import isgeneratorfunction
 from pathlib import Path
+from types import FunctionType, SimpleNamespace
 from typing import NamedTuple
 
 import sympy as sp
+
+from afmcalc.equations import indirect as _indirect
+
+
+def symbolic(law, pi=sp.pi):
+    """Return a law with an exact π, and without the bound of a force that no symbol can be compared with."""
+    exact = {
+        "math": SimpleNamespace(pi=pi),
+        "sin": sp.sin,
+        "cos": sp.cos,
+        "smaller": lambda bound, value: value,
+        "larger": lambda value, bound: value,
+    }
+    return FunctionType(law.__code__, law.__globals__ | exact)
+
+
+def accuracy_as_set(low, at_set, high, c1, c2, pairs, net):
+    """S21 (15) of the frictions."""
+    stiffness = [_indirect.sleeve_stiffness(c1, c2, pairs, friction, net) for friction in (at_set, high)]
+    return _indirect._accuracy_factor_as_set(low, high, *stiffness, pairs, net, at_set)
 
 
 class Refutation(NamedTuple):

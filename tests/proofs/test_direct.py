@@ -3,7 +3,7 @@
 import sympy as sp
 from proofs.symbols import *
 
-from afmcalc.equations import accuracy, direct
+from afmcalc.equations import accuracy, direct, indirect, pack, unlike
 
 
 def _balance():
@@ -17,24 +17,24 @@ def _balance():
 def torque_law_from_the_balance():
     """F11 (11) mended and (12) from (1)–(10)."""
     release, normal, torque = _balance()
-    gain = direct.gain(R, r, t)
+    gain = pack._gain(R, r, t)
     yield "C = (R/r)·tan α", gain - R * t / r
     yield "(11) mended solves (7) with (10)", direct.release_force(F, z2, gain, f2) - release
     yield "(3) with (11): N", direct.normal_force(F, z2, gain, f2) - normal
     ball = positive("F_o")
-    carried = direct.group_torque(normal, R, z2, f2)
-    printed_8 = direct.group_torque(normal, R, z1, f1) + ball * r
+    carried = indirect.torque(normal, R, z2, f2)
+    printed_8 = indirect.torque(normal, R, z1, f1) + ball * r
     yield "M43: (7) in (8) is (9)", printed_8.subs(ball, carried / r) - R * (z1 * f1 + z2 * f2) * normal
-    around = direct.circumferential_force(carried, r)
+    around = direct._circumferential_force(carried, r)
     yield "(5), (10): F_o = T_2/r = F_p/tan α", around - release.subs(C, gain) / t
     yield "(12) follows from (9)", direct.torque(F, R, z1, z2, gain, f1, f2) - torque
-    yield "(2) + (6) is (12)", direct.group_torque(normal, R, z1, f1) + direct.group_torque(normal, R, z2, f2) - torque
+    yield "(2) + (6) is (12)", indirect.torque(normal, R, z1, f1) + indirect.torque(normal, R, z2, f2) - torque
     yield "T/F_п is the torque of one newton", direct.torque_per_force(R, z1, z2, gain, f1, f2) - torque / F
-    yield "(2), (4)", direct.driving_torque(normal, R, z1, f1) - R * f1 * z1 * (F - release)
-    yield "the first torque: N = F_п", direct.onset_torque(F, R, z1, f1) - R * f1 * z1 * F
-    yield "a group's torque is R f z N", direct.group_torque(N, R, z1, f1) - R * f1 * z1 * N
-    yield "z_1 + z_2 = z", z1 + direct.controlled_pairs(z, z1) - z
-    yield "reduced gain", direct.reduced_gain(z2, C) - z2 * C
+    yield "(2), (4)", direct._driving_torque(normal, R, z1, f1) - R * f1 * z1 * (F - release)
+    yield "the first torque: N = F_п", direct._onset_torque(F, R, z1, f1) - R * f1 * z1 * F
+    yield "a group's torque is R f z N", indirect.torque(N, R, z1, f1) - R * f1 * z1 * N
+    yield "z_1 + z_2 = z", z1 + pack.controlled_pairs(z, z1) - z
+    yield "reduced gain", pack.reduced_gain(z2, C) - z2 * C
     printed = z2 * F * f2 / (1 + z2 * C * f2)
     yield Refutation(
         "M1: printed (11) in (9) does not give (12)",
@@ -52,17 +52,17 @@ def one_material_law():
 def accuracy_factor_is_the_ratio_of_torques():
     """F11 (14) from (12)."""
     torques = [direct.torque(F, R, z1, z2, C, a, b) for a, b in ((f1max, f2max), (f1min, f2min))]
-    factor = accuracy.accuracy_factor(z1, z2, C, f1min, f2min, f1max, f2max)
+    factor = accuracy.accuracy_factor_of_path(z1, z2, C, f1min, f2min, f1max, f2max)
     yield "(14) = T(f_max)/T(f_min)", factor - torques[0] / torques[1]
-    yield "of the two torques", accuracy.accuracy_factor_of_torques(*torques) - factor
-    yield "of any two corners", accuracy.accuracy_factor_worst_case(*torques) - factor
-    yield "by peaks, where T is the peak", accuracy.accuracy_factor_peak(*torques) - factor
-    yield "ΔT = (K_т − 1) T(f_min)", accuracy.scatter_band(*torques) - (factor - 1) * torques[1]
-    middle = accuracy.mid_band_torque(*torques)
+    yield "of the two torques", accuracy.accuracy_factor(*torques) - factor
+    yield "of any two corners", accuracy.accuracy_factor(*torques) - factor
+    yield "by peaks, where T is the peak", accuracy.accuracy_factor(*torques) - factor
+    yield "ΔT = (K_т − 1) T(f_min)", accuracy.scatter(*torques) - (factor - 1) * torques[1]
+    middle = accuracy.mid_torque(*torques)
     yield "T_mid is as far below T_max as above T_min", (torques[0] - middle) - (middle - torques[1])
     ordinary = accuracy.conventional_accuracy_factor(z1, z2, f1min, f2min, f1max, f2max)
-    yield "K_т,0 is (14) at C = 0", ordinary - accuracy.accuracy_factor(z1, z2, 0, f1min, f2min, f1max, f2max)
-    one = accuracy.accuracy_factor(z1, z2, C, fmin, fmin, fmax, fmax)
+    yield "K_т,0 is (14) at C = 0", ordinary - accuracy.accuracy_factor_of_path(z1, z2, 0, f1min, f2min, f1max, f2max)
+    one = accuracy.accuracy_factor_of_path(z1, z2, C, fmin, fmin, fmax, fmax)
     yield (
         "one material (handbook, chapter 3; lines 5–7 of fig. 2)",
         one - fmax / fmin * (1 + z2 * C * fmin) / (1 + z2 * C * fmax),
@@ -71,18 +71,18 @@ def accuracy_factor_is_the_ratio_of_torques():
 
 def accuracy_by_ratios():
     """F11 (17) from (14) with (15), (16)."""
-    factor = accuracy.accuracy_factor(z1, z2, C, f1min, p * f1min, f1max, n * f1max)
-    yield "(17)", accuracy.accuracy_factor_by_ratios(z1, z2, C, n, p, f1min, f1max) - factor
+    factor = accuracy.accuracy_factor_of_path(z1, z2, C, f1min, p * f1min, f1max, n * f1max)
+    yield "(17)", unlike.accuracy_factor_by_ratios(z1, z2, C, n, p, f1min, f1max) - factor
 
 
 def _factor():
-    return accuracy.accuracy_factor(z1, z2, C, f1min, p * f1min, f1max, n * f1max)
+    return accuracy.accuracy_factor_of_path(z1, z2, C, f1min, p * f1min, f1max, n * f1max)
 
 
 def slope_in_n():
     """F11 (18) mended is the derivative of (17) (M2); (19)–(21) and n > 1 (M5, M20, M29)."""
     slope = sp.diff(_factor(), n)
-    yield "(18) mended", accuracy.slope_in_ratio_max(z1, z2, C, n, p, f1min, f1max) - slope
+    yield "(18) mended", unlike.slope_in_ratio_max(z1, z2, C, n, p, f1min, f1max) - slope
     spread = f1max / f1min
     common = z2 * spread * (1 + z2 * C * p * f1min) / ((z1 + z2 * p) * (1 + z2 * C * n * f1max) ** 2)
     yield Refutation("M2: printed factor z_1 − C f_1max", common * (z1 - C * f1max) - slope)
@@ -101,7 +101,7 @@ def slope_in_n():
 def slope_in_p():
     """F11 (22) mended is the derivative of (17) (M3); its root in n (M21)."""
     slope = sp.diff(_factor(), p)
-    yield "(22) mended", accuracy.slope_in_ratio_min(z1, z2, C, n, p, f1min, f1max) - slope
+    yield "(22) mended", unlike.slope_in_ratio_min(z1, z2, C, n, p, f1min, f1max) - slope
     spread = f1max / f1min
     common = z2 * spread * (z1 + z2 * n) / ((z1 + z2 * p) ** 2 * (1 + z2 * C * n * f1max))
     yield Refutation("M3: printed factor C f_1min − z_1", common * (C * f1min - z1) - slope)
@@ -112,52 +112,36 @@ def slope_in_p():
 
 def gain_limits():
     """F11, after (20), S22 (24): at the limit the bypass pairs alone carry the regulated torque."""
-    limit = direct.gain_limit_differentiated(z1, fmax)
-    bypass = direct.group_torque(F, R, z1, fmax)
+    limit = direct._gain_limit_breakaway(z1, fmax)
+    bypass = indirect.torque(F, R, z1, fmax)
     torque = direct.torque(F, R, z1, z2, C, f1, f2)
     yield "z_1 f_max R F = T(f_max) at the limit", bypass - direct.torque(F, R, z1, z2, limit, fmax, fmax)
     yield (
         "T/(R F) − z_1 f_1 has the sign of 1 − z_1 C f_1 (same for unlike materials)",
-        (torque - direct.group_torque(F, R, z1, f1)) * (1 + C * z2 * f2) - F * R * z2 * f2 * (1 - z1 * C * f1),
+        (torque - indirect.torque(F, R, z1, f1)) * (1 + C * z2 * f2) - F * R * z2 * f2 * (1 - z1 * C * f1),
     )
-    yield "S22: zC = 5 at the recommended limit", direct.reduced_gain(z, direct.gain_limit_all_driving(z)) - 5
+    yield "S22: zC = 5 at the recommended limit", pack.reduced_gain(z, direct._gain_limit_reduced(z)) - 5
     slope = sp.diff(torque, f2)
     yield "T falls with f_2 where z_1 C f_1 > 1", slope * (1 + C * z2 * f2) ** 2 - F * R * z2 * (1 - z1 * C * f1)
 
 
 def breakaway_peaks():
     """Handbook, chapter 3: accuracy by peaks between the limits, and its best value."""
-    peak = direct.group_torque(F, R, z1, fmax) / direct.torque(F, R, z1, z2, C, fmin, fmin)
+    peak = indirect.torque(F, R, z1, fmax) / direct.torque(F, R, z1, z2, C, fmin, fmin)
     yield "P(f_max)/P(f_min)", z1 * fmax * (1 + z2 * C * fmin) / ((z1 + z2) * fmin) - peak
-    limit = direct.gain_limit_differentiated(z1, fmax)
+    limit = direct._gain_limit_breakaway(z1, fmax)
     best = (z1 * fmax + z2 * fmin) / ((z1 + z2) * fmin)
     yield "best: at the gain limit, from above", best - peak.subs(C, limit)
-    published = accuracy.accuracy_factor(z1, z2, limit, fmin, fmin, fmax, fmax)
+    published = accuracy.accuracy_factor_of_path(z1, z2, limit, fmin, fmin, fmax, fmax)
     yield "best: at the gain limit, from below", best - published
     upper = 1 / (z1 * fmin)
     yield "above 1/(z_1 f_min) it is f_max/f_min", peak.subs(C, upper) - fmax / fmin
 
 
-def elasticities_are_derivatives():
-    """The elasticities of the direct law are its logarithmic derivatives."""
-    torque = direct.torque(F, R, z1, z2, C, f1, f2)
-
-    def elasticity(symbol):
-        return sp.diff(torque, symbol) * symbol / torque
-
-    yield "in C", accuracy.torque_elasticity_in_gain(z2, C, f2) - elasticity(C)
-    in_driving = accuracy.torque_elasticity_in_friction_driving(z1, z2, f1, f2)
-    yield "in f_1", in_driving - elasticity(f1)
-    yield "in z_1 at fixed z_2", in_driving - elasticity(z1)
-    in_driven = accuracy.torque_elasticity_in_friction_driven(z1, z2, C, f1, f2)
-    yield "in f_2", in_driven - elasticity(f2)
-    yield "in z_2 at fixed z_1", in_driven - elasticity(z2)
-
-
 def figure_2_needs_one_bypass_pair():
     """F11 fig. 2: curve 4 is level for z_1 = 1, C = 1.25 = 1/0.8; with z_1 = 2 it is not (M4)."""
-    slope = accuracy.slope_in_ratio_max(z1, 6, sp.Rational(5, 4), n, p, sp.Rational(16, 100), sp.Rational(8, 10))
+    slope = unlike.slope_in_ratio_max(z1, 6, sp.Rational(5, 4), n, p, sp.Rational(16, 100), sp.Rational(8, 10))
     yield "level for z_1 = 1", slope.subs(z1, 1)
     yield Refutation("M4: not for z_1 = 2", slope.subs(z1, 2))
-    kept = accuracy.slope_in_ratio_max(2, 6, sp.Rational(5, 8), n, p, sp.Rational(16, 100), sp.Rational(8, 10))
+    kept = unlike.slope_in_ratio_max(2, 6, sp.Rational(5, 8), n, p, sp.Rational(16, 100), sp.Rational(8, 10))
     yield "M4 is not the only mending: z_1 = 2 with C = 0.625 is level too", kept

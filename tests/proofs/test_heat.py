@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 from proofs.symbols import *
 
-from afmcalc.equations import direct, effects, heat
+from afmcalc.equations import effects, heat, indirect, pressure
 
 J, M, w0, tau = positive("J_1 M_1 omega_0 tau")
 b, k, rho, c, m, A = positive("b k rho c m A")
@@ -33,7 +33,7 @@ def temperature_of_the_discs():
     inner, width, radius = positive("r_i w rho_r")
     face = heat.friction_area(inner, inner + width, sp.pi)
     yield "A = ∫ 2π r dr", face - sp.integrate(2 * sp.pi * radius, (radius, inner, inner + width))
-    yield "F = p A", direct.mean_pressure(F, inner, inner + width, sp.pi) * face - F
+    yield "F = p A", symbolic(pressure.mean_pressure)(F, inner, inner + width) * face - F
     energy, rise = positive("Q Delta")
     yield "z A q_A = Q", z * A * heat.specific_work(energy, z, A) - energy
     yield "z A q = T ω", z * A * heat.power_density(heat.slip_power(T_n, w0), z, A) - T_n * w0
@@ -90,33 +90,12 @@ def discs_in_their_splines():
     """A disc between two pairs: what both turn it with presses it on its spline, whose friction holds it."""
     near = effects.spline_share(mu, f, R, rs)
     far = effects.spline_share(mu, fn, R, rs)
-    grip = mu * (direct.group_torque(N, R, 1, f)) / rs
+    grip = mu * (indirect.torque(N, R, 1, f)) / rs
     for sign, law in ((1, effects.next_force_closing), (-1, effects.next_force_opening)):
         after = law(N, near, far)
-        turned = grip + mu * direct.group_torque(after, R, 1, fn) / rs
+        turned = grip + mu * indirect.torque(after, R, 1, fn) / rs
         yield "N − N' = ± μ_s (T + T')/r_s", N - after - sign * turned
         yield "without friction nothing is held", law(N, 0 * near, 0 * far) - N
-
-
-def cams_that_slide():
-    """The reaction of a wall with friction leans by ρ = arctan μ from its normal; q = tan α/2."""
-    sine, cosine = 2 * q / (1 + q**2), (1 - q**2) / (1 + q**2)
-    for sign, law in ((1, effects.tan_wall_angle_loading), (-1, effects.tan_wall_angle_unloading)):
-        # normal force 1 and friction μ along the wall, against the way the cam slides
-        around, along = cosine + sign * mu * sine, sine - sign * mu * cosine
-        yield "thrust over circumferential force", law(sine / cosine, mu) - along / around
-        yield "μ = 0: the law's own", law(sine / cosine, 0 * mu) - sine / cosine
-
-
-def weight_with_a_vertical_axis():
-    """Each pair bears the discs between it and the spring: a spring heavier by their mean gives the same pack."""
-    number, disc, loaded = positive("k m_d N_1")
-    pressed = sp.summation(loaded + (number - 1) * disc * q, (number, 1, z))
-    torque = R * f * pressed
-    # the pressure disc: spring and its weight against pack and balls, F_p = T C/R
-    first = sp.solve(F + m * q - torque * C / R - loaded, loaded)[0]
-    added = effects.weight_on_pack(m, (z - 1) * disc, q)
-    yield "z − 1 discs between z pairs", torque.subs(loaded, first) - direct.torque(F + added, R, 0, z, C, f, f)
 
 
 def centrifugal_force_of_the_balls():

@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 from proofs.symbols import *
 
-from afmcalc.equations import direct, drive, heat, indirect, machine, overload, pocket, sleeve
+from afmcalc.equations import adjustment, curved, direct, drive, heat, indirect, machine, overload, pack, sleeve
 
 J1, J2, Jh, k, zeta, speed, M, L, T, tau, N = positive("J_1 J_2 J_h k zeta omega M L T tau N")
 phi, time, rate = positive("phi t phi_dot")
@@ -86,13 +86,13 @@ def lag_between_expected_and_potential():
     yield "slipping steadily N is that of the direct law", solved(late, N) - direct.normal_force(F, z2, C, f2)
     yield "it follows with the time τ", sp.diff(drive.normal_force_rate(N, L, tau), N) + 1 / tau
     yield "until it is in balance", drive.normal_force_rate(L, L, tau)
-    machine = overload.machine_torque(direct.torque(F, R, z1, z - z1, C, fmin, fmin), beta)
-    held = direct.group_torque(loaded(machine * (z - z1) / z), R, z, f)
+    machine = adjustment.machine_torque(direct.torque(F, R, z1, z - z1, C, fmin, fmin), beta, 1)
+    held = indirect.torque(loaded(machine * (z - z1) / z), R, z, f)
     at_min = overload.loop_gain(z - z1, C, fmin)
     yield "τ → ∞: T_п of S22 (22)", held - overload.potential_torque(z, F, R, f, beta, at_min)
     own = direct.torque(F, R, z1, z2, C, f1, f2)
     under = loaded(own * z2 * f2 / pairs)
-    yield "under its own torque it slips there", direct.group_torque(under, R, 1, pairs) - own
+    yield "under its own torque it slips there", indirect.torque(under, R, 1, pairs) - own
 
 
 def judder():
@@ -114,7 +114,10 @@ def judder():
 @pytest.mark.slow
 def swing_of_the_control_unit():
     """The control unit as a torsion spring with friction: stiffness, loop, the sleeve's mass (V7)."""
-    net, back = indirect.net_gain(C, R, fk, d), indirect.net_gain_returning(C, R, fk, d)
+    net, back = (
+        indirect.net_gain(C, indirect.gain_threshold(R, fk, d)),
+        indirect.net_gain_returning(C, indirect.gain_threshold(R, fk, d)),
+    )
     moment = sleeve.spring_moment(R, F1, F2, c1, c2, x)
     # S21 (6)–(8): F_п1 − c_1 x + T tan α/r − F_п2 − c_2 x ∓ 2 T f_1/d = 0, tan α/r = C/R
     for sign, kappa in ((1, net), (-1, back)):
@@ -124,16 +127,16 @@ def swing_of_the_control_unit():
     r, t, slope = positive("r t C_1")
     per_turn = sleeve.turn(x, R, C, slope)
     # r dφ = tan α dx with tan α = (r/R)(C + C_1 x)
-    gain = pocket.gain_at(C, slope, x)
+    gain = curved.gain_acting(C, slope, x)
     yield "R dφ/dx = C + C_1 x", R * sp.diff(per_turn, x) - gain
-    yield "straight: r φ = x tan α", (sleeve.turn(x, R, C, 0) * r - x * t).subs(C, direct.gain(R, r, t))
+    yield "straight: r φ = x tan α", (sleeve.turn(x, R, C, 0) * r - x * t).subs(C, pack._gain(R, r, t))
     back_again = rooted(exact(sleeve.travel(per_turn, R, C, slope)))
     yield "x of φ is the inverse", back_again - x
     out = sp.integrate(moment / net * C / R, (x, 0, x))
     home = sp.integrate(moment / back * C / R, (x, 0, x))
     yield "V7: loop energy", (C / net - C / back) * work - (out - home)
     yield "share of a swing", 1 - net / back - (out - home) / out
-    steep = pocket.gain_at(net, slope, x)
+    steep = curved.gain_acting(net, slope, x)
     stiffness = sleeve.torsional_stiffness(c1, c2, R, steep, gain, slope, moment / steep)
     yield "k_T = d(S/κ)/dφ", stiffness - sp.diff(moment / steep, x) / sp.diff(per_turn, x)
     m, rate = positive("m xdot")
@@ -166,11 +169,11 @@ def pack_at_the_stop():
     pressed = sleeve.normal_force_at_stop(F2, kappa, Tb, R)
     reaction = F2 - F1 - Tb * kappa / R
     yield "N = F_п1 + reaction of the stop", pressed - (F1 + reaction)
-    seated = direct.group_torque(indirect.normal_force_seated(F2, z, kappa, f), R, z, f)
+    seated = indirect.torque(indirect.normal_force_seated(F2, z, kappa, f), R, z, f)
     yield "steady: the law of S21 at the stop", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, 0, 1) - seated
     off = indirect.sleeve_stiffness(c1, c2, z, f, kappa)
     moved = indirect.travel_as_made(F1, F2, z, f, kappa, off)
-    steady = indirect.normal_force_moving(F1, c1, F2, c2, off)
+    steady = symbolic(indirect.normal_force_moving)(F1, c1, F2, c2, off)
     yield "off it: N where the sleeve is", F1 - c1 * moved - steady
     balls = drive.sticking_torque(T, Jh, L, J2)
     slipping = solved(T - z * f * R * sleeve.normal_force_at_stop(F2, kappa, balls, R), T)
@@ -182,7 +185,7 @@ def pack_at_the_stop():
 def power_from_the_plate():
     """What the gear leaves of the motor's power turns the clutch, T_дв ω = η P_н."""
     power, speed, ratio, efficiency = sp.symbols("P omega i eta", positive=True)
-    torque = machine.torque_at_clutch(machine.rated_torque(power, speed), ratio, efficiency)
+    torque = machine.motor_torque_at_clutch(machine.motor_torque(power, speed), ratio, efficiency)
     yield "T_дв ω_н/i = η P_н", torque * speed / ratio - efficiency * power
 
 
@@ -190,7 +193,7 @@ def shaft_in_torsion():
     """W_p by its integral, and the yield strength in shear by the distortion energy."""
     d, s, x = sp.symbols("d sigma x", positive=True)
     inertia = sp.integrate(2 * sp.pi * x**3, (x, 0, d / 2))
-    yield "W_p = I_p/(d/2)", machine.polar_section_modulus(d, sp.pi) - inertia / (d / 2)
+    yield "W_p = I_p/(d/2)", symbolic(machine.polar_section_modulus)(d) - inertia / (d / 2)
     squared = sp.nsimplify(machine.shear_yield_strength(s) ** 2, rational=True, tolerance=1e-12)
     first, third = sp.sqrt(squared), -sp.sqrt(squared)
     yield "σ_1 = τ, σ_3 = −τ", (first**2 + third**2 + (third - first) ** 2) / 2 - s**2

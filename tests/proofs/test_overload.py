@@ -3,13 +3,13 @@
 import sympy as sp
 from proofs.symbols import *
 
-from afmcalc.equations import direct, overload
+from afmcalc.equations import accuracy, adjustment, direct, overload
 
 U = overload.loop_gain(z - z1, C, fmin)
 V = overload.loop_gain(z - z1, C, f)
 EXPECTED = overload.expected_torque(z, F, R, f, V)
 CLUTCH = overload.expected_torque(z, F, R, fmin, U)
-MACHINE = overload.machine_torque(CLUTCH, beta)
+MACHINE = adjustment.machine_torque(CLUTCH, beta, 1)
 POTENTIAL = overload.potential_torque(z, F, R, f, beta, U)
 RISE = overload.load_rise(POTENTIAL, MACHINE, V)
 PUBLISHED = overload.actuation_torque_published(POTENTIAL, RISE)
@@ -59,7 +59,7 @@ def slip_at_the_clutch_torque():
     own = solved(MACHINE + q - (POTENTIAL - (z - z1) * C * f * q), q)
     yield "(13) solves (12)", RISE - own
     at_min = {f: fmin}
-    rise = overload.load_rise_at_min(z, F, R, fmin, beta, U)
+    rise = overload.load_rise_max(z, F, R, fmin, beta, U)
     yield "(7)", rise - (CLUTCH - MACHINE)
     yield "(13) at f_min is (7): slip at T_н.муф (M17)", RISE.subs(at_min) - rise
     yield "slip at T_max for f_max (M17)", _capacity(EXPECTED, f) - EXPECTED
@@ -101,11 +101,14 @@ def actuation_interval():
     root = beta + (beta - 2) * u
     yield "a perfect square", overload.discriminant(beta, u) - root**2
     ends = [(beta * (1 + u) + sign * root) / (2 * z * C * (beta * (1 + u) - u)) for sign in (-1, 1)]
-    low, high = overload.interval_low(fmin, beta, u), overload.interval_high(z * C)
+    low, high = overload.friction_at_equal_potential(fmin, beta, u), overload.friction_at_unit_loop_gain(z * C)
     yield "the ends are those of (17)", (low - ends[0]) ** 2 + (high - ends[1]) ** 2
-    for end in (overload.interval_low(fmin, beta, U), overload.interval_high((z - z1) * C)):
+    for end in (overload.friction_at_equal_potential(fmin, beta, U), overload.friction_at_unit_loop_gain((z - z1) * C)):
         yield "A = 1 at the end", (FACTOR - 1).subs(f, end)
-    yield "at the lower end T_п = T_н.маш", (POTENTIAL - MACHINE).subs(f, overload.interval_low(fmin, beta, U))
+    yield (
+        "at the lower end T_п = T_н.маш",
+        (POTENTIAL - MACHINE).subs(f, overload.friction_at_equal_potential(fmin, beta, U)),
+    )
 
 
 def actuation_optimum():
@@ -114,11 +117,11 @@ def actuation_optimum():
     optimum = overload.optimal_reduced_gain(fmax)
     yield "A = 1", (at_max - 1).subs(C, optimum / z)
     expected = _all(EXPECTED.subs(f, fmax) / CLUTCH)
-    own = overload.accuracy_factor_expected(EXPECTED.subs(f, fmax), CLUTCH)
+    own = accuracy.accuracy_factor(EXPECTED.subs(f, fmax), CLUTCH)
     yield "(18) is the ratio of expected torques", _all(own) - expected
-    trip = overload.accuracy_factor_actual(FACTOR.subs(f, fmax) * EXPECTED.subs(f, fmax), CLUTCH)
+    trip = accuracy.accuracy_factor(FACTOR.subs(f, fmax) * EXPECTED.subs(f, fmax), CLUTCH)
     yield "(19) is A times (18)", _all(trip) - at_max * expected
-    load = overload.accuracy_factor_equilibrium(EXPECTED.subs(f, fmax), EXPECTED.subs(f, fmin))
+    load = accuracy.accuracy_factor(EXPECTED.subs(f, fmax), EXPECTED.subs(f, fmin))
     yield "at equilibrium (18) once more", _all(load) - expected
     yield "K_т there", expected.subs(C, optimum / z) - (fmax + fmin) / (2 * fmin)
     v, u = z * C * fmax, z * C * fmin
@@ -130,7 +133,7 @@ def actuation_optimum():
 
 def difference_of_potential_torques():
     """S22 (22) less (8) (M15, M18)."""
-    own = overload.potential_torque_gain_of_differentiated(z, z1, F, R, f, fmin, C, beta)
+    own = overload.potential_torque_gain(z, z1, F, R, f, fmin, C, beta)
     yield "M15", own - (POTENTIAL - _all(POTENTIAL))
     yield Refutation("M18: z_1 C f_max is no torque", own - z1 * C * f)
 
@@ -146,7 +149,7 @@ def lost_formulas_of_figure_1():
     values = {beta: sp.Rational(5, 4)}
     yield "P19: least at z = 3 for β_н = 1.25", slope.subs(values).subs(z, 3)
     yield "P19: f = 1 there", bound.subs(values).subs(z, 3) - 1
-    own = overload.potential_torque_gain_of_differentiated(z, 1, F, R, f, fmin, C, beta)
+    own = overload.potential_torque_gain(z, 1, F, R, f, fmin, C, beta)
     yield Refutation("M15: as a torque difference it is wrong", own - delta)
 
 

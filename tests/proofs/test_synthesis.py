@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 from proofs.symbols import *
 
-from afmcalc.equations import accuracy, direct, indirect, synthesis, wall
+from afmcalc.equations import accuracy, control_unit, curved_wall, direct, indirect, pack, pressure, synthesis
 
 ALPHA = positive("alpha")
 BALL, GAP, EDGE = positive("r_b s y")
@@ -16,21 +16,21 @@ K, T = positive("K T")
 @pytest.mark.slow
 def ball_and_pocket():
     """S21 (17)–(24): (20) = (22) for the ball of (23); C from (24)."""
-    tangent = synthesis.tan_wall_angle(C, r, R)
-    yield "(24) inverts C = (R/r) tan α", direct.gain(R, r, tangent) - C
+    tangent = pack.tan_wall_angle(C, r, R)
+    yield "(24) inverts C = (R/r) tan α", pack._gain(R, r, tangent) - C
     sine, cosine = sp.sin(ALPHA), sp.cos(ALPHA)
-    ball = synthesis.ball_radius(x, GAP, EDGE, sine)
+    ball = control_unit.ball_radius(x, GAP, EDGE, sine)
     yield "(23)", ball * 2 * sine - (x + GAP + 2 * EDGE)
     apex = (BALL / cosine) * BALL / (BALL * sp.tan(ALPHA))
-    yield "(20): OC = r_ш OA/AB of (17)–(19), less s/2", synthesis.pocket_depth(BALL, sine, GAP) - (apex - GAP / 2)
+    yield "(20): OC = r_ш OA/AB of (17)–(19), less s/2", control_unit.pocket_depth(BALL, sine, GAP) - (apex - GAP / 2)
     below = apex - BALL * sine
-    deep = synthesis.pocket_depth_from_travel(BALL, sine, cosine, x, EDGE)
+    deep = control_unit.pocket_depth_from_travel(BALL, sine, cosine, x, EDGE)
     yield "(22): CD of (21) with x_max/2 + y", deep - (below + x / 2 + EDGE)
     yield (
         "(20) = (22)",
-        synthesis.pocket_depth(ball, sine, GAP) - synthesis.pocket_depth_from_travel(ball, sine, cosine, x, EDGE),
+        control_unit.pocket_depth(ball, sine, GAP) - control_unit.pocket_depth_from_travel(ball, sine, cosine, x, EDGE),
     )
-    yield "y for a given ball inverts (23)", synthesis.edge_clearance(ball, x, GAP, sine) - EDGE
+    yield "y for a given ball inverts (23)", control_unit.edge_clearance_standard(ball, x, GAP, sine) - EDGE
 
 
 @pytest.mark.slow
@@ -39,13 +39,13 @@ def cut_of_the_pockets():
     sine, cosine = sp.sin(ALPHA), sp.cos(ALPHA)
     deepest = sp.solve(sp.diff(BALL * sp.sin(x), x), x)[0]
     lowest = (BALL * sp.sin(x)).subs(x, deepest)
-    yield "h_c: lowest point of the ball", synthesis.pocket_depth_cut(BALL, GAP) - (lowest - GAP / 2)
-    width = synthesis.pocket_width(synthesis.pocket_depth(BALL, sine, GAP), sp.tan(ALPHA))
+    yield "h_c: lowest point of the ball", control_unit.pocket_depth_cut(BALL, GAP) - (lowest - GAP / 2)
+    width = control_unit.pocket_width(control_unit.pocket_depth(BALL, sine, GAP), sp.tan(ALPHA))
     yield "the wall from the mouth touches the ball", GAP / 2 * sine + width / 2 * cosine - BALL
     step = sp.Matrix([sp.cos(2 * ALPHA) - 1, sp.sin(2 * ALPHA)]) * r
-    pitch = synthesis.ball_pitch(r, sine)
+    pitch = control_unit.ball_pitch(r, sine)
     yield "chord between balls 2π/n apart", pitch**2 - step.dot(step)
-    yield "pitch less a half mouth on either side", synthesis.web(pitch, width) - (pitch - 2 * (width / 2))
+    yield "pitch less a half mouth on either side", control_unit.web(pitch, width) - (pitch - 2 * (width / 2))
 
 
 @pytest.mark.slow
@@ -53,39 +53,29 @@ def contact_force_of_the_balls():
     """S21 contact force (M10): the n normal forces carry T about the axis, and the release force along it."""
     cosine = sp.cos(ALPHA)
     torque = positive("T")
-    force = synthesis.contact_force(torque, n, r, cosine)
+    force = control_unit.contact_force(torque, n, r, cosine)
     yield "moment: n F_n cos α r = T", n * force * cosine * r - torque
     yield "thrust: n F_n sin α = T tan α/r", n * force * sp.sin(ALPHA) - torque * sp.tan(ALPHA) / r
-    kappa = indirect.net_gain(C, R, fk, d)
-    control = indirect.control_force(F, z, kappa, fmin)
+    kappa = indirect.net_gain(C, indirect.gain_threshold(R, fk, d))
+    control = indirect.control_force_set(F, z, kappa, fmin)
     stiffness = indirect.sleeve_stiffness(c1, c2, z, fmax, kappa)
-    largest = direct.group_torque(indirect.normal_force_moving(F, c1, control, c2, stiffness), R, z, fmax)
+    largest = indirect.torque(symbolic(indirect.normal_force_moving)(F, c1, control, c2, stiffness), R, z, fmax)
     bracket = c2 + (1 + z * C * fmin) * c1 - 2 * z * R * c1 * fmin * fk / d
     mended = z * F * R * fmax * bracket / (stiffness * n * r * cosine)
-    yield "M10 mended", synthesis.contact_force(largest, n, r, cosine) - mended
+    yield "M10 mended", control_unit.contact_force(largest, n, r, cosine) - mended
     printed = mended / bracket * (c2 + (1 + z * C * fmin) - 2 * z * R * c1 * fmin * fk / d)
-    yield Refutation("M10: as printed", synthesis.contact_force(largest, n, r, cosine) - printed)
-
-
-def least_contact_force():
-    """The cubic is where F_n ∝ (a + bC)·√(1 + q²C²)/(a' + b'C) is stationary."""
-    a, b, a2, b2 = positive("a b a_2 b_2")
-    squared = ((a + b * C) / (a2 + b2 * C)) ** 2 * (1 + q**2 * C**2)
-    coefficients = synthesis.least_contact_force_cubic(a, b, a2, b2, q)
-    cubic = sum(coefficient * C ** (3 - power) for power, coefficient in enumerate(coefficients))
-    slope = sp.diff(squared, C)
-    yield "d(F_n²)/dC ∝ the cubic", slope - 2 * (a + b * C) * cubic / (a2 + b2 * C) ** 3
+    yield Refutation("M10: as printed", control_unit.contact_force(largest, n, r, cosine) - printed)
 
 
 def hertz_ball_on_flat():
     """Johnson (4.22)–(4.24): contact radius a and pressure p_0 at the allowable force give the allowable pressure."""
     e1, e2, nu1, nu2, pressure, ball, pi = positive("E_1 E_2 nu_1 nu_2 p_0 r_b pi")
-    modulus = synthesis.hertz_contact_modulus(e1, nu1, e2, nu2)
+    modulus = control_unit.contact_modulus(e1, nu1, e2, nu2)
     yield "1/E*", 1 / modulus - (1 - nu1**2) / e1 - (1 - nu2**2) / e2
-    force = synthesis.hertz_allowable_force(pressure, ball, q, pi)
+    force = symbolic(control_unit.contact_force_hertz, pi)(pressure, ball, q)
     cubed = 3 * force * ball / (4 * q)
     yield "p_0 = 3F/(2πa²), a³ = 3Fr/(4E*)", (3 * force / (2 * pi)) ** 3 - pressure**3 * cubed**2
-    most = synthesis.hertz_pressure(pressure, F, force)
+    most = control_unit.contact_pressure(pressure, F, force)
     of_force = (3 * F / (2 * pi)) ** 3 - sp.nsimplify(most**3) * (3 * F * ball / (4 * q)) ** 2
     yield "the same of any force", of_force
 
@@ -94,12 +84,12 @@ def mean_radii():
     """The friction moment of a ring, ∫ f p 2π r² dr, over f and its thrust ∫ p 2π r dr."""
     inner, width, rho = positive("r_i w rho")
     outer = inner + width
-    for pressure, radius in (
-        (p, direct.mean_radius_uniform_pressure(inner, outer)),
-        (p / rho, direct.mean_radius_uniform_wear(inner, outer)),
+    for law, radius in (
+        (p, pack._mean_radius_uniform_pressure(inner, outer)),
+        (p / rho, pack.mean_radius(inner, outer)),
     ):
-        moment = sp.integrate(pressure * rho**2, (rho, inner, outer))
-        thrust = sp.integrate(pressure * rho, (rho, inner, outer))
+        moment = sp.integrate(law * rho**2, (rho, inner, outer))
+        thrust = sp.integrate(law * rho, (rho, inner, outer))
         yield "R_cp = moment/(f·thrust)", radius - moment / thrust
 
 
@@ -107,32 +97,33 @@ def surface_pressures():
     """Mean pressure of a ring and the peak at the inner edge, from their thrust."""
     inner, width, rho = positive("r_i w rho")
     outer = inner + width
-    mean = direct.mean_pressure(F, inner, outer, sp.pi)
+    mean = symbolic(pressure.mean_pressure)(F, inner, outer)
     yield "∫ p 2π r dr = F", sp.integrate(mean * 2 * sp.pi * rho, (rho, inner, outer)) - F
-    peak = direct.peak_pressure_uniform_wear(F, inner, outer, sp.pi)
+    peak = symbolic(pressure._peak_pressure)(F, inner, outer)
     worn = peak * inner / rho
     yield "uniform wear: p = p_i r_i/r", sp.integrate(worn * 2 * sp.pi * rho, (rho, inner, outer)) - F
     yield Refutation("they differ", mean - peak)
 
 
 @pytest.mark.slow
-def curved_wall():
+def wall_of_a_curved_pocket():
     """r dφ = tan α dx; the wall is an envelope of the ball, convex while the ball is smaller than ρ."""
-    steepening = wall.path_steepening(SLOPE, r, R, SLEEVES)
-    path, tangent = wall.path(T0, Q, XI), wall.path_tangent(T0, Q, XI)
+    steepening = curved_wall.path_steepening(SLOPE, r, R)
+    path, tangent = curved_wall.path_around(T0, Q, XI), curved_wall.tan_wall_angle_at_ball(T0, Q, XI)
     yield "tan α = Y'", sp.diff(path, XI) - tangent
-    turned = SLEEVES * wall.path(synthesis.tan_wall_angle(C, r, R), steepening, x / SLEEVES)
-    yield "r dφ/dx = tan α of C_0 + C_1 x", direct.gain(R, r, sp.diff(turned, x)) - (C + SLOPE * x)
+    turned = curved_wall.path_around(pack.tan_wall_angle(C, r, R), steepening, x)
+    yield "r dφ/dx = tan α of C_0 + C_1 x", pack._gain(R, r, sp.diff(turned, x)) - (C + SLOPE * x)
     secant = sp.sqrt(1 + tangent**2)
     sine, cosine = tangent / secant, 1 / secant
-    along, around = wall.wall_axial(XI, BALL, sine), wall.wall_around(path, BALL, cosine)
+    angle = sp.atan(tangent)
+    wall = symbolic(curved_wall.wall_axial), symbolic(curved_wall.wall_around)
+    along, around = wall[0](XI, BALL, angle), wall[1](path, BALL, angle)
     yield "the wall is r_ш off the path", (along - XI) ** 2 + (around - path) ** 2 - BALL**2
     yield "across it", (along - XI) + tangent * (around - path)
-    depth = wall.contact_depth(BALL, sine, XI, GAP)
-    yield "below the face by what is left of s/2", depth + along + GAP / 2
-    straight = synthesis.edge_clearance(BALL, 2 * XI, GAP, sine)
+    depth = -along - GAP / 2
+    straight = control_unit.edge_clearance_standard(BALL, 2 * XI, GAP, sine)
     yield "S21 (23) with x = 2 ξ", depth - straight
-    radius = wall.path_radius(Q, cosine)
+    radius = curved_wall.undercut_radius(Q, cosine)
     yield "ρ = (1 + Y'²)^{3/2}/Y''", radius - secant**3 / sp.diff(path, XI, 2)
     shrink = 1 - BALL / radius
     yield "the wall runs with the path, axially 1 − r_ш/ρ as fast", sp.diff(along, XI) - shrink
@@ -141,49 +132,13 @@ def curved_wall():
     yield Refutation("not at the radius of the ball", sp.diff(along, XI))
 
 
-def seat_of_the_ball():
-    """Curved wall at α against both walls of a seat at α_0: two forces bear the one."""
-    alpha, seat = positive("alpha alpha_0")
-    own = wall.seat_force(F, sp.sin(alpha + seat), sp.sin(seat), sp.cos(seat))
-    other = (own * sp.cos(seat) - F * sp.cos(alpha)) / sp.cos(seat)
-    along = (own + other) * sp.sin(seat) - F * sp.sin(alpha)
-    yield "along the axis, the other wall bearing the rest around", sp.expand_trig(along)
-    yield "at the stop one wall bears it all", own.subs(alpha, seat) - F
-    yield "and the other none", other.subs(alpha, seat)
-
-
-def curved_wall_contact():
-    """Johnson (4.5), (4.26), (4.27): pressure 3F/(2πab) on an ellipse, (ab)^{3/2} = 3 F R_e φ/(4 E_c)."""
-    rho, k, b, d, pressure, modulus, pi = positive("rho k B D p_0 E_c pi")
-    ratio = wall.hertz_curvature_ratio(rho, BALL)
-    across, along = 1 / (2 * BALL), (1 / BALL + 1 / (rho - BALL)) / 2
-    yield "A/B of ball and convex wall", ratio - along / across
-    relative = wall.hertz_relative_radius(BALL, q)
-    yield "R_e = 1/(2√(AB))", (2 * relative) ** 2 * (across * across * q) - 1
-    yield "A/B = 1 on a flat", sp.limit(ratio, rho, sp.oo) - 1
-    # (4.26a), (4.27) as printed, in E = K − e²D
-    e2 = 1 - k**2
-    first, second = b + d, b + d - e2 * d
-    printed = (second / k**2 - first) / (first - second)
-    yield "(4.26a)", wall.hertz_axes(k, b, d) - printed
-    factor = wall.hertz_ellipse_factor(k, b, d, pi)
-    cubed = 4 / (pi * e2) * k ** sp.Rational(3, 2) * sp.sqrt((second / k**2 - first) * (first - second))
-    yield "(4.27) squared", sp.nsimplify(factor**2) - sp.simplify(cubed**2)
-    circle = {k: 1, b: pi / 4, d: pi / 4}
-    yield "a circle: φ = 1", sp.nsimplify(factor.subs(circle)) - 1
-    yield "a circle: A/B = 1", wall.hertz_axes(k, b, d).subs(circle) - 1
-    force = synthesis.hertz_allowable_force(pressure, z * x, modulus, pi)
-    area_cubed = (3 * force * z * x / (4 * modulus)) ** 2
-    yield "p_0 = 3F/(2πab) at the allowable force", (3 * force / (2 * pi)) ** 3 - pressure**3 * area_cubed
-
-
 def inverses_of_the_accuracy():
     """Gain and pairs for a wanted K_т put back into F11 (14) give it."""
     ends = f1min, f2min, f1max, f2max
     gain = synthesis.gain_for_accuracy_factor(z1, z2, K, *ends)
-    yield "K_т(C) = K", accuracy.accuracy_factor(z1, z2, gain, *ends) - K
+    yield "K_т(C) = K", accuracy.accuracy_factor_of_path(z1, z2, gain, *ends) - K
     pairs = synthesis.controlled_pairs_for_accuracy_factor(C, K, fmin, fmax)
-    yield "K_т(z_2) = K, one material", accuracy.accuracy_factor(z1, pairs, C, fmin, fmin, fmax, fmax) - K
+    yield "K_т(z_2) = K, one material", accuracy.accuracy_factor_of_path(z1, pairs, C, fmin, fmin, fmax, fmax) - K
 
 
 def inverses_of_the_torque():
@@ -203,7 +158,7 @@ def inverses_of_indirect_accuracy_in_numbers():
         ((1, 1, 8), (20, 10), 8, 4), ((1, 3, 8), (20, 10), 8, 4), ((2, 5, 7), (3, 11), 5, 13), ((1, 2, 9), (7, 1), 3, 2)
     ):  # fmt: skip
         low, at_set, high = (tenth * end for end in ends)
-        factor = indirect.accuracy_factor(low, at_set, high, *springs, pairs, tenth * net)
+        factor = accuracy_as_set(low, at_set, high, *springs, pairs, tenth * net)
         linear = synthesis.net_loop_gain_linear(low, at_set, high, *springs, factor)
         constant = synthesis.net_loop_gain_constant(low, high, *springs, factor)
         loop = exact(
@@ -226,28 +181,28 @@ def inverses_of_indirect_accuracy():
         return exact(synthesis.net_loop_gain_for_accuracy_factor(fmin, at_set, fmax, c1, K, linear, constant))
 
     net = synthesis.net_gain_for_accuracy_factor(loop_gain(fset), z)
-    yield "K_т(κ) = K", indirect.accuracy_factor(*ends, c1, c2, z, net) - K
+    yield "K_т(κ) = K", accuracy_as_set(*ends, c1, c2, z, net) - K
     pairs = synthesis.pairs_for_accuracy_factor_indirect(loop_gain(fset), q)
-    yield "K_т(z) = K", indirect.accuracy_factor(*ends, c1, c2, pairs, q) - K
+    yield "K_т(z) = K", accuracy_as_set(*ends, c1, c2, pairs, q) - K
     loop = loop_gain(fmin)
     printed = (c1 + c2) * (fmax - K * fmin) / (c1 * fmax * fmin * (K - 1))
     above, below = positive("g h")
     difference = (loop - printed).subs(fmax, K * fmin + below).subs(K, 1 + above)
     yield "set at f_min: (15) solved for zκ, 1 < K_т < f_max/f_min", rooted(difference)
     ratio = synthesis.stiffness_ratio_for_accuracy_factor(*ends, z, q, K)
-    yield "K_т(c_2) = K", indirect.accuracy_factor(*ends, c1, ratio * c1, z, q) - K
-    yield "K_т(c_1) = K", indirect.accuracy_factor(*ends, c2 / ratio, c2, z, q) - K
+    yield "K_т(c_2) = K", accuracy_as_set(*ends, c1, ratio * c1, z, q) - K
+    yield "K_т(c_1) = K", accuracy_as_set(*ends, c2 / ratio, c2, z, q) - K
 
 
 def best_attainable_accuracy():
     """The best K_т of each variant: at the gain limit, at zC = 5, as the gain grows."""
-    limit = direct.gain_limit_differentiated(z1, f1max)
+    limit = direct._gain_limit_breakaway(z1, f1max)
     best = (z1 * f1max + z2 * f2min) / (z1 * f1min + z2 * f2min)
-    yield "differentiated", best - accuracy.accuracy_factor(z1, z2, limit, f1min, f2min, f1max, f2max)
+    yield "differentiated", best - accuracy.accuracy_factor_of_path(z1, z2, limit, f1min, f2min, f1max, f2max)
     one = best.subs({f1min: fmin, f2min: fmin, f1max: fmax})
     yield "one material: (m z_1 + z_2)/z", one - (fmax / fmin * z1 + z2) / (z1 + z2)
     driving = fmax / fmin * (1 + 5 * fmin) / (1 + 5 * fmax)
-    own = accuracy.accuracy_factor(0, z, direct.gain_limit_all_driving(z), fmin, fmin, fmax, fmax)
+    own = accuracy.accuracy_factor_of_path(0, z, direct._gain_limit_reduced(z), fmin, fmin, fmax, fmax)
     yield "all-driving at zC = 5: m (1 + 5 f_min)/(1 + 5 f_max)", driving - own
-    factor = indirect.accuracy_factor(fmin, fset, fmax, c1, c2, z, q)
+    factor = accuracy_as_set(fmin, fset, fmax, c1, c2, z, q)
     yield "indirect: K_т → 1 as the gain grows, whatever the setting", sp.limit(factor, q, sp.oo) - 1

@@ -1,52 +1,23 @@
 """The handbook: it shows every formula, leads nowhere that is not there, and says the same in both languages."""
 
-import json
-import os
 import re
 import tomllib
-from contextlib import suppress
 from pathlib import Path
 
-import numpy as np
 import pytest
 from conftest import FRAME
 
 import afmcalc
-from afmcalc.analysis.handbook import chapter_texts
+from afmcalc.analysis.handbook import chapter_texts, commands_of
 from afmcalc.analysis.registry import ANALYSES
-from afmcalc.analysis.solve.search import closed_inverse
-from afmcalc.analysis.solve.solve import PARAMETERS, TARGETS
-from afmcalc.drive import cases
-from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
-from afmcalc.errors import AfmcalcError
 from afmcalc.messages import language, speaking
-from afmcalc.papers.claims import reproduce
 from afmcalc.papers.register import misprints, register
 from afmcalc.render.handbook import render
-from afmcalc.spec import read_spec
-from afmcalc.spec.edit import respecified
 
 PACKAGE = Path(afmcalc.__file__).parent
 USES = PACKAGE / "papers" / "handbook" / "uses.toml"
 DIRECTIVE = re.compile(r"\{(\w+) ([^{}]+)\}")
-WALL, SPRING = ("control_unit.wall_angle", 0.5), ("control_spring.force", 5000.0)
-EVENT = ("drive.event.duration", 0.03)
-RUNS = [
-    ("envelope", "synthesize accuracy adjust layout"),
-    ("conveyor-clutch", "overload accuracy adjust effects synthesize layout heat simulate"),
-    ("constant-torque", "life adjust accuracy synthesize springs"),
-    ("machine-clutch", "life springs"),
-    ("fokin2011-fig2", "accuracy adjust springs"),
-    ("indirect", "accuracy synthesize adjust life springs", SPRING),
-    ("drilling-head-clutch", "life"),
-    ("shishkarev2022-fig3", "accuracy overload torque adjust synthesize springs"),
-    ("default", "adjust life", WALL),
-    ("drive", "effects heat simulate life", EVENT),
-    ("all-driving", "life"),
-    ("shishkarev2021", "springs"),
-]
-"""Examples and commands that use every equation between them that any example's command does."""
 
 
 def uses():
@@ -55,59 +26,29 @@ def uses():
     return {name: use["commands"] if isinstance(use, dict) else use for name, use in found.items()}
 
 
+def test_uses_are_of_equations_and_name_commands():
+    for name, commands in uses().items():
+        assert name in equations()
+        assert {*commands} <= ANALYSES.keys()
+        assert commands == sorted(set(commands))
+
+
 @pytest.mark.slow
-def test_uses_are_those_of_the_program():
-    """Commands are run on clutches that use all of it between them, reproduce on the papers; the calls are noted."""
-    found, user = {name: set() for name in equations()}, ""
-
-    def watched(name, function):
-        def call(*args, **kwargs):
-            if user:
-                found[name].add(user)
-            return function(*args, **kwargs)
-
-        return call
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(cases, "run_of", cases.run_of.__wrapped__)
-        for name, equation in equations().items():
-            # what ``@equation`` calls, wherever its function was imported to
-            inner = equation.function.__wrapped__
-            (cell,) = (each for each in equation.function.__closure__ if each.cell_contents is inner)
-            patch.setattr(cell, "cell_contents", watched(name, inner))
-        for example, commands, *changes in RUNS:
-            user = ""
-            clutch = build(respecified(read_spec(f"example:{example}"), dict(changes)))
-            for user in ("torque", *commands.split()):
-                ANALYSES[user].function(clutch)
-            user = "solve"
-            for target in TARGETS:
-                with suppress(AfmcalcError), np.errstate(all="ignore"):
-                    now = float(TARGETS[target].value(clutch))
-                    for name in PARAMETERS:
-                        with suppress(AfmcalcError):
-                            closed_inverse(clutch, name, target, now, np.float64(1.01 * now))
-        user = "reproduce"
-        reproduce([])
-    if os.environ.get("AFMCALC_UPDATE"):
-        lines = (f"{json.dumps(name)} = {json.dumps(sorted(use))}\n" for name, use in found.items())
-        USES.write_text("".join(("# Equation → commands that calculate it.\n", *lines)), encoding="utf-8")
-    assert uses() == {name: sorted(use) for name, use in found.items()}
-
-
 def test_every_formula_is_reached_or_says_why_not():
-    """A command calculates it, or others cover a formula without a function; else the entry says why."""
-    known = uses()
-    reached = {entry.id: bool(entry.function and known[entry.function]) for entry in register()}
+    """A function is calculated by a command; a formula without one is covered by others. Else the entry says why."""
+    reached = {entry.id: bool(entry.function and commands_of(entry.function)) for entry in register()}
     for entry in register():
         assert entry.not_reached is None or not reached[entry.id], f"{entry.id} is reached"
         assert reached[entry.id] or entry.not_reached or (entry.covered_by and not entry.function), entry.id
 
 
 def test_each_formula_and_misprint_stands_once():
+    """Of the laws those that are formulas: a choice, a mean, the larger of two torques needs no number."""
     shown = DIRECTIVE.findall("".join(chapter_texts("en").values()))
-    for kind, wanted in (("equation", equations()), ("misprint", [entry.id for entry in misprints()])):
-        assert sorted(name for key, name in shown if key == kind) == sorted(wanted)
+    formulas = [name for key, name in shown if key == "equation"]
+    assert len(formulas) == len(set(formulas))
+    assert {entry.function for entry in register() if entry.function} <= {*formulas} <= equations().keys()
+    assert sorted(name for key, name in shown if key == "misprint") == sorted(entry.id for entry in misprints())
 
 
 def test_both_languages_have_the_same_parts():
@@ -138,5 +79,5 @@ def test_every_link_of_the_page_leads_somewhere_in_it(book, monkeypatch):
     words = {word.strip(".,") for word in re.findall(r"\b[a-zA-Z]{4,}", page)}
     terms = chapter_texts("ru")[1].partition("## Термины")[2]
     sources = " ".join(each.source for each in equations().values())
-    names = {*re.findall("[A-Z][a-z]{3,}", sources), "damage", "fatigue", "afmcalc", "Budynas", "Nisbett"}
+    names = {*re.findall("[A-Z][a-z]{3,}", sources), "damage", "fatigue", "amplitude", "afmcalc", "Budynas", "Nisbett"}
     assert words <= names | {*re.findall("[a-z]{4,}", terms)}

@@ -9,13 +9,14 @@ import sys
 import pytest
 from conftest import CONFIGS
 
-import afmcalc as package
 from afmcalc.analysis.compare import compare
+from afmcalc.engines import build
 from afmcalc.findings import Finding
 from afmcalc.messages import printable
 from afmcalc.render import renderer
 from afmcalc.render.formats import FORMATS
 from afmcalc.result import Output
+from afmcalc.spec import read_spec
 
 SPEC = CONFIGS / "default.toml"
 ACTS = "a\x1b[31m\x07\x9b2J\x7f\u202eb\u2066\ufeff\x00\r\n\udcff\U000e0041"
@@ -33,7 +34,7 @@ def test_what_is_printable_stays():
 @pytest.mark.parametrize("name", FORMATS)
 @pytest.mark.parametrize("terminal", [False, True])
 def test_no_format_lets_a_text_act(name, terminal):
-    result, _ = compare([package.load(SPEC)])
+    result, _ = compare([build(read_spec(SPEC))])
     result = result.model_copy(update={"clutches": [result.clutches[0].model_copy(update={"name": ACTS})]})
     output = Output("compare", "1", {"name": ACTS, "variant": ACTS}, result, [Finding("info", "x", ACTS, path=ACTS)])
     text = renderer(name)(output, terminal)

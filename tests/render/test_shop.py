@@ -1,6 +1,5 @@
 """Drawings for the shop: the DXF read back, its contours held against the wall by distance; SVG and CSV alike."""
 
-import csv
 import functools
 import io
 import math
@@ -19,7 +18,7 @@ from afmcalc.analysis.synthesize import synthesize
 from afmcalc.analysis.wall import CHORD, wall_of
 from afmcalc.engines import build
 from afmcalc.render.dxf import pocket as dxf
-from afmcalc.render.shop import LAYERS, profile, svg
+from afmcalc.render.shop import LAYERS, svg
 from afmcalc.spec import read_spec
 
 CLUTCHES = {"one": "constant-torque", "straight": "indirect", "direct": "default"}
@@ -30,7 +29,7 @@ def made(kind):
     """Clutch, its control unit as synthesized, the drawing of its pocket, and that drawing as read from DXF."""
     clutch = build(read_spec(f"example:{CLUTCHES[kind]}"))
     found, _ = synthesize(clutch)
-    drawing = shop_drawing(clutch, found, cutter=0.6 * found.ball_diameter)
+    drawing = shop_drawing(clutch, found)
     document = ezdxf.read(io.StringIO(dxf(drawing).decode("utf-8")))
     assert not document.audit().has_issues
     return clutch, found, drawing, document
@@ -116,7 +115,7 @@ def test_dimensions_are_those_of_the_spec(drawn):
     rim, circle = 2 * (unit.ball_circle_radius + radius), unit.ball_circle_radius
     straight = 2 * (radius / math.sin(alpha) - found.face_gap / 2) * math.tan(alpha)
     lengths = [found.face_gap, cut, cut + relief, drawing.sleeve.depth, groove, found.pocket_width, 2 * radius]
-    lengths += [straight] if found.profiled == "one" else []
+    lengths += [straight] if found.wall is not None else []
     lengths += [2 * circle, rim, unit.hub_diameter or drawing.sleeve.bore, 2 * radius + relief]
     wanted = sorted([1e3 * length for length in lengths] + [math.degrees(2 * alpha), 360 / unit.balls])
     space = document.modelspace()
@@ -195,24 +194,6 @@ def test_section_in_true_millimetres(name, afmcalc, tmp_path):
     assert all(line.closed for line in space.query('LWPOLYLINE[layer=="OUTLINE"]'))
 
 
-def test_the_cutter_touches_and_does_not_cut_in(drawn):
-    """Its centre is its radius off the wall it cuts, no nearer to the other, and its edge not below the floor."""
-    clutch, found, drawing, document = drawn
-    radius = drawing.cutter_radius * 1e3
-    rows = list(csv.DictReader(io.StringIO(profile(drawing))))
-    cutter = np.array([[float(row["cutter_axial [mm]"]), float(row["cutter_around [mm]"])] for row in rows])
-    wall = np.array([[float(row["wall_axial [mm]"]), float(row["wall_around [mm]"])] for row in rows])
-    assert np.hypot(*(cutter - wall).T) == pytest.approx(radius, rel=1e-12)
-    floor = -(found.face_gap / 2 + found.pocket_depth_cut) * 1e3
-    assert (cutter[:, 0] - radius).min() == pytest.approx(floor, abs=1e-9)
-    pocket = np.array([point for each in drawing.contours if each.layer == "POCKET_1" for point in each.points]) * 1e3
-    dense = np.concatenate([np.linspace(a, b, 60) for a, b in zip(pocket, pocket[1:], strict=False)]) * [-1, 1]
-    for centre in cutter:
-        assert np.hypot(*(dense - centre).T).min() >= radius - CHORD * 1.1e3
-    assert float(rows[-1]["travel [mm]"]) >= found.travel_max * 1e3
-    assert float(rows[0]["travel [mm]"]) <= 0
-
-
 def test_svg_is_in_millimetres(drawn):
     _, found, drawing, _ = drawn
     root = ElementTree.fromstring(svg(drawing))
@@ -232,19 +213,13 @@ def test_svg_is_in_millimetres(drawn):
 
 
 def test_from_the_command_line(afmcalc, tmp_path):
-    plot, table = ("plot", "pocket", CONFIGS / "constant-torque.toml"), tmp_path / "w.csv"
-    assert afmcalc(*plot, "-o", tmp_path / "p.dxf", "--profile", table, "--cutter", "10mm").code == 0
+    plot = "plot", "pocket", CONFIGS / "constant-torque.toml"
+    assert afmcalc(*plot, "-o", tmp_path / "p.dxf").code == 0
     assert not ezdxf.readfile(tmp_path / "p.dxf").audit().has_issues
-    assert table.read_text("utf-8").startswith("travel [mm],wall_angle [deg],path_axial [mm]")
     assert afmcalc(*plot, "-o", tmp_path / "p.svg").code == 0
-    assert afmcalc(*plot, "--profile", "-").out.count("\n") > 10
 
 
 REFUSED = """
-pocket -o x.dxf --cutter 30mm | 16 mm
-pocket -o x.dxf --cutter 10kg | --cutter
-pocket -o x.dxf --chord 0mm | --chord
-pocket -o x.png --profile w.csv | --profile
 torque -o x.dxf | plot pocket
 pocket -o x.dxf --set sleeve_depth=7.5mm | 7.5 mm
 pocket -o x.dxf --set balls=16 | pockets

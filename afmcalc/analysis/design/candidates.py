@@ -2,26 +2,28 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, cached_property, reduce
+from typing import Any
 
 import numpy as np
 
-from ...engines.direct import DirectClutch
-from ...engines.indirect import IndirectClutch
 from ...engines.layout import TOUCHES, PartName, SectionPart, Sizes, overlap, parts_of
-from ...engines.protocol import Clutch
-from ...equations import adjustment, direct, synthesis, wall
+from ...engines.quantities import Quantities
+from ...engines.selection import as_set, laws_for
+from ...equations import adjustment, control_unit, curved_wall, direct, pack, pressure
 from ...equations.effects import force_lost_by_wear
 from ...errors import given
-from ...spec.models import HARDENED_STEEL, Drive, bore_of
+from ...spec.models import bore_of
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
-from ..effects import weakened
-from ..slips import Load, life_of, with_modulus
+from ..life import life_of
 from .space import SAME, Axes, Mask, Numbers, Places, balls, curved
 
+_gain: Any = pack.WALL_ANGLE_GIVEN["gain"]
+_driven_torque: Any = direct.ALL_DRIVING["driven_torque"]
+_peak_pressure: Any = pressure.UNIFORM_WEAR["peak_pressure"]
 _NEWTON_STEPS = 12
 """To the mouth of a pocket: each doubles the digits."""
 _MOST_CIRCLES = 10_000
@@ -48,27 +50,36 @@ class Candidates:
     """Digits that the spring force is rounded up to; None: it is exact."""
 
     @cached_property
-    def clutch(self) -> Clutch:
+    def law(self) -> Quantities:
         """All candidates as one clutch, its closing force 1 N."""
-        at, fixed = self.at, self.need.fixed
-        if not self.variant.travels:
-            pack = at.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain
-            return DirectClutch(1.0, *pack, friction=self.need.friction.groups)
-        straight = IndirectClutch(
-            1.0, at.mean_radius, 0, at.pairs, self.gain, at.closing_stiffness, at.control_stiffness,
-            given(fixed.key_friction), given(fixed.hub_diameter), self.frictions[0][0],
-            friction=self.need.friction.groups,
-        )  # fmt: skip
-        if fixed.pocket is None:
-            return straight
-        # the wall that holds the torque goes with 1/F_п, so that torques stay proportional
-        return replace(straight, gain_slope=straight.slope_that_holds(self.frictions[2][0]))
+        at, need, keys = self.at, self.need, set[str]()
+        own = {
+            "closing_force": 1.0, "mean_radius": at.mean_radius, "pairs": at.pairs, "bypass_pairs": self.bypass_pairs,
+            "gain": self.gain,
+        }  # fmt: skip
+        groups = ("_driving", "_driven") if need.friction.unlike else ("",)
+        for group, friction in zip(groups, need.friction.groups, strict=False):
+            own |= {f"friction{group}_{end}": value for end, value in friction._asdict().items()}
+        if need.friction.unlike:
+            keys.add("friction_driving_min")
+        if self.variant.travels:
+            own |= {"closing_stiffness": at.closing_stiffness, "control_stiffness": at.control_stiffness}
+            own |= {name: given(getattr(need.fixed, name)) for name in ("key_friction", "hub_diameter")}
+            # the wall that holds the torque goes with 1/F_п, so that torques stay proportional
+            keys |= {need.fixed.pocket} if need.fixed.pocket else set()
+        return Quantities(laws_for(self.variant.name, need.wanted.method, frozenset(keys)), own)
+
+    def _slipping(self, point: tuple[float, float], law: Quantities | None = None) -> Quantities:
+        """Quantities at f_1 and f_2."""
+        law = law or self.law
+        if self.variant.travels:
+            return law.at(friction=point[0])
+        return law.at(friction_driving=point[0], friction_driven=point[1])
 
     @cached_property
     def torque_per_force(self) -> Numbers:
         """Torque at the setting, m."""
-        sleeve = self.clutch.sleeve
-        return self.clutch.torque(*self.frictions[0]) if sleeve is None else np.asarray(sleeve.torque_per_force())
+        return np.asarray(self.law["torque_per_force_at_setting"])
 
     @cached_property
     def torques_per_force(self) -> tuple[Numbers, Numbers]:
@@ -77,7 +88,7 @@ class Candidates:
         if self.need.friction.unlike:
             first, second = self.need.friction.groups
             points.append((first.mean, second.mean))
-        torques = [self.torque_per_force if point == at_set else self.clutch.torque(*point) for point in points]
+        torques = [self.torque_per_force if point == at_set else self._slipping(point)["torque"] for point in points]
         return reduce(np.minimum, torques), reduce(np.maximum, torques)
 
     @property
@@ -88,8 +99,8 @@ class Candidates:
     @cached_property
     def is_clutch(self) -> Mask:
         """Whether it can be built and adapts at all."""
-        if (sleeve := self.clutch.sleeve) is not None:
-            return np.asarray(sleeve.net_gain > 0)
+        if self.variant.travels:
+            return np.asarray(self.law["net_gain"] > 0)
         return self.controlled_pairs > 0 if self.variant.controlled else np.ones(1, bool)
 
     @cached_property
@@ -118,7 +129,7 @@ class Candidates:
         if self.need.search.gain is not None:
             return self.at.steering
         # r and α first: they are fewer than with R
-        return direct.gain(1.0, self.at.ball_circle_radius, self.tangent) * self.at.mean_radius
+        return _gain(1.0, self.at.ball_circle_radius, self.tangent) * self.at.mean_radius
 
     @property
     def gain_limit(self) -> Numbers:
@@ -131,15 +142,14 @@ class Candidates:
     @property
     def gain_slope(self) -> Numbers:
         """C_1 of the pockets, 1/m."""
-        sleeve = self.clutch.sleeve
-        return np.zeros(1) if sleeve is None else sleeve.gain_slope / self.closing_force
+        return self.law["gain_slope"] / self.closing_force if "gain_slope" in self.law else np.zeros(1)
 
     @cached_property
     def tangent(self) -> Numbers:
         """tan α."""
         if self.need.search.gain is None:
             return np.tan(self.at.steering)
-        return synthesis.tan_wall_angle(self.gain, self.at.ball_circle_radius, self.at.mean_radius)
+        return pack.tan_wall_angle(self.gain, self.at.ball_circle_radius, self.at.mean_radius)
 
     @cached_property
     def cosine(self) -> Numbers:
@@ -163,7 +173,7 @@ class Candidates:
     @cached_property
     def pack_force(self) -> Numbers:
         """Force that presses the pack at rest, N."""
-        return self.closing_force * self.clutch.pack_force_at_rest
+        return self.closing_force * self.law["pack_force_at_rest"]
 
     @cached_property
     def nominal_torque(self) -> Numbers:
@@ -184,13 +194,13 @@ class Candidates:
     @cached_property
     def accuracy_factor_hysteresis(self) -> Numbers:
         """K_т,h; K_т of a direct clutch."""
-        sleeve, built = self.clutch.sleeve, self.is_clutch
-        if sleeve is None:
+        law, built = self.law, self.is_clutch
+        if not self.variant.travels:
             return self.accuracy_factor
-        if not sleeve.straight:  # what is no clutch may have no number to compare
-            gain = np.where(built, sleeve.gain, sleeve.gain_threshold + 1)
-            sleeve = replace(sleeve, gain=gain, gain_slope=np.where(built, sleeve.gain_slope, 0.0))
-        return np.asarray(sleeve.accuracy_factor_hysteresis)
+        if "gain_slope" in law:  # what is no clutch may have no number to compare
+            gain = np.where(built, law["gain"], law["gain_threshold"] + 1)
+            law = law.at(gain=gain, gain_slope=np.where(built, law["gain_slope"], 0.0))
+        return np.asarray(law["accuracy_factor_hysteresis"])
 
     @cached_property
     def cycles(self) -> Numbers:
@@ -198,21 +208,20 @@ class Candidates:
 
         Where an event gives the dynamic factor, of the protected side alone: the other is known when it is simulated.
         """
-        part, drive = with_modulus(self.need), self.need.drive or Drive()
         ends = (self.closing_force * each for each in self.torques_per_force)
         least, most = (np.where(np.isfinite(torque), torque, np.nan) for torque in ends)
-        load = Load(lambda share: np.where(share > 0, most, least), least, most)
-        return np.minimum(life_of(part, load), life_of(part, load.times(drive.dynamic_factor)))
+        return life_of(self.need, least, most)
 
     @cached_property
     def torque_after_wear(self) -> Numbers:
         """Least torque in service with the lining worn off, N·m; 0 where that takes all of the force."""
-        at, lining, clutch = self.at, given(given(self.need.heat).lining), self.clutch
+        at, lining, rest = self.at, given(given(self.need.heat).lining), self.law["pack_force_at_rest"]
+        spring = "control_force_made" if self.variant.travels else "closing_force"
         stiffness = at.control_stiffness if self.variant.travels else at.closing_stiffness
         loss = force_lost_by_wear(stiffness, at.pairs, lining) / self.closing_force
-        worn = weakened(clutch, loss)
-        torque = reduce(np.minimum, (worn.torque(*point) for point in zip(*clutch.friction, strict=True)))
-        return np.where(loss < clutch.pack_force_at_rest, self.closing_force * torque, 0.0)
+        worn, points = as_set(self.law, **{spring: rest - loss}), zip(*self.need.friction.groups, strict=True)
+        torque = reduce(np.minimum, (self._slipping(point, worn)["torque"] for point in points))
+        return np.where(loss < rest, self.closing_force * torque, 0.0)
 
     @cached_property
     def face_width(self) -> Numbers:
@@ -229,31 +238,27 @@ class Candidates:
     def surface_pressure(self) -> Numbers:
         """Mean surface pressure under the force at rest, Pa; NaN where the width of the faces is not known."""
         half = self.face_width / 2
-        per_force = direct.mean_pressure(1.0, self.at.mean_radius - half, self.at.mean_radius + half, np.pi)
+        per_force = pressure.mean_pressure(1.0, self.at.mean_radius - half, self.at.mean_radius + half)
         return self.pack_force * per_force
 
     @cached_property
     def peak_pressure(self) -> Numbers:
         """Surface pressure at the inner edge, which a friction material is held to, Pa; NaN as the mean."""
         half, mean = self.face_width / 2, self.at.mean_radius
-        return direct.peak_pressure_uniform_wear(self.pack_force, mean - half, mean + half, np.pi)
+        return _peak_pressure(self.pack_force, mean - half, mean + half)
 
     @cached_property
     def force_per_ball(self) -> Numbers:
         """Normal force on one ball per torque, 1/m."""
-        return synthesis.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, self.cosine)
-
-    @property
-    def most_per_ball(self) -> Numbers:
-        """Largest force that any wall puts on a ball, per torque, 1/m."""
-        return self.force_per_ball
+        return control_unit.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, self.cosine)
 
     @cached_property
     def ball_torque(self) -> Numbers:
         """Largest torque that passes the balls, N·m: it grows with f_2, whatever the gain; with a sleeve it is all."""
         if self.variant.travels:
             return self.torque_max
-        return self.closing_force * self.clutch.ball_torque(*self.frictions[2])
+        pressed, driven = self._slipping(self.frictions[2])["normal_force"], self.frictions[2][1]
+        return self.closing_force * _driven_torque(pressed, self.at.mean_radius, self.controlled_pairs, driven)
 
     @cached_property
     def contact_force(self) -> Numbers:
@@ -263,8 +268,7 @@ class Candidates:
     @cached_property
     def travel(self) -> Numbers:
         """Largest travel of the sleeve, m; 0 without one."""
-        sleeve = self.clutch.sleeve
-        return np.zeros(1) if sleeve is None else self.closing_force * sleeve.travel(self.frictions[2][0])
+        return self.closing_force * self.law["travel_max"] if self.variant.travels else np.zeros(1)
 
     @cached_property
     def control_force(self) -> Numbers:
@@ -284,7 +288,7 @@ class Candidates:
     @cached_property
     def ball_pitch(self) -> Numbers:
         """Distance between neighbouring balls, m; of a single one the width to the other side of the axis."""
-        return synthesis.ball_pitch(self.at.ball_circle_radius, math.sin(math.pi / max(self.need.fixed.balls, 2)))
+        return control_unit.ball_pitch(self.at.ball_circle_radius, math.sin(math.pi / max(self.need.fixed.balls, 2)))
 
     @cached_property
     def ball_room(self) -> Numbers:
@@ -321,7 +325,7 @@ class Candidates:
         """Whether there is room for a standard ball that bears its force."""
         # of each listed ball first: they are fewer
         borne = np.asarray(hertz.allowable_force(given(self.need.bearing), self._listed / 2)) * (1 + SAME)
-        allowed = borne[self._places(mouths=True)] / self.most_per_ball
+        allowed = borne[self._places(mouths=True)] / self.force_per_ball
         return self.ball_torque <= np.where(self.tangent > 0, allowed, np.inf)
 
     @cached_property
@@ -333,7 +337,7 @@ class Candidates:
     def travel_room(self, diameter: Numbers | float) -> Numbers:
         """Travel for which a ball is large enough, m: half of it goes off the clearance; no bound at gain 0."""
         fixed, sine = self.need.fixed, self.tangent * self.cosine
-        left = synthesis.edge_clearance(diameter / 2, 0.0, fixed.face_gap, sine) - fixed.edge_clearance
+        left = control_unit.edge_clearance_standard(diameter / 2, 0.0, fixed.face_gap, sine) - fixed.edge_clearance
         # gain 0 has no pockets to speak of
         return np.where(self.tangent > 0, 2 * left, np.inf)
 
@@ -346,7 +350,7 @@ class Candidates:
     def ball_reaching(self) -> Numbers:
         """Diameter of the smallest ball that travel, gap and clearance allow, m; 0 at gain 0."""
         fixed, sine = self.need.fixed, self.tangent * self.cosine
-        radius = synthesis.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, sine)
+        radius = control_unit.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, sine)
         return np.where(self.tangent > 0, 2 * radius, 0.0)
 
     @cached_property
@@ -398,34 +402,21 @@ class Candidates:
 class CurvedCandidates(Candidates):
     """Candidates with pockets whose curved wall holds the torque."""
 
-    @property
-    def sleeves(self) -> int:
-        """m, sleeves that the ball moves in."""
-        return 2 if self.need.fixed.profiled == "both" else 1
-
     @cached_property
     def steepening(self) -> Numbers:
         """Y'', 1/m."""
-        return wall.path_steepening(self.gain_slope, self.at.ball_circle_radius, self.at.mean_radius, self.sleeves)
+        return curved_wall.path_steepening(self.gain_slope, self.at.ball_circle_radius, self.at.mean_radius)
 
     @cached_property
     def tangent_max(self) -> Numbers:
         """tan α at the largest travel."""
-        return wall.path_tangent(self.tangent, self.steepening, self.travel / self.sleeves)
+        return curved_wall.tan_wall_angle_at_ball(self.tangent, self.steepening, self.travel)
 
     @cached_property
     def force_per_ball(self) -> Numbers:
         """Most at the largest travel: the torque is held and the wall is steepest."""
         cosine = 1 / np.sqrt(1 + self.tangent_max**2)
-        return synthesis.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, cosine)
-
-    @property
-    def most_per_ball(self) -> Numbers:
-        """The seat in the other sleeve bears more than the curved wall."""
-        if self.sleeves == 2:
-            return self.force_per_ball
-        steepest, stop = np.arctan(self.tangent_max), np.arctan(self.tangent)
-        return wall.seat_force(self.force_per_ball, np.sin(steepest + stop), np.sin(stop), np.cos(stop))
+        return control_unit.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, cosine)
 
     @property
     def ball_fits(self) -> Mask:
@@ -441,27 +432,24 @@ class CurvedCandidates(Candidates):
     def ball_reaching(self) -> Numbers:
         """Of the wall at the largest travel."""
         fixed, sine = self.need.fixed, np.sin(np.arctan(self.tangent_max))
-        reach = 2 * self.travel / self.sleeves
-        return 2 * synthesis.ball_radius(reach, fixed.face_gap, fixed.edge_clearance, sine)
+        return 2 * control_unit.ball_radius(2 * self.travel, fixed.face_gap, fixed.edge_clearance, sine)
 
     @cached_property
     def ball_borne(self) -> Numbers:
-        """Largest of what the stop, the largest travel and the flat seat ask for: between them less of it is used."""
+        """Larger of what the stop and the largest travel ask for: between them less of it is used."""
         if self.need.bearing is None:
             return np.zeros(1)
-        bent = [2 * path * np.interp(share, *_bearing()[0], right=np.inf) for path, share in self._shares]
-        if (contact := self.need.contact) is None:
-            return np.maximum(*bent)
-        seat = np.sqrt(self.ball_torque * self.most_per_ball / hertz.allowable_force(contact, 0.5))
-        return np.maximum(np.maximum(*bent), seat)
+        return np.maximum(*(2 * path * _bearing(share)[0] for path, share in self._shares))
 
     @property
     def _shares(self) -> Iterator[tuple[Numbers, Numbers]]:
         """Radius of the path at the stop and at the largest travel; root of the force over what such a ball bears."""
         for tangent in (self.tangent, self.tangent_max):
             cosine = 1 / np.sqrt(1 + tangent**2)
-            path = wall.path_radius(self.steepening, cosine)
-            force = synthesis.contact_force(self.ball_torque, self.need.fixed.balls, self.at.ball_circle_radius, cosine)
+            path = curved_wall.undercut_radius(self.steepening, cosine)
+            force = control_unit.contact_force(
+                self.ball_torque, self.need.fixed.balls, self.at.ball_circle_radius, cosine
+            )
             yield path, np.sqrt(force / hertz.allowable_force(given(self.need.bearing), path))
 
     @cached_property
@@ -471,13 +459,13 @@ class CurvedCandidates(Candidates):
         if self.need.bearing is not None:
             # nearly as large as the path is bent, a ball bears less again
             for path, share in self._shares:
-                diameter = np.where(diameter <= 2 * path * np.interp(-share, *_bearing()[1]), diameter, np.nan)
+                diameter = np.where(diameter <= 2 * path * _bearing(share)[1], diameter, np.nan)
         return diameter
 
     def _next_fitting(self, least: Numbers) -> Numbers:
         """Next standard ball, m; NaN where it undercuts the wall, or has no room."""
         diameter = self._next_listed(least)
-        undercut = 2 * wall.path_radius(self.steepening, self.cosine)
+        undercut = 2 * curved_wall.undercut_radius(self.steepening, self.cosine)
         room = (diameter < undercut) & (diameter < self.ball_room) & (self._mouth(diameter) < self.ball_pitch)
         return np.where(room, diameter, np.nan)
 
@@ -486,23 +474,22 @@ class CurvedCandidates(Candidates):
         radius, gap = diameter / 2, self.need.fixed.face_gap
         depth = radius
         for _ in range(_NEWTON_STEPS):
-            angle = np.arctan(wall.path_tangent(self.tangent, self.steepening, depth))
-            left = wall.contact_depth(radius, np.sin(angle), depth, gap)
+            angle = np.arctan(curved_wall.tan_wall_angle_at_ball(self.tangent, self.steepening, depth))
+            left = -curved_wall.wall_axial(depth, radius, angle) - gap / 2
             depth = depth + left / (1 - radius * self.steepening * np.cos(angle) ** 3)
-        around = wall.path(self.tangent, self.steepening, depth)
-        return 2 * wall.wall_around(around, radius, np.cos(angle))
+        around = curved_wall.path_around(self.tangent, self.steepening, depth)
+        return 2 * curved_wall.wall_around(around, radius, angle)
 
 
-@cache
-def _bearing() -> tuple[tuple[Numbers, Numbers], tuple[Numbers, Numbers]]:
-    """Root of what balls bear on a path bent by 1, over a ball of radius 1 on a flat, and their radii.
+def _bearing(share: Numbers) -> tuple[Numbers, Numbers]:
+    """Least and largest radius of a ball that bears a force on a path bent by 1; infinite and NaN where none does.
 
-    Up to the ball that bears most, then, negative, beyond it: both ascend, for interpolation (1e-9).
+    ``share``: root of the force over what a ball of radius 1 bears on a flat, R_e: 2 r² − (2 + share) r + 2 share = 0.
     """
-    radii = np.linspace(0.0, 1.0, 8193)[1:-1]
-    root = np.sqrt(hertz.allowable_force(HARDENED_STEEL, radii, 1.0) / hertz.allowable_force(HARDENED_STEEL, 1.0))
-    top = int(np.argmax(root))
-    return (np.append(0.0, root[: top + 1]), np.append(0.0, radii[: top + 1])), (-root[top:], radii[top:])
+    half = 2 + share
+    with np.errstate(invalid="ignore"):
+        root = np.sqrt(half * half - 16 * share)
+    return np.where(np.isnan(root), np.inf, 4 * share / (half + root)), (half + root) / 4
 
 
 @cache
@@ -524,13 +511,13 @@ def never_meet(need: Requirements) -> bool:
         outer = need.search.radii.array()[0]
         inner = outer if need.search.inner_radius is None else need.search.inner_radius.array()[0]
         steepest = given(need.search.gain).array()[-1] * circle / ((max(inner, outer) + inner) / 2)
-    pitch = synthesis.ball_pitch(circle, math.sin(math.pi / fixed.balls))
+    pitch = control_unit.ball_pitch(circle, math.sin(math.pi / fixed.balls))
     needed = fixed.face_gap + 2 * fixed.edge_clearance
     # a ball is the next standard one down to where the one before it would do
     sine = np.minimum(needed / np.concatenate([[SAME], listed[:-1]]), 1 - SAME)
     tangent = np.minimum(sine / np.sqrt(1 - sine**2), steepest)
-    depth = synthesis.pocket_depth(listed / 2, tangent / np.sqrt(1 + tangent * tangent), fixed.face_gap)
-    mouth = synthesis.pocket_width(depth, tangent)
+    depth = control_unit.pocket_depth(listed / 2, tangent / np.sqrt(1 + tangent * tangent), fixed.face_gap)
+    mouth = control_unit.pocket_width(depth, tangent)
     return not ((listed < pitch) & (listed >= needed) & (mouth >= pitch * (1 - SAME))).any()
 
 

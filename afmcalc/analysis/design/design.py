@@ -10,7 +10,6 @@ from operator import and_
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...engines.parameters import material_findings, service_factor_assumed
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import did_you_mean, joined, measured, say, term
@@ -20,6 +19,7 @@ from ...spec.edit import with_values
 from ...spec.requirements import Requirements
 from ...units import ENGINEER
 from ...variants import VARIANTS, Variant
+from ..clutch_findings import material_findings
 from .candidates import candidates, rounded
 from .limits import Constraint, constraints
 from .pick import asked, made, number_of
@@ -258,7 +258,7 @@ def _findings(result: DesignResult) -> list[Finding]:
 def _of_machine(need: Requirements) -> Iterator[Finding]:
     """Say what is assumed of the machine, and that a search does not hold its shaft against the peaks of an event."""
     if need.machine is not None and need.machine.service_factor is None:
-        yield service_factor_assumed()
+        yield finding("service-factor-assumed", "info", value=1.0, path="machine.service_factor")
     event = need.drive is not None and need.drive.event is not None
     if event and need.shaft_torque < (need.wanted.peak_torque or np.inf):
         yield finding("shaft-not-at-peaks", "info", value=need.shaft_torque, path="shaft.yield_strength")

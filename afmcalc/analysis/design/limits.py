@@ -10,7 +10,7 @@ import numpy as np
 
 from ...engines.layout import PartName, length_of
 from ...engines.springs import QUASI_STATIC
-from ...equations import direct
+from ...equations import pack
 from ...errors import given
 from ...spec.models import Room
 from ...spec.requirements import Requirements
@@ -104,13 +104,11 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
             test=lambda c: c.gain <= c.gain_limit * (1 + 1e-9),
         )  # fmt: skip
     if (reduced := limits.reduced_gain) is not None:
-        yield Constraint(
-            "reduced_gain", lambda c: direct.reduced_gain(c.controlled_pairs, c.gain), reduced, "1", (0, -1)
-        )
+        yield Constraint("reduced_gain", lambda c: pack.reduced_gain(c.controlled_pairs, c.gain), reduced, "1", (0, -1))
     if (force := limits.contact_force) is not None:
         yield Constraint(
-            "contact_force", lambda c: c.ball_torque * c.most_per_ball, force, "N", (1, 1),
-            test=lambda c: c.ball_torque <= force * OVER / c.most_per_ball,
+            "contact_force", lambda c: c.ball_torque * c.force_per_ball, force, "N", (1, 1),
+            test=lambda c: c.ball_torque <= force * OVER / c.force_per_ball,
         )  # fmt: skip
     if need.bearing is not None:
         straight = None if curved(need, variant) else lambda c: c.contact_pressure

@@ -9,8 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from pydantic import BaseModel
 
-from ...engines import build
-from ...engines.protocol import Clutch
+from ...engines import Clutch, build
 from ...errors import CalculationError, given
 from ...findings import Finding
 from ...messages import joined
@@ -22,6 +21,7 @@ from ...spec.requirements import Choice, Requirements
 from ...variants import VARIANTS
 from ..answers import Answers
 from ..check import check, found_unsimulated
+from ..clutch_findings import clutch_findings
 from ..limits import ring_pressures, shaft_findings
 from ..registry import ANALYSES
 from ..requirements import JUDGED, requirement_rows, simulates
@@ -217,7 +217,8 @@ def made(need: Requirements, row: DesignRow, *, simulated: bool = True, whole: b
             shown["torque_max_sprung"] = float(clutch.torque_max)
             shown["accuracy_factor_sprung"] = float(clutch.accuracy_factor)
         sprung = Made(clutch.spec, row.model_copy(update=shown))
-        if not any(remark.level == "warning" and "_spring." in (remark.path or "") for remark in clutch.findings()):
+        remarks = clutch_findings(clutch.spec, clutch.quantities)
+        if not any(remark.level == "warning" and "_spring." in (remark.path or "") for remark in remarks):
             return sprung
         strayed = strayed or sprung
     return strayed

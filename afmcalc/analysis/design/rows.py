@@ -235,7 +235,6 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
     limited |= {"reduced_gain"} if row.ball_circle_radius is not None else set()
     limited |= {"travel"} if row.travel is not None else set()
     of_pockets = set() if row.gain else {"contact_pressure"}
-    unit = {"profiled": "one"} if "pocket" in fixed else {}
     data = need.model_dump(exclude_none=True, include=blocks) | {
         "name": say("{name}, no. {number}", name=need.name or say("Design"), number=row.number),
         "variant": row.variant,
@@ -244,8 +243,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
             force=row.closing_force, stiffness=row.closing_stiffness, room=fixed.get("closing_room")
         ),
         "control_spring": _given(stiffness=row.control_stiffness, room=fixed.get("control_room")),
-        "control_unit": unit
-        | {name: value for name, value in fixed.items() if name in ControlUnit.model_fields}
+        "control_unit": {name: value for name, value in fixed.items() if name in ControlUnit.model_fields}
         | _given(
             gain=row.gain if row.wall_angle is None else None,
             wall_angle=row.wall_angle,

@@ -15,10 +15,8 @@ import numpy as np
 
 from ...drive.heat import least_rise, least_share, motor_torque, run_down
 from ...drive.peaks import slips_of
-from ...engines import build
-from ...engines.protocol import Clutch
+from ...engines import Clutch, build
 from ...equations import heat as law
-from ...equations.calls import unnoted
 from ...errors import given
 from ...messages import say
 from ...progress import counted, tell, unwatched
@@ -115,7 +113,7 @@ class _Pool:
 
     def _simulate(self, member: int, places: Places) -> None:
         variant, at, columns, need = self.members[member]
-        with unwatched(), unnoted():
+        with unwatched():
             shares = _shares(need, variant, at.at(places - (self.ends[member] - len(columns))))
         out = np.any([share > 1 for share in shares.values()], axis=0) if shares else np.zeros(0, bool)
         for k in np.flatnonzero(out):
@@ -140,7 +138,7 @@ class _Pool:
     def judged(self, place: int) -> tuple[DesignRow, tuple[str, ...]]:
         """Return a candidate with what a check says of it, and what it misses by that."""
         row = rows(self.candidate(place))[0]
-        with unwatched(), unnoted():
+        with unwatched():
             return judged(self.need, row)
 
     def candidate(self, place: int) -> Candidates:

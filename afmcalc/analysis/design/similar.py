@@ -5,7 +5,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from ...engines.protocol import Clutch
+from ...engines import Clutch
 from ...spec.edit import value_at
 from ...spec.models import resolved
 from ...spec.requirements import Fixed, Limits, Wanted
@@ -41,7 +41,7 @@ def requirements_like(clutch: Clutch) -> dict[str, Any]:
     if spec.kind.chooses_bypass:
         search["driving_pairs"] = group["driving_pairs"]
     if spec.kind.controlled:
-        gain = max(float(clutch.gain_limit or 0.0), 2 * float(clutch.gain))
+        gain = max(float(clutch.quantities.get("gain_limit", 0.0)), 2 * float(clutch.gain))
         search["gain"] = {"start": 0.0, "stop": _round(gain), "count": _COUNT}
         circle = unit.get("ball_circle_radius", float(clutch.mean_radius) / 2)
         search["ball_circle_radius"] = value_as_written(_round(circle), "m")

@@ -1,24 +1,29 @@
 """A calculation as an engineer writes it: formula, numbers put in, value, source, and where the print differs.
 
-``explain`` lists every call; a report shows each formula once, then a row of numbers for each case (``derivations``).
+``explain`` lists the laws that were applied; a report shows each formula once, then a row of numbers for each case
+(``derivations``).
 """
 
-from collections.abc import Iterable, Mapping
-from functools import cache
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from typing import NamedTuple
 
-from ...engines import build
-from ...equations.calls import noted
+from ...engines import Clutch, build
+from ...engines.quantities import NotedStep
+from ...engines.selection import quantities_of
+from ...equations.arrays import is_array
+from ...equations.catalogue import Equation, equation_of
+from ...equations.terms import CASES, Term, quantity_of, term_of
 from ...errors import AfmcalcError
 from ...findings import Finding
-from ...messages import did_you_mean, joined, say
+from ...messages import did_you_mean, joined, say, term
+from ...papers.register import register
 from ...result import Answer, Result, Sentence, described
 from ...spec import Spec
-from ...spec.keys import keys
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
-from .formula import symbol_latex
-from .trace import Call, CallReader, Circumstance, distinct, formula_text, identity, in_order, misprints
+from .formula import FormulaText, symbol_latex
 
 
 class Step(Result):
@@ -50,7 +55,7 @@ class ExplainResult(Answer):
 
 
 def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[ExplainResult, list[Finding]]:
-    """Run a calculation and explain every equation it ran; the findings are those of the calculation.
+    """Run a calculation and explain every law it applied; the findings are those of the calculation.
 
     Raises:
         AfmcalcError: no such calculation.
@@ -63,30 +68,152 @@ def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[
             hint=hint,
             analyses=", ".join(EXPLAINED),
         )
-    calculation = ANALYSES[command].function
-    with noted() as notes:
-        _, findings = calculation(build(spec), **({"model": model} if model else {}))
-    calls = in_order(distinct(CallReader().calls(notes)))
-    return ExplainResult(explained=command, steps=[_step(call) for part in calls for call in part]), findings
+    clutch = noting(spec)
+    _, findings = ANALYSES[command].function(clutch, **({"model": model} if model else {}))
+    steps = [*where_largest(steps_of(clutch))]
+    told = [_step(step) for part in by_law(steps, shown(steps)) for step in part]
+    return ExplainResult(explained=command, steps=told), findings
 
 
-def _step(call: Call) -> Step:
-    formula = formula_text(call)
-    differing = [say("{id} prints {printed} ({misprint})", **printed) for printed in misprints(call.equation.name)]
+def noting(spec: Spec) -> Clutch:
+    """Return a clutch that notes the laws it applies."""
+    clutch = build(spec)
+    vars(clutch)["quantities"] = quantities_of(spec, noted=True)  # kept in the place of those it would make
+    return clutch
+
+
+def steps_of(clutch: Clutch) -> list[NotedStep]:
+    """Return the steps that a clutch has noted."""
+    return clutch.quantities.steps or []
+
+
+def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
+    """Return steps; of those of a ball along its wall the force where it is largest, the rest where the pressure is."""
+    steps = list(steps)
+    largest = {
+        step.name: int(step.value.argmax()) for step in steps if step.case == "along_wall" and step.name in _LARGEST
+    }
+    for step in steps:
+        if step.name.endswith("_at_ball") and step.case == "along_wall":
+            place = largest.get(step.name, largest.get("contact_pressure_at_ball", 0))
+            at = {name: one.flat[place] if is_array(one) else one for name, one in step.values.items()}
+            yield step._replace(values=at, value=step.value.flat[place])
+        else:
+            yield step
+
+
+_LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
+
+
+def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
+    """Return the steps that a formula with numbers can show, each once."""
+    found: dict[tuple[object, ...], NotedStep] = {}
+    for step in steps:
+        numbers = (*step.values.values(), step.value)
+        if all(isinstance(one, int | float) and math.isfinite(one) for one in numbers) and _equation(step).result.unit:
+            found.setdefault((step.name, step.case, *numbers), step)
+    return [step for step in found.values() if _has_formula(step)]
+
+
+def _has_formula(step: NotedStep) -> bool:
+    """Whether a law is a formula; one that compares numbers, as for the friction of the largest torque, is none."""
+    with suppress(TypeError):
+        return bool(_formula_text(step))
+    return False
+
+
+def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[NotedStep]]:
+    """Return what is shown of steps by its law: what it uses before it, else in the order in which laws were applied.
+
+    A group is parted where it must be: a setting follows from a torque, and gives torques of its own.
+    """
+    left, parts, before = dict[tuple[str, str], list[NotedStep]](), list[list[NotedStep]](), dict[int, set[int]]()
+    of_quantity, kept = dict[str, set[int]](), {*map(id, shown)}
+    for step in steps:
+        uses = set().union(*(of_quantity.get(quantity_of(one), ()) for one in step.arguments.values()))
+        if id(step) in kept:
+            left.setdefault((_equation(step).name, _result(step).symbol), []).append(step)
+            before[id(step)], uses = uses, {id(step)}
+        of_quantity.setdefault(step.name, set()).update(uses)
+    missing = {*before}
+    while left:
+        ready = {name: [one for one in own if not before[id(one)] & missing] for name, own in left.items()}
+        whole = (name for name in left if len(ready[name]) == len(left[name]))
+        name = next(whole, None) or next(name for name in left if ready[name])
+        parts.append(ready[name])
+        missing -= {*map(id, ready[name])}
+        left[name] = [one for one in left[name] if id(one) in missing]
+        left = {name: own for name, own in left.items() if own}
+    return parts
+
+
+def _equation(step: NotedStep) -> Equation:
+    return equation_of(step.name, step.law)
+
+
+def _result(step: NotedStep) -> Term:
+    """What a step gives; in some cases it has a name of its own, as K_т,w."""
+    own = next((case for case in step.case.split() if not CASES[case]), None)
+    return Term(*term_of(f"{step.name}_at_{own}")) if own else _equation(step).result
+
+
+class Circumstance(NamedTuple):
+    """What a value is for."""
+
+    at: str | None = None
+    """Friction it is for, such as ``f_max``, whether it falls, and the like."""
+    setting: Method | None = None
+    """How the spring is set; None: as it is."""
+    side: str | None = None
+    """Side of the clutch that the load is on, where that is the unprotected one."""
+
+
+_SETTINGS: dict[str, Method] = {"by_min": "min-friction", "by_mean": "mean-friction"}
+
+
+def _circumstance(cases: str) -> Circumstance:
+    words = [case for case, word in CASES.items() if word and case in cases.split()]
+    at = [term(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
+    setting = next((_SETTINGS[case] for case in words if case in _SETTINGS), None)
+    return Circumstance(joined(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
+
+
+def _formula_text(step: NotedStep, *, special: bool = True) -> FormulaText:
+    """Return the formula of a step and its numbers; ``special``: with the symbols of what stands for its arguments."""
+    terms = _equation(step).arguments
+    symbols = {name: own.symbol for name, own in terms.items()}
+    if special:
+        symbols |= {name: term_of(one).symbol for name, one in step.arguments.items()}
+    return FormulaText(step.law, symbols, step.values, {name: own.unit for name, own in terms.items()})
+
+
+def _print_differs(function: str) -> str:
+    """What the papers print in the place of an equation."""
+    said = [
+        say("{id} prints {printed} ({misprint})", id=term(one.id), printed=term(one.printed), misprint=one.misprint)
+        for one in register()
+        if function in (one.function or "").split() and one.status == "mended" and one.printed
+    ]
+    return joined(said, "; ")
+
+
+def _step(step: NotedStep) -> Step:
+    equation, formula, case = _equation(step), _formula_text(step), _circumstance(step.case)
+    result = _result(step)
     return Step(
-        symbol=call.result,
-        symbol_latex=symbol_latex(call.result),
-        name=call.equation.summary.partition(",")[0].rstrip("."),
-        at=call.case.at,
-        setting=call.case.setting,
-        side=call.case.side or None,
+        symbol=result.symbol,
+        symbol_latex=symbol_latex(result.symbol),
+        name=result.meaning or equation.about,
+        at=case.at,
+        setting=case.setting,
+        side=case.side,
         formula=formula.text(),
         substituted=formula.text_with_numbers(),
-        value=float(call.value),
-        unit=call.equation.result.unit,
-        source=call.equation.source,
-        print_differs=joined(differing, "; ") if differing else None,
-        function=call.equation.name,
+        value=float(step.value),
+        unit=result.unit,
+        source=equation.source,
+        print_differs=_print_differs(equation.name) or None,
+        function=equation.name,
         formula_latex=formula.latex(),
         substituted_latex=formula.latex_with_numbers(),
     )
@@ -133,20 +260,20 @@ class Derivation(NamedTuple):
     """What the paper prints instead."""
 
 
-_SLOPE = "∂"
-"""Slopes are no quantities of the clutch: they rank what it depends on (``explain`` has their steps)."""
 _FEW = 4
 """Cases above which the numbers are put into one line, not into fractions."""
-_OF_TANGENT = {
-    "sin α": "sine of the wall angle, from its tangent",
-    "cos α": "cosine of the wall angle, from its tangent",
-}
 
 
-def derivations(sections: Mapping[str, list[Call]]) -> dict[str, list[Derivation]]:
-    """Return the derivations of each section, of the calls noted for it; what was shown is not shown again."""
-    report = _Report()
-    return {name: report.section(calls) for name, calls in sections.items()}
+def derivations(sections: Mapping[str, Iterable[NotedStep]]) -> dict[str, list[Derivation]]:
+    """Return the derivations of each section, of the steps noted for it; what was shown is not shown again."""
+    report, known = _Report(), dict[int, str]()
+    sections = {name: [*where_largest(steps)] for name, steps in sections.items()}
+    for name, steps in sections.items():
+        known |= {id(step): name for step in steps}
+    new: dict[str, list[NotedStep]] = {name: [] for name in sections}
+    for step in shown(step for steps in sections.values() for step in steps):
+        new[known[id(step)]].append(step)
+    return {name: [report.derivation(part) for part in by_law(sections[name], own)] for name, own in new.items()}
 
 
 class _Report:
@@ -155,75 +282,48 @@ class _Report:
     def __init__(self) -> None:
         self.numbers: dict[str, int] = {}
         """Equation → number of its formula."""
-        self.results: dict[str, tuple[int, set[str]]] = {}
-        """Symbol of a result → number of its formula, and its values."""
-        self.calls: set[tuple[object, ...]] = set()
+        self.quantities: dict[str, int] = {}
+        """Quantity → number of the formula that gives it."""
+        self.terms: dict[Term, int] = {}
+        """The same of equations that are not wired: what they take and give is of one type."""
         self.meanings: set[Meaning] = set()
         self.texts: set[tuple[str, str]] = set()
 
-    def section(self, calls: list[Call]) -> list[Derivation]:
-        new = {identity(call): call for call in distinct(calls) if not call.equation.result.symbol.startswith(_SLOPE)}
-        shown = [call for key, call in new.items() if key not in self.calls]
-        self.calls |= new.keys()
-        return [self.derivation(part) for part in in_order(shown)]
-
-    def derivation(self, calls: list[Call]) -> Derivation:
-        equation = calls[0].equation
-        result, is_new = equation.result, equation.name not in self.numbers
+    def derivation(self, steps: list[NotedStep]) -> Derivation:
+        equation = _equation(steps[0])
+        result, is_new = _result(steps[0]), equation.name not in self.numbers
         number = self.numbers.setdefault(equation.name, len(self.numbers) + 1)
-        self.results.setdefault(result.symbol, (number, set()))[1].update(f"{call.value:.12g}" for call in calls)
-        # which frictions the extremes are at differs from clutch to clutch
-        texts = [formula_text(call, special=equation.name == "accuracy.accuracy_factor") for call in calls]
-        differing = [say("{id}: {printed} ({misprint})", **printed) for printed in misprints(equation.name)]
+        self.quantities[steps[0].name] = self.terms[result] = number
+        texts = [_formula_text(step, special=False) for step in steps]
         return Derivation(
             number=number,
             symbol=result.symbol,
-            name=equation.about,
+            name=result.meaning or equation.about,
             unit=result.unit,
             symbol_latex=symbol_latex(result.symbol),
             formula=texts[0].latex() if is_new else "",
-            where=list(self.meanings_of(calls)),
+            where=list(self.meanings_of(steps)),
             rows=[
-                CaseRow(call.case, text.latex_with_numbers(line=len(calls) > _FEW), float(call.value))
-                for call, text in zip(calls, texts, strict=True)
+                CaseRow(_circumstance(step.case), text.latex_with_numbers(line=len(steps) > _FEW), float(step.value))
+                for step, text in zip(steps, texts, strict=True)
             ],
             source=equation.source if is_new else "",
-            differs=joined(differing if is_new else (), "; "),
+            differs=_print_differs(equation.name) if is_new else "",
         )
 
-    def meanings_of(self, calls: list[Call]) -> Iterable[Meaning]:
+    def meanings_of(self, steps: list[NotedStep]) -> Iterator[Meaning]:
         """Say what the symbols of a formula stand for, each meaning once in a report."""
-        for call in calls:
-            for name in call.arguments:
-                if call.equation.arguments[name].symbol == "π":
+        for step in steps:
+            for name, own in _equation(step).arguments.items():
+                (symbol, unit, text), number, source = own, self.terms.get(own), ""
+                if name in step.arguments:
+                    quantity = quantity_of(step.arguments[name])
+                    number, source = self.quantities.get(quantity), term_of(quantity).symbol
+                meaning = Meaning(symbol, text, unit, source if number and source != symbol else "", number)
+                if meaning in self.meanings:
                     continue
-                meaning = self.meaning(call, name)
-                # what a spec gives is one thing, whatever words a formula has for it
-                given = meaning.number is None and meaning.symbol in _keys()
-                key = meaning._replace(text="") if given else meaning
-                if key in self.meanings:
-                    continue
-                self.meanings.add(key)
-                if meaning.source and (meaning.symbol, meaning.text) in self.texts:
+                self.meanings.add(meaning)
+                if meaning.source and (symbol, text) in self.texts:
                     meaning = meaning._replace(text="")  # κ, and for the way back κ₊ in its place
-                self.texts.add((meaning.symbol, meaning.text))
+                self.texts.add((symbol, text))
                 yield meaning
-
-    def meaning(self, call: Call, name: str) -> Meaning:
-        term = call.equation.arguments[name]
-        if term.symbol in _OF_TANGENT:
-            return Meaning(term.symbol, _OF_TANGENT[term.symbol], "1", number=self.results["tan α"][0])
-        if name in call.marks:
-            number = self.numbers.get(call.marks[name].origin)
-        else:
-            number, values = self.results.get(term.symbol, (None, set[str]()))
-            number = number if f"{call.arguments[name]:.12g}" in values else None
-        source = next((symbol for symbol, (count, _) in self.results.items() if count == number), term.symbol)
-        text = term.meaning or ("" if number else _keys().get(term.symbol, ""))
-        return Meaning(term.symbol, text, term.unit, source if source != term.symbol else "", number)
-
-
-@cache
-def _keys() -> dict[str, str]:
-    """Symbol of a spec's key → what it is."""
-    return {key.symbol: key.description.partition(";")[0] for key in keys().values() if key.symbol}

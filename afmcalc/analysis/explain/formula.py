@@ -1,9 +1,10 @@
-"""The text of an equation function, from running it on terms that note what is done to them."""
+"""The text of a law, from running it on terms that keep what is done to them."""
 
+import math
 import operator
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from ...units import typeset
@@ -45,6 +46,11 @@ class Expression:
         """Change the sign."""
         return _negated(self)
 
+    @staticmethod
+    def called(name: str, *values: "Expression | float") -> "Expression":
+        """Keep a function that is no arithmetic, as ``equations.arrays`` calls it."""
+        return Called(name, tuple(map(_term, values)))
+
     __radd__, __rsub__ = _reflected(operator.add), _reflected(operator.sub)
     __rmul__, __rtruediv__ = _reflected(operator.mul), _reflected(operator.truediv)
 
@@ -56,6 +62,12 @@ class Leaf(Expression):
     text: str
     own: bool = False
     """Whether it is a number of the equation itself."""
+    value: float = field(default=math.nan, compare=False)
+    """What it stands for: a law may ask whether there is such a thing."""
+
+    def __gt__(self, other: float) -> bool:
+        """Compare what it stands for."""
+        return self.value > other
 
 
 @dataclass(frozen=True)
@@ -82,13 +94,21 @@ class Sum(Expression):
     terms: tuple[Expression, ...]
 
 
-_ONE = Leaf("1", own=True)
+@dataclass(frozen=True)
+class Called(Expression):
+    """A function of expressions: max, sin, …"""
+
+    name: str
+    arguments: tuple[Expression, ...]
+
+
+_ONE, _PI = Leaf("1", own=True), Leaf("π", own=True)
 
 
 def _term(value: Expression | float) -> Expression:
     if isinstance(value, Expression):
         return value
-    own = Leaf(f"{abs(value):g}", own=True)
+    own = _PI if abs(value) == math.pi else Leaf(f"{abs(value):g}", own=True)
     return _negated(own) if value < 0 else own
 
 
@@ -133,11 +153,16 @@ class _Text:
                 return self.minus + self._in_brackets(taken_off, True)
             case Product(negative, over, under):
                 return (self.minus if negative else "") + self._quotient(over, under)
+            case Called(name, arguments):
+                return self._function(name) + self.brackets.format(", ".join(map(self.show, arguments)))
         assert isinstance(term, Leaf)
         return self._leaf(term.text)
 
     def _leaf(self, text: str) -> str:
         return text
+
+    def _function(self, name: str) -> str:
+        return name
 
     def _in_brackets(self, term: Expression, when: bool) -> str:
         own = self.show(term)
@@ -180,6 +205,9 @@ class _Latex(_Text):
 
     def _leaf(self, text: str) -> str:
         return symbol_latex(text)
+
+    def _function(self, name: str) -> str:
+        return f"\\{name.replace('atan', 'arctan')} "
 
     def _power(self, base: Expression, exponent: Expression) -> str:
         if exponent in (Leaf("0.5"), Leaf("0.5", own=True)):
@@ -228,7 +256,7 @@ class FormulaText:
         plain = {name: _number(values[name], units[name], latex=False) for name in symbols}
         set_in_latex = {name: _number(values[name], units[name], latex=True) for name in symbols}
         self._symbolic, self._plain, self._latex = (
-            _term(function(**{name: Leaf(text) for name, text in texts.items()}))
+            _term(function(**{name: Leaf(text, value=values[name]) for name, text in texts.items()}))
             for texts in (symbols, plain, set_in_latex)
         )
 

@@ -13,19 +13,15 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engines import build
-from ...engines.direct import DirectClutch
-from ...engines.indirect import IndirectClutch
-from ...engines.parameters import angle_given, margin
-from ...engines.protocol import Clutch
-from ...equations import adjustment, synthesis
+from ...engines import Clutch, build
+from ...equations import adjustment, indirect, synthesis
 from ...equations.arrays import Floats, Values
 from ...errors import CalculationError, SpecError
 from ...messages import say
+from ...spec import Spec
 from ...spec.edit import with_key
 from ...spec.keys import ALIASES, keys
 from ...variants import GainLimit
-from ..sweep.grid import RATIOS, current_ratio, ends_of_ratio
 
 SAME = 1e-9
 """Relative tolerance within which a wanted value counts as reached."""
@@ -54,11 +50,6 @@ class Domain(NamedTuple):
     """Text: what limits the domain at the high end."""
 
 
-def path_for(name: str) -> str:
-    """Return the spec path of a parameter, for a ratio of frictions that of the coefficient that moves."""
-    return RATIOS[name].path if name in RATIOS else ALIASES[name]
-
-
 def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
     """Return the values of a parameter that give a clutch and, unless ``beyond_limit``, keep the gain within its limit.
 
@@ -66,19 +57,19 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
         CalculationError: no value keeps the gain within its limit.
     """
     spec = clutch.spec
-    about = keys()[path_for(name)].about
+    about = keys()[ALIASES[name]].about
     assert about is not None
     low, low_taken = max(about.limits[0], 0.0), about.gt is None
     ends = [(math.inf, "")]
-    if name in RATIOS:
-        low, most = ends_of_ratio(spec, name)
-        low_taken = low > 0
-        ends.append((most, say("as large as the range of f_2 allows")))
-    low = float(clutch.gain_threshold if name == "C" else spec.least_pairs if name == "z" else low)
+    low = float(
+        clutch.gain_threshold if name == "C" and spec.kind.travels else spec.least_pairs if name == "z" else low
+    )
     if name == "z1":
         ends.append((float(spec.friction_group.pairs - 1), say("one driven pair at least")))
     if name == "R":
-        ends.append((_threshold_radius(clutch), say("the feedback ends, C = 2 R f_1/d")))
+        ends.append(
+            (_threshold_radius(clutch) if spec.kind.travels else math.inf, say("the feedback ends, C = 2 R f_1/d"))
+        )
     if spec.kind.gain_limit is not None and not beyond_limit:
         end = _gain_limit(clutch, spec.kind.gain_limit, name)
         if about.whole and math.isfinite(end):
@@ -98,14 +89,12 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
 
 def _gain_limit(clutch: Clutch, limit: GainLimit, name: str) -> float:
     """Largest value of a parameter at which the gain is within its limit; infinite without such a value."""
-    most, gain = float(clutch.gain_limit or math.inf), float(clutch.gain)
+    most, gain = float(clutch.gain_limit), float(clutch.gain)
     if name == "C":
         return most
     if gain == 0:
         return math.inf
-    if name == "m":
-        return current_ratio(clutch.spec, name) * most / gain
-    if name == "R" and angle_given(clutch.spec):
+    if name == "R" and _angle_given(clutch.spec):
         return float(clutch.mean_radius) * most / gain
     pairs = float(limit.most(gain, clutch.friction[0].max))
     if name == "z" and limit.reduced is not None:
@@ -115,9 +104,14 @@ def _gain_limit(clutch: Clutch, limit: GainLimit, name: str) -> float:
     return math.inf
 
 
+def _angle_given(spec: Spec) -> bool:
+    """Whether the gain follows from a wall angle."""
+    return spec.control_unit is not None and spec.control_unit.wall_angle is not None
+
+
 def _threshold_radius(clutch: Clutch) -> float:
     """Largest R with 2 R f_1/d up to C; infinite with a given wall angle, where C grows with R as well."""
-    if not clutch.gain_threshold or angle_given(clutch.spec):
+    if not clutch.gain_threshold or _angle_given(clutch.spec):
         return math.inf
     end = float(clutch.mean_radius * clutch.gain / clutch.gain_threshold)
     while True:
@@ -268,26 +262,26 @@ _PROPORTIONAL = (*_AT_SETTING, "torque_min", "torque_max", "scatter", "travel_ma
 
 def closed_inverse(clutch: Clutch, name: str, target: str, now: float, wanted: float) -> Values | None:
     """Value of a parameter that gives what is wanted of a target that is ``now``; None without a closed formula."""
-    unit, straight = clutch.spec.control_unit, clutch.sleeve is None or not clutch.sleeve.gain_slope
+    unit, straight = clutch.spec.control_unit, "gain_slope" not in clutch.quantities
     # a constant-torque pocket: its C_1 falls with the force as the travel grows, so that C_1 x does not change
     follows = unit is not None and unit.pocket is not None
     if name == "F" and target in (_PROPORTIONAL if straight or follows else _AT_SETTING):
         return adjustment.closing_force(wanted, 1.0, now / float(clutch.closing_force))
-    if isinstance(clutch, DirectClutch):
+    if not clutch.spec.kind.travels:
         if target == "accuracy_factor":
             return _for_accuracy(clutch, name, wanted)
         # with the spring set for a nominal torque, the torques no longer follow the law at fixed force
         if clutch.spec.closing_spring.force is not None:
             return _for_torque(clutch, name, target, wanted)
-    elif isinstance(clutch, IndirectClutch) and straight and target == "accuracy_factor":
+    elif straight and target == "accuracy_factor":
         return _for_indirect_accuracy(clutch, name, wanted)
-    elif isinstance(clutch, IndirectClutch) and (name, target) == ("C", "control_force"):
+    elif (name, target) == ("C", "control_force"):
         at_setting = clutch.closing_force, clutch.pairs, clutch.friction_set
-        return synthesis.net_gain_for_control_force(wanted, *at_setting) + clutch.gain_threshold
+        return indirect.net_gain_for_control_force(wanted, *at_setting) + clutch.gain_threshold
     return None
 
 
-def _for_accuracy(clutch: DirectClutch, name: str, wanted: float) -> Values | None:
+def _for_accuracy(clutch: Clutch, name: str, wanted: float) -> Values | None:
     first, second = clutch.friction
     z1, z2 = clutch.bypass_pairs, clutch.controlled_pairs
     if name == "C":
@@ -298,9 +292,10 @@ def _for_accuracy(clutch: DirectClutch, name: str, wanted: float) -> Values | No
     return z1 + controlled if name == "z" else z1 + z2 - controlled
 
 
-def _for_torque(clutch: DirectClutch, name: str, target: str, wanted: float) -> Values | None:
+def _for_torque(clutch: Clutch, name: str, target: str, wanted: float) -> Values | None:
     if target == "nominal_torque":
-        friction, torque = clutch.friction_at_setting(), margin(clutch.spec) * wanted
+        friction = clutch.friction_driving_set, clutch.friction_driven_set
+        torque = clutch.margin_in_spring * wanted
     elif target == "torque_max" and not clutch.spec.friction.unlike:
         friction, torque = (clutch.friction[0].max, clutch.friction[0].max), wanted
     else:
@@ -313,12 +308,12 @@ def _for_torque(clutch: DirectClutch, name: str, target: str, wanted: float) -> 
         # added pairs are controlled ones; without a control unit the gain is 0, and these carry like bypass pairs
         kept = z1 if z2 else 0
         return kept + synthesis.controlled_pairs_for_torque(torque, force, radius, kept, gain, *friction)
-    if name == "R" and not angle_given(clutch.spec):
+    if name == "R" and not _angle_given(clutch.spec):
         return synthesis.mean_radius_for_torque(torque, force, z1, z2, gain, *friction)
     return None
 
 
-def _for_indirect_accuracy(clutch: IndirectClutch, name: str, wanted: float) -> Values | None:
+def _for_indirect_accuracy(clutch: Clutch, name: str, wanted: float) -> Values | None:
     frictions = clutch.friction[0].min, clutch.friction_set, clutch.friction[0].max
     c1, c2, pairs, net = clutch.closing_stiffness, clutch.control_stiffness, clutch.pairs, clutch.net_gain
     if name in ("C", "z"):

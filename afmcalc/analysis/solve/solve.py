@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeGuard
 
 import numpy as np
 
-from ...engines import build
-from ...engines.protocol import Clutch
+from ...engines import Clutch, build
 from ...equations.arrays import Floats, Values
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
@@ -25,16 +24,15 @@ from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.rules import variants_of
 from ...units import ENGINEER
 from ..answers import Answers
+from ..clutch_findings import clutch_findings
 from ..registry import ANALYSES
-from ..sweep.grid import RATIOS, current_ratio, moved, no_ratio
-from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, looked, path_for, places, roots
+from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, looked, places, roots
 
 if TYPE_CHECKING:
     from ..requirements import Judged
 
 PARAMETERS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m", "gain_slope": "1/m"}
-"""Keys that can be solved for, by symbol, and their SI units; of unlike materials also ``RATIOS``."""
-_UNITS = PARAMETERS | dict.fromkeys(RATIOS, "1")
+"""Keys that can be solved for, by symbol, and their SI units."""
 
 
 class Target(NamedTuple):
@@ -55,9 +53,9 @@ def _engine(name: str, unit: str, about: str, better: Literal["low", "high"], *s
     """Return a quantity of the engines, called as theirs, as a target."""
 
     def value(clutch: Clutch) -> Values:
-        if clutch.sleeve is None and name in ("control_force", "travel_max"):
+        if not clutch.spec.kind.travels and name in ("control_force", "travel_max"):
             raise AfmcalcError("{name} is only of an indirect clutch: a direct one has no sleeve", name=name)
-        lasting = clutch.sleeve is not None or name != "accuracy_factor_hysteresis"
+        lasting = clutch.spec.kind.travels or name != "accuracy_factor_hysteresis"
         return getattr(clutch, name if lasting else "accuracy_factor")
 
     return name, Target(unit, about, value, better, symbols)
@@ -213,8 +211,8 @@ def solve(
 ) -> tuple[SolveResult, Clutch, list[Finding]]:
     """Find the value of a parameter that gives a wanted quantity, the smallest, and that clutch; others in a finding.
 
-    The parameter is one of ``PARAMETERS``, the name or path of its key, or one of ``RATIOS``; the target a name of
-    ``targets()``; ``beyond_limit`` goes past the gain limit of the variant.
+    The parameter is one of ``PARAMETERS``, or the name or path of its key; the target a name of ``targets()``;
+    ``beyond_limit`` goes past the gain limit of the variant.
 
     Raises:
         NotAttainableError: the message gives the best and where it is reached.
@@ -222,7 +220,7 @@ def solve(
         AfmcalcError: the parameter is none of the variant's.
     """
     name = _symbol(name, clutch.spec)
-    sought, whole, path = target_called(target), is_whole(path_for(name)), path_for(name)
+    sought, whole, path = target_called(target), is_whole(ALIASES[name]), ALIASES[name]
     problem = _Problem(clutch, name, target, sought, wanted, domain_of(clutch, name, beyond_limit=beyond_limit))
     now = float(sought.value(clutch))  # says what it needs; one event that takes too long is refused
     if sought.analysis:
@@ -254,12 +252,12 @@ def solve(
             wanted=problem.shown(wanted),
             name=name,
         )
-    changed = problem.changed(chosen[0])
+    changed = {path: chosen[0]}
     solved = build(respecified(clutch.spec, changed))
     result = SolveResult(
         parameter=name,
-        path=RATIOS[name].quotient if name in RATIOS else path,
-        unit=_UNITS[name],
+        path=path,
+        unit=PARAMETERS[name],
         value=chosen[0],
         exact_value=(solutions[0] if solutions else None) if whole else None,
         target=target,
@@ -271,7 +269,7 @@ def solve(
     )
     remarks = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, changed)]
     if others := chosen[1:]:
-        listed = joined(say("{name} = {value}", name=name, value=measured(value, _UNITS[name])) for value in others)
+        listed = joined(say("{name} = {value}", name=name, value=measured(value, PARAMETERS[name])) for value in others)
         given = problem.shown(wanted)
         remarks.append(
             finding(
@@ -280,7 +278,7 @@ def solve(
         )
     if sought.analysis:
         remarks.append(finding("solve-looked", "info", path=path, target=target, name=name, **problem.seen))
-    return result, solved, [*solved.findings(), *remarks]
+    return result, solved, [*clutch_findings(solved.spec, solved.quantities), *remarks]
 
 
 @dataclass(frozen=True)
@@ -299,11 +297,7 @@ class _Problem:
     @property
     def path(self) -> str:
         """Spec path of the parameter."""
-        return path_for(self.name)
-
-    def changed(self, at: Values) -> dict[str, Values]:
-        """Keys of the spec, by path, that a value of the parameter changes."""
-        return moved(self.clutch.spec, {self.name: at}) if self.name in RATIOS else {self.path: at}
+        return ALIASES[self.name]
 
     @cached_property
     def at(self) -> Floats:
@@ -311,7 +305,7 @@ class _Problem:
         from ..requirements import simulates
 
         name, clutch, analysis = self.name, self.clutch, self.sought.analysis
-        now = current_ratio(clutch.spec, name) if name in RATIOS else getattr(clutch, _NOW.get(name, ""), None)
+        now = getattr(clutch, _NOW.get(name, ""), None)
         if analysis == "life" and clutch.spec.drive.dynamic_factor is None:
             analysis = "simulate"
         whole, slow = is_whole(self.path), simulates(analysis, clutch)
@@ -328,7 +322,7 @@ class _Problem:
     @property
     def seen(self) -> dict[str, Any]:
         """How many of those values there are, and their ends."""
-        low, high = (measured(end, _UNITS[self.name], 4) for end in (self.at[0], self.at[-1]))
+        low, high = (measured(end, PARAMETERS[self.name], 4) for end in (self.at[0], self.at[-1]))
         return {"count": len(self.at), "low": low, "high": high}
 
     def values(self, at: Floats) -> Floats:
@@ -336,7 +330,7 @@ class _Problem:
         if self.sought.analysis:
             return np.array([self._value(one) for one in at.tolist()])
         with np.errstate(all="ignore"):
-            value = self.sought.value(build(with_keys(self.clutch.spec, self.changed(at))))
+            value = self.sought.value(build(with_keys(self.clutch.spec, {self.path: at})))
         return np.broadcast_to(np.asarray(value, float), at.shape)
 
     def _value(self, at: float) -> float:
@@ -345,7 +339,7 @@ class _Problem:
             # validated as a file would be; between whole numbers there are no files
             changed = with_keys if is_whole(self.path) else respecified
             with suppress(AfmcalcError), unwatched():
-                self.known[at] = float(self.sought.value(build(changed(self.clutch.spec, self.changed(at)))))
+                self.known[at] = float(self.sought.value(build(changed(self.clutch.spec, {self.path: at}))))
         return self.known.setdefault(at, math.nan)
 
     def shown(self, value: float) -> str:
@@ -388,15 +382,13 @@ class _Problem:
 
 def _symbol(name: str, spec: Spec) -> str:
     """Symbol of a parameter, however it is called; refuse one that the variant does not have."""
-    if name in RATIOS and spec.friction.unlike:
-        return name
     path, symbols = path_of(name), {ALIASES[symbol]: symbol for symbol in PARAMETERS}
     if path not in symbols:
         known = [*PARAMETERS, *symbols, *(path.rpartition(".")[2] for path in symbols)]
         raise AfmcalcError(
             "--for {name:.80}: cannot be solved for{hint}; one of {names}",
             name=name,
-            hint="" if path else no_ratio(name) or did_you_mean(name, known),
+            hint="" if path else did_you_mean(name, known),
             names=", ".join(f"{symbol} ({path})" for path, symbol in symbols.items()),
         )
     if (only := variants_of(path)) and spec.variant not in only:
@@ -452,11 +444,11 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
         "the best is {best}, reached at {name} = {place}{why}",
         best=problem.shown(nearest),
         name=name,
-        place=measured(place, _UNITS[name]),
+        place=measured(place, PARAMETERS[name]),
         why=say(" ({why})", why=domain.why) if place == domain.high and domain.why else "",
     )
     if len(endless):
-        nearest_endless = measured(endless[np.argmin(np.abs(endless - place))], _UNITS[name])
+        nearest_endless = measured(endless[np.argmin(np.abs(endless - place))], PARAMETERS[name])
         where = say("{where}; it has no end at {name} = {place}", where=where, name=name, place=nearest_endless)
     if problem.sought.analysis:
         where = say("{where}, of {count} values from {low} to {high}", where=where, **problem.seen)

@@ -6,8 +6,8 @@ from typing import Any, Literal
 
 import numpy as np
 
+from ...engines import Clutch
 from ...engines.parts import checks_of_part
-from ...engines.protocol import Clutch
 from ...engines.springs import CoilCharacteristic, DiscCharacteristic, SpringDemand, SpringName, characteristic
 from ...equations import springs as law
 from ...errors import AfmcalcError, CalculationError
@@ -17,6 +17,7 @@ from ...result import Answer, Result, Sentence, described, quantity
 from ...spec import resolved
 from ...spec.catalogues import Disc, discs
 from ...spec.models import CoilSprings, DiscStack
+from ..clutch_findings import clutch_findings
 from ..registry import SpringKind, SpringOrder
 from .candidates import TOLERANCE, Candidate, candidates, label_of, stack_of
 
@@ -173,7 +174,7 @@ def springs(
         named=in_use or None,
         utilisation=max((option.utilisation for option in in_use), default=None),
     )
-    return result, [*clutch.findings(), *remarks]
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks]
 
 
 def ranked(demand: SpringDemand, kind: SpringKind = "any", top: int | None = None) -> list[SpringOption]:

@@ -16,8 +16,9 @@ from ...spec.fields import Key
 from ...spec.keys import ALIASES, elsewhere, keys, names, path_of
 from ...spec.models import FrictionRange
 from ...spec.quantity import asked_unit, parse_quantity
+from ...spec.removed import instead_of
 from ...spec.rules import variants_of
-from .grid import MOST_POINTS, RATIOS, Axis, coefficient, current_ratio, ends_of_ratio, no_ratio
+from .grid import MOST_POINTS, Axis
 
 _MOST_COUNTED = 200
 """Whole numbers that are swept where no range is given."""
@@ -34,7 +35,7 @@ def find_key(name: str) -> Key:
     path, known = path_of(name), keys()
     if path is None:
         symbols = ", ".join(ALIASES)
-        hint = no_ratio(name) or elsewhere(name) or did_you_mean(name, [*ALIASES, *names()])
+        hint = instead_of(name) or elsewhere(name) or did_you_mean(name, [*ALIASES, *names()])
         raise AfmcalcError(
             "{name!r:.80} is no key or symbol{hint}; symbols: {symbols}; keys: by name or path, as in the spec",
             name=name,
@@ -54,8 +55,7 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     """
     name, separator, given = text.partition("=")
     name = name.strip()
-    ratio = RATIOS.get(name) if spec.friction.unlike else None
-    key = ratio.key(name) if ratio else find_key("C" if name == "zC" else name)
+    key = find_key("C" if name == "zC" else name)
     if (only := variants_of(key.path)) and spec.variant not in only:
         raise AfmcalcError(
             "--sweep {text:.80}: {path} is only for {only}, not {variant!r}",
@@ -65,10 +65,8 @@ def parse_axis(text: str, spec: Spec) -> Axis:
             variant=spec.variant,
         )
     scale = 1 / (spec.friction_group.pairs - spec.bypass_pairs) if name == "zC" else 1.0
-    if ratio:
-        scale = coefficient(spec, ratio.over)
     if not separator:
-        return Axis(name, key, _ratio_range(name, spec) if ratio else default_range(key, spec) / scale, scale)
+        return Axis(name, key, default_range(key, spec) / scale, scale)
     values = parse_values(text, given, key.unit or "1")
     try:
         asked = () if _has_unit(given) else [asked_unit(value, key.unit, key.path) for value in values.tolist()]
@@ -116,12 +114,11 @@ def default_range(key: Key, spec: Spec) -> Floats:
     """Return a sensible range: the gain from 0 to its limit, counts one by one, else half to twice the value."""
     current, pairs = current_value(spec, key.path), spec.friction_group.pairs
     if key.path == "control_unit.gain":
-        clutch = build(spec)
-        limit, start = clutch.gain_limit, float(clutch.gain_threshold)
-        return np.linspace(start, limit if limit is not None else max(2 * float(clutch.gain), start + 5.0), 26)
+        own = build(spec).quantities
+        start = float(own.get("gain_threshold", 0.0))
+        return np.linspace(start, own.get("gain_limit", max(2 * float(own["gain"]), start + 5.0)), 26)
     if key.path == "control_unit.gain_slope":
-        sleeve = build(spec).sleeve
-        return np.linspace(0.0, 2 * float(sleeve.constant_torque_slope) if sleeve else 0.0, 41)
+        return np.linspace(0.0, 2 * float(build(spec).constant_torque_slope) if spec.kind.travels else 0.0, 41)
     if key.path == "friction_group.driving_pairs":
         return _whole(1, max(pairs - 1, 1))
     if key.path == "friction_group.pairs":
@@ -145,12 +142,6 @@ def default_range(key: Key, spec: Spec) -> Floats:
     least, most = key.about.limits
     low, high = (_feasible(spec, key.path, current, end) for end in (max(low, least), min(high, most)))
     return _whole(math.ceil(low), math.floor(high)) if key.about.whole else np.linspace(low, high, 26)
-
-
-def _ratio_range(name: str, spec: Spec) -> Floats:
-    """Half to twice a ratio of frictions, within its ends."""
-    (low, high), current = ends_of_ratio(spec, name), float(f"{current_ratio(spec, name):.12g}")
-    return np.linspace(max(low, 0.5 * current), min(high, 2 * current), 26)
 
 
 def _whole(low: int, high: int) -> Floats:

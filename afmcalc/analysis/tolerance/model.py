@@ -9,8 +9,9 @@ from typing import Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engines import Clutch, build, parameters
-from ...equations import indirect
+from ...drive.result import dynamic_factor
+from ...engines import Clutch, build
+from ...engines.selection import quantities_of
 from ...equations.arrays import Values
 from ...errors import CalculationError
 from ...messages import say
@@ -18,7 +19,6 @@ from ...spec import Spec
 from ...spec.edit import value_at, with_key, with_values
 from ...spec.keys import scatter_at
 from ...spec.tolerance import FRICTION, Distribution, Tolerance, percentage
-from ..slips import dynamic_factor
 
 Array: TypeAlias = NDArray[np.float64]
 _NEVER = 1e-20
@@ -264,17 +264,12 @@ class Model:
     def possible(self, values: Sequence[Values]) -> NDArray[np.bool_]:
         """Which samples are a clutch: feedback overcomes the friction at the key, the faces have a width."""
         spec = self._spec(values)
-        group, unit = spec.friction_group, spec.control_unit
+        group = spec.friction_group
         possible: NDArray[np.bool_] = np.ones(np.shape(values[0]), np.bool_)
         if group.inner_radius is not None and group.outer_radius is not None:
             possible &= group.inner_radius < group.outer_radius
-        if spec.kind.law == "indirect" and unit is not None:
-            assert unit.key_friction is not None
-            assert unit.hub_diameter is not None
-            radius = parameters.mean_radius(spec)
-            possible &= (
-                indirect.net_gain(parameters.feedback_gain(spec), radius, unit.key_friction, unit.hub_diameter) > 0
-            )
+        if spec.kind.travels:
+            possible &= quantities_of(spec).net_gain > 0
         return possible
 
     def clutches_of(self, values: Sequence[Array]) -> Sequence[Array]:
@@ -334,14 +329,16 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
             continue
         raise clutch.spec.refused(f"tolerance.fields.{path}", message)
     spec = clutch.spec
-    if spec.fatigue is not None:
+    if spec.fatigue is not None and spec.drive.dynamic_factor is None:
         # the life of every sample takes that of the nominal clutch
-        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(clutch)})
+        from ..simulate import simulate
+
+        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec.drive, lambda: simulate(clutch)[0])})
     if as_made:
         spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
-    if clutch.sleeve is not None:
-        spec = with_values(spec, {_CONTROL_FORCE: float(clutch.sleeve.control_force) if as_made else None})
-    if clutch.sleeve is not None and clutch.sleeve.gain_slope:
+    if clutch.spec.kind.travels:
+        spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
+    if "gain_slope" in clutch.quantities:
         # pockets are cut once, for the nominal clutch
-        spec = with_key(spec, "control_unit.gain_slope", float(clutch.sleeve.gain_slope))
+        spec = with_key(spec, "control_unit.gain_slope", float(clutch.gain_slope))
     return spec

@@ -15,7 +15,6 @@ from ...equations import life as law
 from ...equations.arrays import Values
 from ...errors import given
 from ...spec.tolerance import FRICTION, Tolerance
-from ..slips import with_modulus
 from .model import Array, Input, Model, normal_probability, normal_score
 from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, QuantileRow
 
@@ -91,10 +90,10 @@ def service_of(model: Model) -> list[Slip]:
     frictions = [scattering for scattering in model.inputs if scattering.path in FRICTION]
     clutch, life, count = model.clutch(model.centers), math.inf, _LEAST
     # where the sleeve leaves its stop, the torque bends
-    bend = None if clutch.sleeve is None else float(clutch.sleeve.leaving_friction)
+    bend = None if not clutch.spec.kind.travels else float(clutch.friction_leaving)
     while True:
         slips = _slips(frictions, model.correlation, count, bend)
-        last, life = life, float(life_of(model, clutch, slips))
+        last, life = life, life_of(model, clutch, slips).item()
         most = _MOST if len(frictions) < 2 else _MOST_OF_TWO
         if count >= most or len(slips) == 1 or abs(life / last - 1) < _ENOUGH:
             return slips
@@ -123,19 +122,26 @@ def _slips(frictions: list[Input], correlation: float, count: int, bend: float |
     return slips
 
 
-def life_of(model: Model, clutch: Clutch, slips: list[Slip]) -> Values:
+def life_of(model: Model, clutch: Clutch, slips: list[Slip]) -> Array:
     """Slips to failure of the protected side (Miner), of one clutch or many: each does the damage 1/N of its torque."""
-    damage: Values = 0.0
-    for slip in slips:
-        damage = damage + slip.share * damage_of(clutch, clutch.torque(*model.frictions(slip.frictions)))
-    return law.cycles_of_mean_damage(damage)
+    damage, block = np.zeros(1), 256
+    for first in range(0, len(slips), block):
+        own = slips[first : first + block]
+        # the slips on an axis before that of the clutches
+        shares, *columns = (
+            np.array(column)[:, None]
+            for column in ([slip.share for slip in own], *zip(*(slip.frictions.values() for slip in own), strict=True))
+        )
+        torque = clutch.torque(*model.frictions(dict(zip(own[0].frictions, columns, strict=True))))
+        damage = damage + (shares * damage_of(clutch, torque)).sum(axis=0)
+    life: Array = law.cycles_of_mean_damage(damage)
+    return life
 
 
 def damage_of(clutch: Clutch, torque: Values) -> Values:
     """Damage of one slip on the protected side, by the paper's S–N line."""
-    part = with_modulus(clutch.spec)
-    stress = law.shear_stress(torque, part.polar_section_modulus)
-    return law.damage(part.endurance_limit, stress, part.exponent, part.base_cycles)
+    own = clutch.quantities
+    return own.at(damaging_stress=own.at(torque=torque)["shear_stress"])["damage"]
 
 
 def unprotected(clutch: Clutch, life: Values) -> Values:
@@ -171,8 +177,8 @@ class Exact:
         """Fields of the result that are figures of the torque: all without error."""
         model, clutch = self.model, self.model.clutch(self.model.centers)
         kinks = [kink for friction in model.inputs for kink in friction.kinks]
-        if clutch.sleeve is not None:
-            kinks += [friction.share_below(float(clutch.sleeve.leaving_friction)) for friction in model.inputs]
+        if clutch.spec.kind.travels:
+            kinks += [friction.share_below(float(clutch.friction_leaving)) for friction in model.inputs]
         u, weights = panels(kinks)
         torque = model.torque_along(u)
         mean = float((weights * torque).sum())

@@ -22,6 +22,7 @@ from ...progress import Count
 from ...spec import Spec
 from ...spec.edit import with_values
 from ...spec.tolerance import FRICTION, Tolerance
+from ..clutch_findings import clutch_findings
 from ..registry import ANALYSES
 from .model import Array, Model, inputs_of, normal_probability, normal_score, with_setting
 from .result import (
@@ -369,7 +370,7 @@ def study(clutch: Clutch, *, threads: int | None = None, peaks: bool = True) -> 
         machine_torque=machine,
         inputs=inputs,
     )
-    return Study(result, bars, [*clutch.findings(), *_findings(given, result)])
+    return Study(result, bars, [*clutch_findings(clutch.spec, clutch.quantities), *_findings(given, result)])
 
 
 def _block(spec: Spec) -> Tolerance:

@@ -151,9 +151,7 @@ def life(curves: "Sequence[LifeCurve]") -> Sheet:
 
 _EFFECTS = {
     "spline-friction": term("discs held in their splines"),
-    "sliding-cams": term("cams that slide"),
     "centrifugal": term("balls thrown against conical pockets"),
-    "weight": term("weight of the discs, axis vertical"),
     "wear": term("lining worn"),
 }
 

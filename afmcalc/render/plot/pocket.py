@@ -87,7 +87,7 @@ class Position:
         """Lay out the section with the sleeve at its stop, or at its largest travel."""
         self.synthesis, self.travel, self.title = synthesis, travel, title
         self.radius, self.depth = synthesis.ball_diameter / 2, synthesis.pocket_depth
-        sleeves = 1 if synthesis.profiled == "one" else 2  # that the ball moves in: 1 where the other seats it
+        sleeves = 2 if synthesis.wall_angle_max is None else 1  # that the ball moves in: 1 where the other seats it
         gap, cut, angle = synthesis.face_gap / 2, synthesis.pocket_depth_cut, synthesis.wall_angle
         tangent, steepest = math.tan(angle), synthesis.wall_angle_max or angle
         # a sleeve that the ball moves in turns until its walls bear on the ball again

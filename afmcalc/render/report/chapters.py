@@ -159,7 +159,7 @@ _SHORT = 64
 
 def block_of(step: Derivation, method: str) -> Derived:
     """Lay out a derivation; what ``method`` says, how the spec sets its spring, need not be said of each line."""
-    columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "branch", "setting", "side")]
+    columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "setting", "side")]
     columns = [(name, labels) for name, labels in columns if any(labels)]
     rows = [row._replace(numbers=_ALONE.sub(r"\1", _UNITS.sub("", row.numbers))) for row in step.rows]
     symbol, first = step.symbol_latex, rows[0]
@@ -203,16 +203,12 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
     """One column of labels; empty where it would say of each line what goes without saying."""
     cases = [row.case for row in rows]
     if name == "friction":
-        return [in_numbers(case.friction or "") for case in cases]
+        return [in_numbers(translate(case.at)) if case.at else "" for case in cases]
     if name == "side":
-        return [told(f"side/{case.side}") if case.side else "" for case in cases]
-    if name == "branch":
-        usual = told("branch/")
-        labels = [told(f"branch/{case.branch}", after=case.after) for case in cases]
-    else:
-        usual = told(f"setting/{method}")
-        labels = [told(f"setting/{case.setting or method}") for case in cases]
-    return [""] * len(rows) if set(labels) == {usual} else labels
+        on_sides = any(case.side for case in cases)
+        return [told(f"side/{case.side or 'protected'}") if on_sides else "" for case in cases]
+    labels = [told(f"setting/{case.setting or method}") for case in cases]
+    return [""] * len(rows) if set(labels) == {told(f"setting/{method}")} else labels
 
 
 def explained(meaning: Meaning) -> str:

@@ -274,7 +274,7 @@ def space_of(kind, rng, discs):
         unit |= {"hub_diameter": 0.06, "key_friction": 0.02}
         axes |= {"closing_spring.stiffness": some(1e5, 8e5, 2), "control_spring.stiffness": [0.0, *some(5e4, 3e5, 1)]}
     if kind == "curved":
-        unit |= {"pocket": "constant-torque", "profiled": rng.choice(["one", "both"])}
+        unit["pocket"] = "constant-torque"
     if kind == "sprung":
         spec["catalogues"] = {"discs": str(discs)}
         for name in ("closing_spring", "control_spring") if travels else ("closing_spring",):
@@ -348,7 +348,7 @@ def service(kind, rng, spec, axes, travels):
 STRAIGHT = ("direct", "unlike", "indirect", "curved")
 SEEDS = {"direct": [0, 5], "unlike": [1, 2, 6], "indirect": [2, 7], "curved": [15], "sprung": [2], "trip": [2]}
 MORE = {
-    "direct": [1, 3, 4, 6, 8, 10, 11], "unlike": [0, 3, 4, 5], "indirect": [1, 3, 4, 9, 10, 11, 13, 14], "curved": [3, 7, 11],
+    "direct": [1, 3, 4, 6, 8, 10, 11], "unlike": [0, 3, 4, 5], "indirect": [1, 3, 4, 9, 10, 11, 13, 14], "curved": [3, 11, 23],
     "sprung": [0, 6, 9, 13], "trip": [0, 4, 5], "event": [2], "scatter": [1, 3],
 }  # fmt: skip
 """Searches of each kind that have feasible candidates."""

@@ -213,7 +213,7 @@ def scan(case: Case) -> Scan:
             x = np.concatenate([x[x < end], np.linspace(0, end, POINTS)[1:]])
     x = np.unique(x)
     over = build(with_key(spec, path, x))
-    if not case.beyond and over.gain_limit is not None:
+    if not case.beyond and "gain_limit" in over.quantities:
         x = x[np.broadcast_to(over.gain <= over.gain_limit * (1 + 1e-12), x.shape)]
         if case.name not in WHOLE and len(x) and x[-1] < 1e13:
             # the limit itself, between two points
@@ -298,7 +298,7 @@ def judge(case: Case, scanned: Scan) -> str:
         told = [result.value, *(float(f.value) for f in findings if f.code == "solve-another-value")]
         assert result.value <= min(crossings, default=math.inf) * (1 + 1e-9), "a smaller value gives it too"
         assert len(told) >= min(len(crossings), 2), f"a second root is not told: {crossings}, {told}"
-    if not case.beyond and again.gain_limit is not None and case.name in ("C", "z", "z1"):
+    if not case.beyond and "gain_limit" in again.quantities and case.name in ("C", "z", "z1"):
         assert again.gain <= again.gain_limit * (1 + 1e-9), "past the gain limit"
     return "solved"
 

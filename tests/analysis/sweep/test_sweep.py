@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from afmcalc.analysis.accuracy import accuracy
-from afmcalc.analysis.sweep.grid import evaluate
 from afmcalc.engines import build
+from afmcalc.engines.evaluate import evaluate
 from afmcalc.spec import read_spec
 
 

@@ -179,11 +179,11 @@ def single_torques(base, fields, setting, count, seed):
     for _ in range(count):
         data, friction = copy.deepcopy(base), 0.3
         if setting == "as-made":
-            put(data, "closing_spring.force", float(nominal.closing_force))
+            put(data, "closing_spring.force", float(nominal["closing_force"]))
             data["adjustment"] = {**data.get("adjustment", {})}
             put(data, "adjustment.nominal_torque", None)
             if base["variant"] == "indirect":
-                put(data, "control_spring.force", float(nominal.control_force))
+                put(data, "control_spring.force", float(nominal["control_force"]))
         for path, (kind, spread) in fields.items():
             drawn = rng.normal(0, spread) if kind == "normal" else rng.uniform(-spread, spread)
             if path == "friction":

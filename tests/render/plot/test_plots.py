@@ -16,6 +16,12 @@ from afmcalc.render.plot.text import draw
 
 from .test_figures import sheet
 
+SPLINES = [
+    "friction_group.spline_friction=0.1",
+    "friction_group.inner_spline_radius=0.075",
+    "friction_group.outer_spline_radius=0.125",
+]
+
 WISHES = CONFIGS / "requirements.toml"
 
 
@@ -41,7 +47,7 @@ def test_curves_of_the_base_clutch_are_its_closed_forms():
     (chart,) = sheet("accuracy", "default").panels
     assert all(y == pytest.approx(accuracy(x)) for x, y in curve(chart))
     assert sorted(guide.value for guide in chart.guides) == pytest.approx([0.5, 1 / 0.8])
-    (chart,) = sheet("effects", "default", "control_unit.wall_friction=0.1").panels
+    (chart,) = sheet("effects", "default", *SPLINES).panels
     assert all(y == pytest.approx(torque(x)) for x, y in curve(chart))
     assert len(chart.lines) == 3
 

@@ -1,0 +1,5 @@
+"""Base of ``Quantities``, whose stub tells type checkers and editors which quantities there are."""
+
+
+class Named:
+    """What has the quantities of ``equations.terms`` as attributes."""

@@ -1,0 +1,266 @@
+"""Which laws make up a clutch, by its variant, adjustment method and keys given; its quantities from a spec."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+
+from ..equations import (
+    accuracy,
+    adjustment,
+    control_unit,
+    curved,
+    curved_wall,
+    direct,
+    indirect,
+    life,
+    machine,
+    overload,
+    pack,
+    pressure,
+    unlike,
+)
+from ..equations.arrays import is_array
+from ..messages import say
+from ..variants import VARIANTS, Variant
+from .quantities import Case, Laws, Quantities
+
+if TYPE_CHECKING:
+    from ..spec.models import Spec
+
+Part: TypeAlias = ModuleType | Mapping[str, Any]
+
+_EVERY: tuple[Part, ...] = (life, accuracy, adjustment, pressure, machine, pack)
+_DIRECT: tuple[Part, ...] = (*_EVERY, direct, adjustment.DIRECT)
+METHODS: dict[str, Part] = {"min-friction": pack.SET_AT_MIN, "mean-friction": pack.SET_AT_MEAN}
+_METHODS_UNLIKE: dict[str, Part] = {"min-friction": unlike.SET_AT_MIN, "mean-friction": unlike.SET_AT_MEAN}
+
+KEYS: dict[str, tuple[Part, ...]] = {
+    "wall_angle": (pack.WALL_ANGLE_GIVEN,),
+    "uniform-pressure": (pack.UNIFORM_PRESSURE,),
+    "uniform-wear": (pressure.UNIFORM_WEAR,),
+    "motor_power": (machine.GIVEN,),
+    "amplitude": (life.AMPLITUDE,),
+    "goodman": (life.GOODMAN,),
+}
+"""What a spec gives, or says → the laws that it brings; those of the sleeve have an order of their own."""
+RULES = ("amplitude", "goodman")
+CURVED = ("gain_slope", "constant-torque")
+DISCS = ("closing_disc", "control_disc")
+_CHOOSING = {*KEYS, *CURVED, *DISCS, "control_force_made", "friction_driving_min"}
+
+
+@cache
+def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
+    """Return the laws of a variant that is set by a method, with what the keys that are given choose among them."""
+    unlike_materials = "friction_driving_min" in keys
+    slips, slips_from_mean = {"friction": "friction_slips"}, life.FORECAST_OF_SLIPS
+    kind = VARIANTS[variant]
+    parts: list[Part] = [*_parts_of(kind), METHODS[method]]
+    if unlike_materials:
+        parts.append(unlike)
+        parts.append(_METHODS_UNLIKE[method])
+        slips = unlike.OF_SLIPS
+        slips_from_mean = {"torque_high": "torque_max_from_mean", **unlike.OF_SLIPS_FROM_MEAN}
+    else:
+        parts.append(pack.ONE_FRICTION)
+        if kind.overload and not kind.travels:
+            parts.append(overload)
+        if not kind.travels:
+            parts.append(adjustment.DIRECT_ONE_MATERIAL)
+    if kind.travels:
+        parts += _sleeve(keys)
+    parts += [part for key, chosen in KEYS.items() if key in keys for part in chosen]
+    cases: dict[str, Case] = {"slips": slips}
+    if not keys.isdisjoint(RULES):
+        cases["forecast"] = slips_from_mean
+    laws = Laws(*parts, cases=cases)
+    laws.made_by = laws_for, variant, method, keys
+    return laws
+
+
+def _parts_of(kind: Variant) -> tuple[Part, ...]:
+    """Laws of a variant; a later part replaces what an earlier one has of the same name."""
+    if kind.travels:
+        return (*_EVERY, control_unit, indirect)
+    if not kind.controlled:
+        return (*_DIRECT, direct.CONVENTIONAL)
+    bypass = kind.bypass(1, None)  # a number of its own, whatever the pairs
+    return (*_DIRECT, control_unit, direct.DIFFERENTIATED if bypass else direct.ALL_DRIVING, {"bypass_pairs": bypass})
+
+
+def _sleeve(keys: frozenset[str]) -> Iterator[Part]:
+    """Laws of a sleeve between springs of any characteristic, behind straight walls or curved ones."""
+    if "control_force_made" in keys:
+        yield indirect.CONTROL_FORCE_MADE
+    walls, discs = not keys.isdisjoint(CURVED), not keys.isdisjoint(DISCS)
+    if walls:
+        yield from (curved, curved_wall)
+    elif not discs:
+        yield indirect.STRAIGHT
+    if discs:
+        from . import disc_balance
+
+        yield from (disc_balance, disc_balance.NO_DISC)
+        if walls:
+            yield disc_balance.CURVED
+    if "constant-torque" in keys:
+        yield curved.CONSTANT_TORQUE
+
+
+def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = False) -> Quantities:
+    """Return the quantities of the clutch of a spec.
+
+    Args:
+        spec: a valid one; its values may be arrays.
+        rule: rule for the damaging stress of a life.
+        noted: keep the steps of the calculation.
+    """
+    found = given(spec)
+    group, unit = spec.friction_group, spec.control_unit
+    keys = {*found, rule}
+    if group.inner_radius is not None:
+        keys.add(group.radius_model or "uniform-wear")
+    if unit is not None and unit.pocket is not None:
+        keys.add(unit.pocket)
+    laws = laws_for(spec.variant, spec.adjustment.method, frozenset(keys & _CHOOSING))
+    return Quantities(laws, found, noted=noted)
+
+
+def by_rule(clutch: "Wired", rule: str) -> Quantities:
+    """Return the quantities of a clutch with the laws of a rule for the damaging stress of a life."""
+    own = clutch.quantities
+    choose, variant, method, keys = own.laws.made_by or ()
+    chosen = keys - {*RULES} | ({rule} & {*RULES})
+    if chosen == keys:
+        return own
+    found = Quantities(choose(variant, method, chosen), own.given)
+    found.steps = own.steps
+    return found
+
+
+_NAMES = """\
+friction          min=friction_min mean=friction_mean max=friction_max
+friction.driving  min=friction_driving_min mean=friction_driving_mean max=friction_driving_max
+friction.driven   min=friction_driven_min mean=friction_driven_mean max=friction_driven_max
+friction_group    pairs driving_pairs=bypass_pairs mean_radius inner_radius outer_radius
+closing_spring    force=closing_force stiffness=closing_stiffness
+control_spring    force=control_force_made stiffness=control_stiffness
+control_unit      gain gain_slope wall_angle ball_circle_radius hub_diameter key_friction balls face_gap edge_clearance
+control_unit      ball_diameter=ball_diameter_standard allowable_contact_force sleeve_depth
+control_unit.contact  ball_modulus ball_poisson wall_modulus wall_poisson allowable_pressure
+adjustment        margin nominal_torque=nominal_torque_wanted
+machine           power=motor_power speed=motor_speed ratio=drive_ratio efficiency=drive_efficiency
+machine           service_factor starting_torque_ratio
+shaft             diameter=shaft_diameter yield_strength
+drive             dynamic_factor
+fatigue           endurance_limit polar_section_modulus exponent base_cycles mean_stress_sensitivity
+fatigue           ultimate_strength
+"""
+NAMES: dict[str, dict[str, str]] = {}
+"""Block of a spec → its keys → the quantities that they give; a key without a name is called as it is."""
+for _line in _NAMES.splitlines():
+    _block, *_keys = _line.split()
+    _named = (each.partition("=") for each in _keys)
+    NAMES.setdefault(_block, {}).update({key: name or key for key, _, name in _named})
+
+
+def given(spec: "Spec") -> dict[str, Any]:
+    """Return the quantities that a spec gives, by name."""
+    found: dict[str, Any] = {}
+    for path, names in NAMES.items():
+        block: Any = spec
+        for name in path.split("."):
+            block = None if block is None else getattr(block, name)
+        if block is not None:
+            found |= {name: value for key, name in names.items() if (value := getattr(block, key)) is not None}
+    found |= dict(_materials(spec))
+    slope = found.get("gain_slope")
+    if slope is not None and not is_array(slope) and slope == 0:
+        del found["gain_slope"]  # a straight wall
+    if "shaft_diameter" in found:
+        found.pop("polar_section_modulus", None)
+    for name, spring in (("closing_disc", spec.closing_spring), ("control_disc", spec.control_spring)):
+        if spring is not None and spring.disc is not None:
+            from .springs import DiscCharacteristic
+
+            found[name] = DiscCharacteristic(spring.disc)
+    return found
+
+
+def _materials(spec: "Spec") -> Iterator[tuple[str, float]]:
+    """Ranges of friction of the materials named."""
+    for path, block in spec.friction.blocks.items():
+        names, (low, _, high) = NAMES[path], block.range
+        yield from ((names["min"], low), (names["max"], high))
+
+
+def as_set(clutch: Quantities, **values: Any) -> Quantities:
+    """Return the same clutch with other values of some quantities; its springs and pockets stay as they are."""
+    laws = clutch.laws
+    kept = {name: clutch[name] for name in ("closing_force", "gain_slope") if name in clutch}
+    if "control_force" in clutch:
+        kept["control_force_made"] = clutch["control_force"]
+        assert laws.made_by is not None
+        function, variant, method, keys = laws.made_by
+        laws = function(variant, method, keys | {"control_force_made"})
+    return Quantities(laws, clutch.given | kept | values)
+
+
+class Wired(Protocol):
+    """What such an analysis takes: ``WiredClutch``, or until the last analysis is converted the old engine."""
+
+    @property
+    def spec(self) -> "Spec":
+        """The spec."""
+
+    @property
+    def quantities(self) -> Quantities:
+        """The quantities."""
+
+
+@dataclass(frozen=True)
+class WiredClutch:
+    """A clutch that is calculated by its laws alone."""
+
+    spec: "Spec"
+
+    @cached_property
+    def quantities(self) -> Quantities:
+        """Its quantities, each calculated when first asked for.
+
+        Raises:
+            SpecError: the spec describes no clutch.
+        """
+        return accepted(self.spec, quantities_of(self.spec))
+
+
+def accepted(spec: "Spec", clutch: Quantities) -> Quantities:
+    """Return the quantities of a spec; refuse what its rules cannot see, of numbers: arrays have NaN there.
+
+    Raises:
+        SpecError: a gain below the threshold 2 R f_1/d, at which the sleeve would leave its stop at zero torque; no
+            wall that holds the torque.
+    """
+    unit = spec.control_unit
+    if not spec.kind.travels or unit is None or is_array(clutch["net_gain"]):
+        return clutch
+    if clutch["net_gain"] < 0:
+        message = say(
+            "must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
+            "force, and the sleeve leaves its stop at zero torque",
+            threshold=float(clutch["gain_threshold"]),
+        )
+        gain = f"{float(clutch['gain']):.6g}"
+        if unit.wall_angle is not None:
+            raise spec.refused("control_unit.wall_angle", message, f"(C = {gain})")
+        raise spec.refused("control_unit.gain", message, gain)
+    leaving = clutch["friction_leaving"]
+    if unit.pocket is not None and not is_array(leaving) and not leaving > 0:
+        message = say(
+            "no wall holds the torque: control_spring.force does not exceed the force of the closing spring, so "
+            "that the sleeve never rests at its stop"
+        )
+        raise spec.refused("control_unit.pocket", message, repr(unit.pocket))
+    return clutch

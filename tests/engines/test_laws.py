@@ -1,0 +1,352 @@
+"""What holds of the laws of every variant and option before anything is calculated, and of each law."""
+
+import ast
+import inspect
+import itertools
+import math
+import re
+
+import numpy as np
+import pint
+import pytest
+from random_clutches import random_clutches
+
+from afmcalc.engines import selection
+from afmcalc.engines.quantities import Laws, MissingError, Quantities, laws_in
+from afmcalc.engines.selection import NAMES, laws_for, quantities_of
+from afmcalc.equations import (
+    accuracy,
+    adjustment,
+    control_unit,
+    curved,
+    curved_wall,
+    direct,
+    indirect,
+    life,
+    machine,
+    overload,
+    pack,
+    pressure,
+    terms,
+    unlike,
+)
+from afmcalc.equations.catalogue import equations
+from afmcalc.equations.terms import CASES, TERMS, term_of
+from afmcalc.equations.wiring import Either, Same
+from afmcalc.errors import AfmcalcError
+from afmcalc.papers.register import register
+from afmcalc.spec import make_spec, read_spec
+from afmcalc.variants import VARIANTS
+
+MODULES = (
+    *(
+        accuracy,
+        adjustment,
+        control_unit,
+        curved,
+        curved_wall,
+        direct,
+        indirect,
+        life,
+        machine,
+        overload,
+        pack,
+        pressure,
+        unlike,
+    ),
+)
+DISC_LAWS = {"closing_spring", "control_spring", "balance"}
+"""Laws that give an object, no quantity."""
+KEYS = {name for names in NAMES.values() for name in names.values()} | {"closing_disc", "control_disc"}
+FROM_OUTSIDE = {"balls_listed", "risen_load"}
+"""What an analysis gives: the list of balls, a load that has risen."""
+ALTERNATIVES = {
+    *("mean_radius", "gain", "bypass_pairs", "closing_force", "polar_section_modulus", "ball_diameter_standard"),
+    *("friction_mean", "friction_driving_mean", "friction_driven_mean"),
+    *(
+        "friction_min",
+        "friction_max",
+        "friction_driving_min",
+        "friction_driving_max",
+        "friction_driven_min",
+        "friction_driven_max",
+    ),
+    *("margin", "face_gap", "edge_clearance", "ball_modulus", "ball_poisson", "wall_modulus", "wall_poisson"),
+    *(
+        "allowable_pressure",
+        "dynamic_factor",
+        "ultimate_strength",
+        "mean_stress_sensitivity",
+        "service_factor",
+    ),
+    *("drive_ratio", "drive_efficiency", "wall_angle", "gain_slope", "closing_disc", "control_disc"),
+}
+"""Keys that win over a law of their name, on purpose: given, or by a law where they are not."""
+OF_SLEEVE = ("control_force_made", "gain_slope", "constant-torque", "closing_disc")
+OPTIONS = (
+    "wall_angle",
+    "uniform-pressure",
+    "uniform-wear",
+    "motor_power",
+    "amplitude",
+    "goodman",
+    "friction_driving_min",
+    *OF_SLEEVE,
+)
+
+
+def combinations():
+    """Every variant, method and up to three options."""
+    for variant, count in itertools.product(VARIANTS, range(4)):
+        for options in itertools.combinations(OPTIONS, count):
+            if (variant == "indirect" or not {*options} & {*OF_SLEEVE}) and (
+                variant == "differentiated" or "friction_driving_min" not in options
+            ):
+                yield variant, options
+
+
+def laws_of(variant, options, method="min-friction"):
+    return laws_for(variant, method, frozenset(options))
+
+
+def problems(laws, given):
+    bound = {name for case in laws.cases.values() for name in case}
+    for name, arguments in laws.arguments.items():
+        for argument in arguments:
+            if not (argument in laws.laws or argument in KEYS | FROM_OUTSIDE | bound or laws.case_of(argument)):
+                yield f"{name}: no law, key or case gives {argument}"
+        if name in KEYS - ALTERNATIVES:
+            yield f"{name}: the key of a spec hides this law"
+        try:
+            laws.needs(name, given)
+        except RecursionError as error:
+            yield f"cycle {error}"
+    for name in laws.names:
+        if name not in TERMS and laws.case_of(name) is None:
+            yield f"{name} has no term"
+    for case, targets in laws.cases.items():
+        if case not in CASES:
+            yield f"case {case} has no words"
+        for target in targets.values():
+            if target not in laws.laws and target not in KEYS | {"nothing"} and laws.case_of(target) is None:
+                yield f"case {case}: nothing gives {target}"
+
+
+ASKED_OF = {
+    "low": "shear_stress", "high": "shear_stress", "each_slip": "counted_damage", "f_min_max": "torque", "f_max_min": "torque",
+    **dict.fromkeys(("worst_case", "peak", "hysteresis", "expected", "actual", "equilibrium"), "accuracy_factor"),
+}  # fmt: skip
+"""Case that changes a result → the one quantity that is asked in it."""
+
+
+def collisions(laws, given):
+    """Cases of which the one changes what a name that the other changes follows from, and a law that takes both."""
+    for (one, first), (two, second) in itertools.permutations(laws.cases.items(), 2):
+        asked = laws.needs(ASKED_OF[one], given.union(first)) if one in ASKED_OF else laws.laws
+        for name in first.keys() - second.keys():
+            source = laws.needs(name, given) & second.keys()
+            for law, arguments in laws.arguments.items():
+                if law in asked and name in arguments and source & {*arguments}:
+                    yield f"{law} takes {name} of the case {one} and {sorted(source)} of {two}, from which it follows"
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_laws_are_closed_without_cycles_and_have_terms(variant):
+    for own, options in combinations():
+        if own == variant and len(options) < 3:
+            given = frozenset({*options, "closing_force"})
+            assert [*problems(laws_of(variant, options), given)] == [], options
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_laws_of_all_options(variant):
+    for own, options in combinations():
+        if own == variant:
+            for method in selection.METHODS:
+                given = frozenset({*options, "closing_force"})
+                laws = laws_of(variant, options, method)
+                assert [*problems(laws, given), *collisions(laws, given)] == [], options
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_cases_do_not_collide(variant):
+    for options in ((), ("friction_driving_min",)) if variant == "differentiated" else ((), ("wall_angle",)):
+        assert [*collisions(laws_of(variant, options), frozenset({*options, "closing_force"}))] == []
+
+
+def test_what_is_set_last_displaces_what_follows_from_it():
+    clutch = quantities_of(read_spec("example:default"))
+    corner = clutch.at("f_min_max")
+    assert corner.torque != clutch.at("f_max").torque
+    assert corner.at("f_max").torque == corner["torque_at_f_max"] == clutch["torque_at_f_max"]
+    assert clutch.at("f_max").at("f_min_max").torque == corner.torque
+
+
+# each law
+
+
+def functions():
+    found = {}
+    for module in MODULES:
+        parts = [
+            laws_in(module),
+            *(part for name, part in vars(module).items() if name.isupper() and isinstance(part, dict)),
+        ]
+        for part in parts:
+            found |= {f"{module.__name__}.{name}": (name, law) for name, law in part.items() if callable(law)}
+    return found
+
+
+LAWS = functions()
+UNITS = pint.UnitRegistry()
+ALONG = {"mean_damage", "contact_force", "friction_along_wall", "ball_diameter_standard"}
+"""Laws of arrays or of lists."""
+
+
+@pytest.mark.parametrize("name", sorted(LAWS))
+def test_a_law_is_short_and_says_its_source(name):
+    _, law = LAWS[name]
+    text = inspect.getdoc(law)
+    assert text.count("Source: ") == 1
+    assert not re.search(r"``|[a-z]{3,}[._][a-z]{3,}", text.partition("Source: ")[2].partition("Validity: ")[0])
+    assert text.splitlines()[0].endswith(".")
+    body = ast.parse(inspect.getsource(law)).body[0]
+    assert body.end_lineno - body.body[0].end_lineno <= 10
+    assert not body.args.defaults
+    assert body.args.kwarg is None
+    assert body.body[0].lineno <= 4  # the signature stands on two lines at most, its brackets on further ones
+
+
+def unit(name):
+    return term_of(name).unit.replace("^", "**")
+
+
+@pytest.mark.parametrize("name", sorted(LAWS))
+def test_dimension_is_that_of_its_term(name):
+    quantity, law = LAWS[name]
+    if "slips" in name or "bend" in name or quantity in ALONG or not unit(quantity):
+        return
+    arguments = {}
+    for place, argument in enumerate(law.__code__.co_varnames[: law.__code__.co_argcount]):
+        value, own = 0.31 + 0.17 * place, unit(argument)
+        arguments[argument] = value if own in ("1", "") else UNITS.Quantity(value, own)
+    value = law(**arguments)
+    found = value if isinstance(value, UNITS.Quantity) else UNITS.Quantity(value, "")
+    expected = UNITS.Quantity(1, "" if unit(quantity) == "1" else unit(quantity))
+    assert dict(found.dimensionality) == pytest.approx(dict(expected.dimensionality))
+
+
+def test_terms_are_used():
+    used = set().union(*(laws_of(*each).names for each in combinations())) | KEYS
+    assert sorted(name for name in TERMS if name not in used) == []
+    assert sorted(CASES.keys() - {case for each in combinations() for case in laws_of(*each).cases}) == []
+
+
+def test_every_formula_of_the_papers_is_a_law():
+    for entry in register():
+        assert entry.function is None or entry.function in equations(), entry.id
+
+
+# quantities
+
+
+@pytest.mark.parametrize(
+    "variant", ["default", "unlike-materials", "all-driving", "conventional", "indirect", "constant-torque"]
+)
+def test_arrays_equal_numbers(variant):
+    clutch = quantities_of(read_spec(f"example:{variant}"))
+    names = [name for name in clutch.names() if name not in ("pairs_threshold", "scatter_ratio", "bend_of_path")]
+    names = [name for name in names if isinstance(clutch[name], float) and math.isfinite(clutch[name])]
+    varied = {
+        name: value
+        for name, value in clutch.given.items()
+        if name in ("pairs", "closing_force", "gain", "closing_stiffness")
+    }
+    many = clutch.at(**{name: value * np.array([1.0, 1.25]) for name, value in varied.items()})
+    one = clutch.at(**{name: value * 1.25 for name, value in varied.items()})
+    with np.errstate(all="ignore"):
+        for name in names:
+            values = np.broadcast_to(many[name], 2)
+            assert values[0] == pytest.approx(clutch[name], rel=1e-12, abs=1e-300, nan_ok=True), name
+            assert values[1] == pytest.approx(one[name], rel=1e-12, abs=1e-12, nan_ok=True), name
+
+
+def test_a_torque_over_friction():
+    clutch = quantities_of(read_spec("example:indirect"))
+    friction = np.linspace(0.1, 0.8, 101)
+    torque = clutch.at(friction=friction).torque
+    loop = clutch.compiled("torque", "friction")
+    back = clutch.compiled("torque_returning", "friction")
+    returning = clutch.at(friction=friction).torque_returning
+    for at, one, fallen in zip(friction.tolist(), torque, returning, strict=True):
+        assert clutch.at(friction=at).torque == loop(at) == pytest.approx(one, rel=1e-13)
+        assert back(at) == pytest.approx(fallen, rel=1e-13)
+
+
+def test_scopes_of_values_are_not_kept():
+    clutch = quantities_of(read_spec("example:default"))
+    _ = clutch.at("f_max").torque
+    kept = len(clutch._family)
+    for friction in np.linspace(0.1, 0.8, 50):
+        _ = clutch.at(friction=float(friction)).torque
+    assert len(clutch._family) == kept
+
+
+def test_a_quantity_that_needs_a_case_names_the_cases():
+    clutch = quantities_of(read_spec("example:default"))
+    with pytest.raises(MissingError, match=r"torque needs friction: ask it at a value of that, or in a case: .*f_max"):
+        _ = clutch["torque"]
+    with pytest.raises(AttributeError, match="did you mean 'accuracy_factor'"):
+        _ = clutch.acuracy_factor
+    with pytest.raises(MissingError, match="did you mean 'friction'"):
+        clutch.at(frction=0.3)
+    with pytest.raises(MissingError, match="no case 'fmax'; did you mean 'f_max'"):
+        clutch.at("fmax")
+    assert clutch.missing("circumferential_force_at_f_max") == []
+    assert quantities_of(read_spec("example:conventional")).missing("mean_pressure") == ["inner_radius", "outer_radius"]
+    assert "accuracy_factor" in clutch.names()
+    assert "torque" not in clutch.names()
+    assert "torque" in clutch.at("f_max").names()
+
+
+def test_steps_are_noted_once_each_in_its_case():
+    clutch = quantities_of(read_spec("example:indirect"), noted=True)
+    _ = clutch["accuracy_factor_hysteresis"]
+    steps = [(step.name, step.case) for step in clutch.steps]
+    assert len({*steps}) == len(steps)
+    assert ("torque", "f_max") in steps
+    step = next(step for step in clutch.steps if (step.name, step.case) == ("normal_force_seated", "f_min returning"))
+    assert step.arguments["friction"] == "friction_min"
+    assert step.arguments["net_gain_acting"] == "net_gain_returning"
+    assert step.law(**step.values) == step.value
+
+
+def test_pickle():
+    import pickle
+
+    clutch = quantities_of(read_spec("example:constant-torque"))
+    assert pickle.loads(pickle.dumps(clutch))["accuracy_factor"] == clutch["accuracy_factor"]
+
+
+def test_given_wins_and_a_part_replaces():
+    def double(half):
+        return 2 * half
+
+    laws = Laws({"double": double, "half": 3.0, "twice": Same("double"), "any": Either("half", "twice", "half")})
+    assert Quantities(laws, {})["any"] == 6.0
+    assert Quantities(laws, {"half": 4.0})["twice"] == 8.0
+    assert Quantities(laws, {"double": 1.0})["twice"] == 1.0
+    assert Quantities(Laws({"double": double}, {"double": Same("half")}), {"half": 4.0})["double"] == 4.0
+
+
+def test_a_spec_gives_every_name_of_its_keys():
+    for data in random_clutches(30, 3):
+        try:
+            spec = make_spec(data)
+        except AfmcalcError:
+            continue
+        clutch = quantities_of(spec)
+        assert clutch.given.keys() <= KEYS
+        assert clutch["torque_max"] >= clutch["torque_min"] > 0
+    assert terms.TERMS["torque"].unit == "N*m"
