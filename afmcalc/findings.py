@@ -119,10 +119,12 @@ FINDINGS: Mapping[str, str] = {
     "paper does)",
     "life-not-limited/no-number": "{side} side: the damaging stress, {value:.4g MPa}, springs as set, is below the "
     "endurance limit {limit:.4g MPa}: life is not limited by fatigue (no number is given)",
-    "life-limited": "{side} side: fatigue limits its life to {value:,.0f} slips, springs as set: the damaging stress, "
-    "{stress:.4g MPa}, is above the endurance limit {endurance:.4g MPa}",
-    "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
-    "strength {limit:.4g MPa}: the shaft fails at once",
+    "life-limited": "protected side: fatigue limits its life to {cycles:,.0f} slips, springs as set: the damaging "
+    "stress, {value:.4g MPa}, is above the endurance limit {limit:.4g MPa}",
+    "life-limited/unprotected": "unprotected side: fatigue limits its life to {cycles_at_unprotected:,.0f} slips, "
+    "springs as set: the damaging stress, {value:.4g MPa}, is above the endurance limit {limit:.4g MPa}",
+    "static-strength-exceeded": "{name}: {value:.4g MPa} reaches the ultimate strength {limit:.4g MPa}: the shaft "
+    "fails at once",
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
     "band at equal mean costs no life (misprint M23); the rules of Serensen–Kinasoshvili (amplitude) and of "
     "Goodman (goodman) take it into account",
@@ -131,14 +133,10 @@ FINDINGS: Mapping[str, str] = {
     "machine-not-driven": "at some friction the clutch carries {value:.5g N·m}, less than the {limit:.5g N·m} that the "
     "machine asks for by its plate: it slips in rated running",
     "slips-at-start": "switched on directly the motor gives up to {value:.5g N·m} at the clutch, which carries "
-    "{limit:.5g N·m} to {highest:.5g N·m} in service, by the friction at hand: it may slip while a heavy machine "
+    "{limit:.5g N·m} to {torque_max:.5g N·m} in service, by the friction at hand: it may slip while a heavy machine "
     "starts",
-    "slips-at-start/always": "switched on directly the motor gives up to {value:.5g N·m} at the clutch, which carries "
-    "only {limit:.5g N·m} to {highest:.5g N·m}: it slips while a heavy machine starts, whatever the friction",
-    "shaft-yields": "the shaft yields: {torque:.5g N·m} twists it with {value:.5g MPa}, above its yield strength in "
-    "shear by von Mises, {limit:.5g MPa}",
-    "shaft-not-at-peaks": "the search holds the shaft against the largest torque of the clutch, not against the peaks "
-    "of the event: wanted.peak_torque of at most {value:.5g N·m}, at which it yields, requires that too",
+    "shaft-yields": "the shaft yields: its largest stress, {value:.5g MPa}, is above its yield strength in shear by "
+    "von Mises, {limit:.5g MPa}",
     # simulate
     "bypass-peak": "above the gain limit the bypass pairs alone may hold before the balls take over: the peak in the "
     "shaft is then up to {value:.4g N·m}, not {limit:.4g N·m}; requirements.peak_torque is judged by it",
@@ -177,14 +175,14 @@ FINDINGS: Mapping[str, str] = {
     "{value:.4g kJ} or not at all, with the normal force along κ … κ₊; vibration loosens a key",
     "sweep-not-settled": "{value} of the swept drives have neither come to rest nor to a steady run as their "
     "simulation ends: their peaks may yet rise",
-    "event-contact-force": "at {at} the event presses a ball against its wall with {value:.5g kN}; {limit:.5g kN} is "
-    "allowable",
-    "event-ball-leaves-pocket": "at {at} the sleeve travels {value:.5g mm} in the event: beyond {limit:.5g mm} the "
-    "ball runs on the edge of its pocket",
-    "event-clearance": "at {at} the sleeve travels {travel:.5g mm} in the event, which leaves the ball {value:.4g mm} "
-    "to the edge of its pocket instead of {limit:.4g mm}: a larger ball, or stiffer springs",
-    "event-spring-let-go": "at {at} the sleeve travels {value:.5g mm} in the event: at {limit:.5g mm} the closing "
-    "spring presses no more",
+    "event-contact-force": "at {at_contact} the event presses a ball against its wall with {value:.5g kN}; {limit:.5g "
+    "kN} is allowable",
+    "event-ball-leaves-pocket": "at {at_travel} the sleeve travels {value:.5g mm} in the event: beyond {limit:.5g mm} "
+    "the ball runs on the edge of its pocket",
+    "event-clearance": "at {at_travel} the sleeve travels {travel_max:.5g mm} in the event, which leaves the ball "
+    "{value:.4g mm} to the edge of its pocket instead of {limit:.4g mm}: a larger ball, or stiffer springs",
+    "event-spring-let-go": "at {at_travel} the sleeve travels {value:.5g mm} in the event: at {limit:.5g mm} the "
+    "closing spring presses no more",
     "event-spring": "in the event, where the sleeve travels {travel:.5g mm}, a spring does not hold: {what}",
     "dynamic-factor-exceeded": "the event loads the shaft with {value:.4g} times the sliding torque; the life of the "
     "unprotected side takes {limit:g}, as given; without drive.dynamic_factor it takes that of the event",
@@ -201,10 +199,8 @@ FINDINGS: Mapping[str, str] = {
     "are {limit:.5g mm} apart",
     # layout
     "parts-collide": "{first} and {second} overlap by {value:.4g mm}",
-    "housing-too-wide": "the housing around the discs is {value:.5g mm} wide, {missing:.4g mm} more than there is room "
-    "for ({limit:.5g mm})",
-    "clutch-too-long": "the clutch is {value:.5g mm} long at least, {missing:.4g mm} more than there is room for "
-    "({limit:.5g mm})",
+    "housing-too-wide": "the housing around the discs is {value:.5g mm} wide: there is room for {limit:.5g mm}",
+    "clutch-too-long": "the clutch is {value:.5g mm} long at least: there is room for {limit:.5g mm}",
     "layout-without": "not in the layout: {name}; give {path}",
     "inertia-from-layout": "{path} is not given: {value:.4g} kg·m² is taken from the layout, all parts of steel",
     "depth-beyond-sleeve": "the pockets, cut {value:.5g mm} deep, go through the sleeve of {limit:.5g mm}",
@@ -212,26 +208,23 @@ FINDINGS: Mapping[str, str] = {
     "springs, gap or list",
     "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
     "clearance need",
-    "wall-undercut": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
-    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: softer springs, a "
-    "smaller gap or clearance make it possible",
-    "wall-undercut/gain": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
-    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: a gain of "
-    "{gain:.4g} makes it possible; so do softer springs, a smaller gap or clearance",
+    "wall-undercut": "no curved wall for this ball: its radius is {value:.5g mm}, and from {limit:.5g mm} on it "
+    "undercuts the wall; softer springs, a smaller gap or clearance make it possible",
+    "wall-undercut/gain": "a gain of {value:.4g} makes a wall possible that the ball does not undercut",
     "ball-slides-in-seat": "the ball stays seated in the sleeve with the straight walls and slides there: the gain is "
     "that of rolling only as far as its friction is small",
     "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
     "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g kN} exceeds the allowable {limit:.5g kN}",
     "contact-force-exceeded/hertz": "the contact force {value:.5g kN} exceeds the {limit:.5g kN} that Hertz allows: "
-    "the contact pressure is {reached:.5g MPa}, allowable {allowed:.5g MPa}",
+    "the contact pressure is {contact_pressure:.5g MPa}, allowable {allowable_pressure:.5g MPa}",
     "contact-assumed": "control_unit.contact is not given: ball and wall are taken as hardened steel, "
     "{modulus:.5g GPa}, Poisson's ratio {poisson:g}, contact pressure at most {limit:.5g MPa}: it is {value:.5g MPa}",
     # heat
-    "temperature-exceeded": "discs or faces reach {value:.4g °C} in one trip: above the {low:g °C…}{high:g °C} that "
-    "{name} allows",
+    "temperature-exceeded": "discs or faces reach {value:.4g °C} in one trip: above the highest, {limit:.4g °C}, that "
+    "{lining} allows",
     "temperature-in-range": "discs or faces reach {value:.4g °C} in one trip: within the printed range of what "
-    "{name} allows, {low:g °C…}{high:g °C}",
+    "{lining} allows, which begins at {limit:.4g °C}",
     "discs-melt": "steel discs or their faces would reach {value:.4g °C} in one trip: iron melts at {limit:.0f °C} "
     "(CRC Handbook), steel below it; more mass, less heat or an earlier cut-off is needed",
     "temperature-beyond-catalogue": "discs or faces reach {value:.4g °C} in one trip: no material of the catalogue "
@@ -301,43 +294,36 @@ FINDINGS: Mapping[str, str] = {
     "stiffness-of-the-discs": "{path} is {value:.5g N/mm}, that of the discs as set {limit:.5g N/mm}: the law takes "
     "their curve; leave the stiffness out, or the discs",
     "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
-    "springs-miss": "{value:g} clutches are left out of the front: with straight springs of the stiffness searched "
-    "they pass a check, with the springs tried they fail it",
-    "front-not-simulated": "{names}: not asked of the clutches of the front, each of which has to be simulated or "
-    "sampled: without --no-simulate it is",
-    "front-of-grid": "{names}: a check of each clutch tells it, so the front is that of the points searched, with "
-    "nothing between them tried",
     "room-not-given": "{path}.inner_diameter, {path}.outer_diameter or {path}.length is not given: nothing "
     "bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
     # surface pressure
-    "mean-pressure-exceeded": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
-    "above the allowable {low:g MPa…}{high:g MPa} of {name}",
-    "mean-pressure-in-range": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
-    "within the printed range of the allowable, {low:g MPa…}{high:g MPa} of {name}",
-    "mean-pressure": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
-    "below the allowable {low:g MPa} of {name}",
-    "peak-pressure-exceeded": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
-    "above the allowable {low:g MPa…}{high:g MPa} of {name}",
-    "peak-pressure-in-range": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
-    "within the printed range of the allowable, {low:g MPa…}{high:g MPa} of {name}",
-    "peak-pressure": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
-    "below the allowable {low:g MPa} of {name}",
-    "no-candidate": "none of {candidates:,} candidates meets every requirement; excluded by: {listed}",
-    "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement; excluded by: {listed}; what "
-    "to give up: {names}",
+    "mean-pressure-exceeded": "surface pressure {value:.5g MPa} in the mean: above the largest, {limit:.5g MPa}, that "
+    "{lining} allows",
+    "mean-pressure-in-range": "surface pressure {value:.5g MPa} in the mean: within the printed range of what "
+    "{lining} allows, which begins at {limit:.5g MPa}",
+    "peak-pressure-exceeded": "surface pressure {value:.5g MPa} at the inner edge: above the largest, {limit:.5g "
+    "MPa}, that {lining} allows",
+    "peak-pressure-in-range": "surface pressure {value:.5g MPa} at the inner edge: within the printed range of what "
+    "{lining} allows, which begins at {limit:.5g MPa}",
+    "no-candidate": "none of {candidates:,} candidates holds every check; the nearest: {missed}",
+    "no-candidate/key": "none of {candidates:,} candidates holds every check; the nearest: {missed}; what would "
+    "do: {key} {sign} {would}",
     "returning-covered": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m} and within its margin over the machine's "
     "{machine:.5g N·m}: the friction at the key holds the sleeve back",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
-    "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
+    "{value:.5g N·m}, below the nominal torque of the machine, {limit:.5g N·m}: the friction at the key holds the "
+    "sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
     "below-nominal-torque": "the torque falls to {value:.5g N·m} in service, below the clutch's nominal torque "
     "{limit:.5g N·m}",
     "feedback-idle": "the gain is 0: the control unit gives no release force, the clutch is an ordinary one",
-    "feedback-idle/key": "C equals 2 R f_1/d = {limit:.5g}: the key holds the sleeve, the clutch is an ordinary one",
+    "feedback-idle/key": "C does not exceed 2 R f_1/d = {limit:.5g}: the key holds the sleeve, the clutch is an "
+    "ordinary one",
     "gain-above-limit": "C = {value:.4g} is above 1/(z_1 f_1max) = {limit:.4g}: at f_max the bypass pairs alone may "
-    "carry {peak:.5g N·m} before the balls take over, the sustained torque is {sustained:.5g N·m}",
+    "carry {breakaway_torque_at_f_max:.5g N·m} before the balls take over, the sustained torque is "
+    "{torque_at_f_max:.5g N·m}",
     "hysteresis": "the key's friction gives hysteresis: under a load that lasts, the sleeve returns only when the "
     "friction at the discs has fallen by a factor of {value:.4g}, and the torque is then below that of rising "
     "friction; without load the sleeve returns to its stop",
@@ -357,8 +343,9 @@ FINDINGS: Mapping[str, str] = {
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",
     "torque-falls": "the torque falls as the friction of both groups rises: the largest torque, {most:.5g N·m}, is at "
     "f_1 = {at:.4g}",
-    "accuracy-not-lasting": "K_т = {factor:.4g} holds as friction rises; under a load that lasts, friction falling "
-    "again, K_т,h = {value:.4g} is above {limit:.4g}: requirements.accuracy_factor_hysteresis says what it may be",
+    "accuracy-not-lasting": "K_т = {accuracy_factor:.4g} holds as friction rises; under a load that lasts, friction "
+    "falling again, K_т,h = {value:.4g} is above {limit:.4g}: requirements.accuracy_factor_hysteresis says what it "
+    "may be",
     "as-made": "every sample has the springs of the nominal clutch; tolerance.setting may have each clutch set on "
     "the bench instead",
     "each-adjusted": "every sample is set on the bench, its springs by its own dimensions; tolerance.setting may "
@@ -368,20 +355,22 @@ FINDINGS: Mapping[str, str] = {
     "full: at least {limit:.0f}",
     "heavy-tails": "a few samples of a heavy tail carry the variance of the torque: the standard errors of its "
     "standard deviation and of the Sobol indices are too small; quantiles and their errors hold",
-    "heavy-tails/indices": "a few rows of a heavy tail carry the variance of the torque: the standard errors of the "
-    "Sobol indices are too small; a larger tolerance.sobol_base helps",
     "friction-fixed": "friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction",
     "friction-independent": "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them "
     "together, 1)",
     "miner": "life by Miner's rule: friction varies from slip to slip, the rest from clutch to clutch; each slip "
     "loads the shaft with its torque, damage 1/N by the S-N line, extrapolated below the endurance limit as the paper "
     "does",
+    "peaks-interpolated": "the peaks are interpolated between {value:.0f} events of the nominal clutch over the "
+    "friction; all else that scatters counts through the slip torque alone",
     "no-clutch": "{value:.3g} of the samples are no clutch (feedback does not overcome the friction at the key, or "
     "the faces have no width); the figures are those of the others",
     "solve-replaces": "{path} of the spec gives way to the {by} found",
-    "solve-another-value": "{target} = {wanted} is given by {others} as well",
+    "solve-range": "{target} is as wanted at every value of {name} between two of those found",
     "solve-looked": "{target} was calculated at {count} values of {name} from {low} to {high}, then between two of "
     "them: what it does beyond, or twice within one step, is not seen",
+    "not-attainable": "{target} = {required} is not attainable by {name} from {low} to {high}: the nearest is {best}, "
+    "at {name} = {place}",
     "sweep-replaces": "{path} of the spec gives way to the swept {by}",
 }
 """Code of a finding, with its case where it has several → its sentence."""

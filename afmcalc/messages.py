@@ -192,6 +192,16 @@ def measured(value: float, unit: str, digits: int = 6) -> str:
     return Text(f"{{value:.{digits}g {typeset(unit)}}}", {"value": value})
 
 
+def percent(share: float) -> str:
+    """Say a share of a limit, never as 100 % what is below or beyond it.
+
+    >>> percent(0.99952), percent(0.5), percent(1.00001)
+    ('99.95%', '50.0%', '100.001%')
+    """
+    digits = next((digits for digits in range(1, 8) if float(f"{share:.{digits + 2}f}") != 1), 1)
+    return Text(f"{{share:.{digits}%}}", {"share": share})
+
+
 def with_unit(number: str, unit: str) -> str:
     """Set a number with its unit, none where it is pure; only the sign of a degree stands close to its number."""
     return number if unit in ("", "–") else f"{number}{unit if unit == '°' else f' {unit}'}"

@@ -8,7 +8,6 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from threading import Lock
 from types import TracebackType
 from typing import Any, TypeVar
 
@@ -58,23 +57,6 @@ def counted(work: str, parts: Sequence[T]) -> Iterator[T]:
         yield part
     if parts:
         tell(work, len(parts), len(parts))
-
-
-class Count:
-    """Counts what several threads have done of one piece of work."""
-
-    def __init__(self, work: str, total: int) -> None:
-        """Begin to count up to ``total``; whoever waits for this thread is told by the others too."""
-        self._watcher, self._work, self._total = WATCHER.get(), work, total
-        self._done = 0
-        self._lock = Lock()
-
-    def add(self, more: int) -> None:
-        """Count more, and tell."""
-        with self._lock:
-            self._done += more
-            if self._watcher:
-                self._watcher.advance(self._work, self._done, self._total)
 
 
 class Bar:

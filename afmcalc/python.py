@@ -22,17 +22,17 @@ if TYPE_CHECKING:
     from .analysis.adjust import AdjustResult
     from .analysis.check import CheckResult
     from .analysis.compare import CompareResult
-    from .analysis.design.rows import DesignResult
+    from .analysis.design import DesignResult
     from .analysis.effects import EffectsResult
     from .analysis.explain.explain import ExplainResult
     from .analysis.layout import LayoutResult
     from .analysis.life import LifeResult
     from .analysis.overload import OverloadResult
-    from .analysis.solve.solve import SolveResult
+    from .analysis.solve import SolveResult
     from .analysis.springs.springs import SpringsResult
     from .analysis.sweep.grid import Axis
     from .analysis.synthesize import SynthesisResult
-    from .analysis.tolerance.result import ToleranceResult
+    from .analysis.tolerance_result import ToleranceResult
     from .analysis.torque import Pair, TorqueResult
     from .drive.result import HeatResult, SimulateResult
 
@@ -69,9 +69,9 @@ class Clutch:
         """
         return Clutch(respecified(self.spec, apply_overrides({}, {**(keys or {}), **named})))
 
-    def accuracy(self, sweep: Sweep = ()) -> "AccuracyResult":
-        """Accuracy factor, its limits and sensitivities, and sweeps of it."""
-        return self._ask("accuracy", self._axes(sweep))
+    def accuracy(self, sweep: Sweep = (), columns: Sequence[str] = ()) -> "AccuracyResult":
+        """Accuracy factor, its limits and sensitivities, and sweeps of it, with ``columns`` of more quantities."""
+        return self._ask("accuracy", self._axes(sweep), columns)
 
     def adjust(self) -> "AdjustResult":
         """Both ways of setting the spring, at f_min and at mean friction."""
@@ -120,11 +120,17 @@ class Clutch:
         return self._ask("simulate", _pairs(friction), self._axes(sweep))
 
     def solve(self, name: str, target: str, wanted: float | str, *, beyond_limit: bool = False) -> "SolveResult":
-        """One parameter from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it."""
-        from .analysis.solve.solve import parse_target
+        """One key from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it.
+
+        Raises:
+            CalculationError: no value of the key gives it; says which comes nearest.
+        """
+        from .analysis.solve import parse_target
 
         target, value, questions = parse_target(f"{target}={wanted}")
         result, solved, findings = _asked("solve", self._engine, name, target, value, beyond_limit=beyond_limit)
+        if not result.roots:
+            raise CalculationError(findings[-1].message)
         return _answered("solve", solved.spec, result, [*questions, *findings])
 
     def springs(
@@ -139,9 +145,9 @@ class Clutch:
             return self.with_({"catalogues.balls": os.path.abspath(balls)}).synthesize()
         return self._ask("synthesize", balls)
 
-    def tolerance(self, *, threads: int | None = None) -> "ToleranceResult":
+    def tolerance(self) -> "ToleranceResult":
         """Torque over tolerances and scatter: quantiles, risks, life, what scatters most."""
-        return self._ask("tolerance", threads=threads)
+        return self._ask("tolerance")
 
     @typing.overload
     def torque(self) -> "TorqueResult": ...
@@ -244,25 +250,22 @@ def compare(*clutches: Clutch | str | PathLike[str], variants: bool = False) -> 
 
 
 def design(
-    requirements: str | PathLike[str] | Mapping[str, object], *, pick: int | str | None = None, simulate: bool = True
+    source: str | PathLike[str] | Mapping[str, object], *, pick: int | str | None = None, set: Overrides = ()
 ) -> "DesignResult":
-    """All that nothing else beats, of what meets the requirements: a file's, or plain data of the same structure.
+    """All that nothing else beats of the clutches that the [search] of a spec allows and that hold every check.
 
-    With ``pick`` that number of the front, or its ``"knee"``, gets round figures: ``Clutch(answer.spec)``. Without
-    ``simulate`` the front is not yet held to what has to be simulated or sampled.
+    With ``pick`` only that number of the front, or its ``"compromise"``: ``Clutch(answer.spec)``.
 
     Raises:
-        SpecError: the requirements are invalid.
-        AfmcalcError: more candidates than are searched; no such number, or no knee.
+        SpecError: the spec is invalid, or searches too many candidates.
+        AfmcalcError: no such number, or no compromise.
     """
-    from .analysis.design.pick import with_picked, with_verdict
-    from .spec.requirements import make_requirements, read_requirements
+    from .analysis.design import picked
 
-    need = make_requirements(requirements) if isinstance(requirements, Mapping) else read_requirements(requirements)
-    result, findings = _asked("design", need, simulate=simulate)
-    spec = None
+    spec = read_spec(source, set)
+    result, findings = _asked("design", spec)
+    chosen = None
     if pick is not None:
-        result, spec = with_picked(need, result, pick)
-        result, remarks = with_verdict(result, spec)
-        findings = [*dict.fromkeys([*findings, *remarks])]
-    return _answered("design", spec, result, findings)
+        row, chosen = picked(spec, result, pick)
+        result = result.model_copy(update={"front": [row]})
+    return _answered("design", chosen, result, findings)

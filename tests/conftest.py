@@ -26,8 +26,8 @@ for variable in ("PYTHONDONTWRITEBYTECODE", "COLUMNS"):  # tables are as wide as
 
 ROOT = Path(__file__).parents[1]
 CONFIGS = ROOT / "configs"
-WANTED = {path.stem for path in CONFIGS.glob("*.toml") if "\n[wanted]" in path.read_text(encoding="utf-8")}
-"""Examples that are requirements."""
+WANTED = {path.stem for path in CONFIGS.glob("*.toml") if "\n[search]" in path.read_text(encoding="utf-8")}
+"""Examples with a search."""
 PICKED = {f"{name}-clutch" for name in WANTED} - {"requirements-clutch", "machine-clutch"}
 """Clutches that a design of such requirements picked."""
 S21 = Path(__file__).parent / "data" / "s21-fig2.toml"

@@ -11,7 +11,7 @@ import tomllib
 from collections.abc import Iterator
 from errno import EACCES, EBADF, EIO, EISDIR, ELOOP, ENAMETOOLONG, ENOENT, ENOSPC, ENOTDIR, EPERM, EPIPE, EROFS
 from functools import cache
-from typing import Any
+from typing import Any, get_args
 
 from conftest import CONFIGS
 from sources import PACKAGE, called, calls
@@ -67,20 +67,20 @@ def _strings(node: ast.AST) -> Iterator[str]:
 
 
 def _tables() -> Iterator[Key]:
+    from afmcalc.analysis.check import Grade
     from afmcalc.analysis.registry import ANALYSES, PLOTS
-    from afmcalc.analysis.requirements import JUDGED
+    from afmcalc.engines.checks import CHECKS
     from afmcalc.findings import FINDINGS
-    from afmcalc.render import verdict
     from afmcalc.render.report import words
     from afmcalc.spec.quantity import EXAMPLES
     from afmcalc.variants import VARIANTS
 
-    tables = (FINDINGS.values(), words.REPORT.values(), verdict.SENTENCES.values(), map(os.strerror, FAILURES))
+    tables = (FINDINGS.values(), words.REPORT.values(), map(os.strerror, FAILURES))
     abouts = (kind for kind, _ in EXAMPLES.values()), (plot.about for plot in PLOTS.values())
-    needs = (each.needs for each in JUDGED.values() if " " in each.needs)
+    checks = (text for check in CHECKS for text in (check.name, check.symbol))
     sections = [each.section for each in ANALYSES.values() if each.section]
     titles = (text for each in sections for text in (each.title, each.about, each.conclusion) if isinstance(text, str))
-    yield from (("", text) for table in (*tables, *abouts, needs, titles) for text in table)
+    yield from (("", text) for table in (*tables, *abouts, checks, get_args(Grade), titles) for text in table)
     yield from (("value", name) for name in VARIANTS)
 
 
@@ -93,7 +93,7 @@ def _fields() -> Iterator[Key]:
     """What schemas say of tables and keys, and the words that a value may be."""
     from afmcalc.analysis.registry import ANALYSES, schema
 
-    for each in map(schema, (None, "requirements", *ANALYSES)):
+    for each in map(schema, (None, *ANALYSES)):
         yield from (("", text) for text in below(each, "description") if isinstance(text, str))
         yield from (("value", word) for words in below(each, "enum") for word in words if isinstance(word, str))
 

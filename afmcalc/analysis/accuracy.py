@@ -2,12 +2,14 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from pydantic import SerializeAsAny
+
 from ..engines.elasticity import Elasticity, elasticities
 from ..engines.quantities import Quantities
 from ..engines.selection import Wired
 from ..findings import Finding, finding
 from ..result import Answer, Series, described, quantity
-from .asking import Asking, answer, asked, asked_by
+from .asking import Asking, answer, asked, asked_by, with_columns
 from .clutch_findings import clutch_findings
 from .sweep.grid import Axis, replaced, series
 
@@ -45,13 +47,16 @@ class AccuracyResult(Asking, Answer):
     sensitivity: dict[str, float] = quantity(
         "1", "∂ln K_т/∂ln p", "relative sensitivity: % by which K_т changes for 1 % of the parameter p", ranked=True
     )
-    sweep: list[AccuracySweep] | None = described("accuracy over the swept values", optional=True)
+    sweep: list[SerializeAsAny[AccuracySweep]] | None = described("accuracy over the swept values", optional=True)
 
 
-def accuracy(clutch: Wired, sweeps: Sequence[Axis] = ()) -> tuple[AccuracyResult, list[Finding]]:
-    """Calculate the accuracy of a clutch, and over the grid of ``sweeps`` if there are any."""
+def accuracy(
+    clutch: Wired, sweeps: Sequence[Axis] = (), columns: Sequence[str] = ()
+) -> tuple[AccuracyResult, list[Finding]]:
+    """Calculate the accuracy of a clutch, and over the grid of ``sweeps``, there with ``columns`` of quantities."""
     spec, own = clutch.spec, clutch.quantities
-    swept = series(AccuracySweep, spec, sweeps, asked_by(AccuracySweep, own))
+    kind = with_columns(AccuracySweep, own, columns)
+    swept = series(kind, spec, sweeps, asked_by(kind, own))
     slopes = elasticities(own)
     result = answer(
         AccuracyResult,

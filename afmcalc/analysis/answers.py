@@ -1,15 +1,12 @@
 """What was asked of one clutch, each answer calculated once."""
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 from ..engines import Clutch, build
 from ..findings import Finding
 from ..result import Result
 from .registry import ANALYSES, StressRule
-
-if TYPE_CHECKING:
-    from .tolerance.result import Study
 
 R = TypeVar("R", bound=Result)
 
@@ -20,9 +17,9 @@ class Answers:
     Of a clutch that notes its steps (``explain``) an analysis that is not explained asks another, which does not.
     """
 
-    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress", scattered_peaks: bool = True) -> None:
-        """Ask of ``clutch``, the life by ``model``; ``scattered_peaks``: of its tolerances, those of the peaks too."""
-        self.clutch, self._scattered_peaks = clutch, scattered_peaks
+    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress") -> None:
+        """Ask of ``clutch``, the life by ``model``."""
+        self.clutch, self.model = clutch, model
         self._options = {"model": model, "answers": self}
         self._answers: dict[str, tuple[Any, list[Finding]]] = {}
 
@@ -30,12 +27,9 @@ class Answers:
         """Return result and findings of an analysis, run at most once."""
         if name not in self._answers:
             analysis = ANALYSES[name]
-            if name == "tolerance":
-                self._answers[name] = self.study.result, self.study.findings
-            else:
-                options = {option: self._options[option] for option in analysis.options}
-                clutch = self.clutch if analysis.explained else self.quiet
-                self._answers[name] = analysis.function(clutch, **options)
+            options = {option: self._options[option] for option in analysis.options}
+            clutch = self.clutch if analysis.explained else self.quiet
+            self._answers[name] = analysis.function(clutch, **options)
         return self._answers[name]
 
     def of(self, kind: type[R]) -> R:
@@ -47,10 +41,3 @@ class Answers:
     def quiet(self) -> Clutch:
         """The clutch without notes of its steps."""
         return self.clutch if self.clutch.quantities.steps is None else build(self.clutch.spec)
-
-    @cached_property
-    def study(self) -> "Study":
-        """The tolerance study, with what only a picture needs."""
-        from .tolerance.study import study
-
-        return study(self.quiet, peaks=self._scattered_peaks)

@@ -1,13 +1,15 @@
 """An analysis is a list of quantities: the fields of its result ask a clutch for them, each by its own name."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple, TypeVar, get_args
 
-from pydantic import Field
+from pydantic import Field, create_model
 
 from ..engines.quantities import Quantities
 from ..equations.terms import term_of
+from ..errors import AfmcalcError
 from ..result import Result, Shown, Triple, shown_as
 
 R = TypeVar("R", bound=Result)
@@ -92,3 +94,21 @@ def asked_by(kind: type[Result], clutch: Quantities) -> dict[str, str]:
 def names_asked(kind: type[Result]) -> list[str]:
     """Return the quantities that the fields of a result ask for."""
     return [name for question in _questions(kind) for name in question.names]
+
+
+def with_columns(kind: type[R], clutch: Quantities, names: Iterable[str]) -> type[R]:
+    """Return the class of a sweep with a column for each of some quantities, such as ``torque_at_f_max``.
+
+    Raises:
+        AfmcalcError: the clutch has no such quantity, or one that is no number.
+    """
+    wanted = [name for name in names if name not in kind.model_fields]
+    for name in wanted:
+        try:
+            value = clutch[name]
+        except LookupError as error:
+            raise AfmcalcError("--columns {name}: {why}", name=name, why=error.args[0]) from None
+        if not isinstance(value, int | float):
+            raise AfmcalcError("--columns {name}: is no number", name=name)
+    columns: dict[str, Any] = {name: (list[float], asked()) for name in wanted}
+    return create_model(kind.__name__, __base__=kind, **columns) if columns else kind

@@ -1,25 +1,78 @@
-"""Check of a design: its findings, what is unusual about it, and whether it passes."""
+"""Check of a clutch: all that it is held against, one verdict, and what a designer should know."""
 
 import math
-from collections.abc import Collection, Iterator
-from typing import ClassVar
+from collections.abc import Collection, Iterator, Mapping
+from typing import Any, ClassVar, Literal
 
+from ..drive.result import SimulateResult
 from ..engines import Clutch
-from ..errors import CalculationError, SpecError
-from ..findings import Finding, finding
-from ..result import Answer, described
-from ..spec.catalogues import friction_materials
-from ..spec.edit import value_at
+from ..engines.checks import Beside, Check, Known, Part, checks_of, failures
+from ..engines.parts import checks_of_spec
+from ..engines.selection import by_rule
+from ..errors import SpecError
+from ..findings import Finding, Level, finding
+from ..messages import joined, percent, say, term, translate
+from ..result import Answer, Result, Sentence, described, quantity
 from .answers import Answers
-from .clutch_findings import clutch_findings
-from .limits import Utilisation, hub_findings, pressure_findings, shaft_findings, utilisations
+from .clutch_findings import clutch_findings, demands_on_springs
+from .heat import heat_values
+from .life import UNLIMITED
 from .registry import ANALYSES
-from .requirements import RequirementRow, requirement_rows, simulating
-from .synthesize import SynthesisResult
+from .simulate import event_values
+from .unusual import unusual
+
+Grade = Literal["pass", "note", "warning", "fail", "not judged"]
+_GRADES: Mapping[Level, Grade] = {"info": "note", "warning": "warning", "error": "fail"}
+
+
+class CheckRow(Result):
+    """One check or requirement, and how much of its limit the clutch uses."""
+
+    code: str = described("code of its finding", details=True)
+    name: Sentence = described("check")
+    symbol: Sentence = described("condition")
+    value: float | None = described("value", unit_in="shown_unit")
+    limit: float | None = described("limit", unit_in="shown_unit")
+    unit: str = described("unit", is_unit=True, unit_in="shown_unit")
+    least: bool = described("whether the limit is the least", details=True)
+    utilisation: float | None = quantity("1", "η", "utilisation, 1 at the limit")
+    passed: bool | None = described("verdict")
+    level: Level = described("how grave it is to be beyond", details=True)
+    path: str | None = described("spec key", details=True)
+    needs: str | None = described("part that tells it", details=True)
+
+    @property
+    def shown_unit(self) -> str:
+        """Unit: what is held against a limit is a temperature, not a difference of two."""
+        return "K abs" if self.unit == "K" else self.unit
+
+    @property
+    def is_requirement(self) -> bool:
+        """Whether [requirements] asks it, or the plate of a machine."""
+        return self.code == "requirement-missed"
+
+    @property
+    def grade(self) -> Grade:
+        """Verdict on the row."""
+        return "not judged" if self.passed is None else "pass" if self.passed else _GRADES[self.level]
+
+    def words(self, name: str) -> str | None:
+        """Tell the grade; and of a life that passes without a number that it has no limit."""
+        if name == "value" and self.value is None and self.passed:
+            return translate(UNLIMITED)
+        return term(self.grade) if name == "passed" else None
+
+
+class Verdict(Result):
+    """What became of a clutch, in one sentence."""
+
+    passed: bool | None = described("whether the check passed; null: a part is not yet judged")
+    sentence: Sentence = described("verdict")
+    not_judged: list[Sentence] = described("not yet judged")
 
 
 class CheckResult(Answer):
-    """Whether a design passes, and how many findings of each level it has."""
+    """The verdict on a clutch, and every check."""
 
     findings_first: ClassVar[bool] = True
 
@@ -27,47 +80,58 @@ class CheckResult(Answer):
     errors: int = described("findings that must be put right")
     warnings: int = described("findings to think about")
     notes: int = described("findings worth knowing")
-    requirements: list[RequirementRow] = described("requirements")
-    limits: list[Utilisation] = described("every limit, and how much of it is used")
+    verdict: Verdict = described("verdict")
+    checks: list[CheckRow] = described("requirements and checks")
 
     def words(self, name: str) -> str | None:
         """Leave out of the table what the verdict tells in a sentence above it."""
-        return "" if name == "passed" else None
+        return "" if name in ("passed", "verdict") else None
+
+    @property
+    def requirements(self) -> list[CheckRow]:
+        """The rows of requirements."""
+        return [row for row in self.checks if row.is_requirement]
+
+    @property
+    def grade(self) -> Grade:
+        """Grade of the verdict."""
+        if self.errors or not self.passed:
+            return "fail"
+        return "warning" if self.warnings or self.verdict.not_judged else "pass"
 
 
 def check(
     clutch: Clutch, *, strict: bool = False, answers: Answers | None = None, without: Collection[str] = ()
 ) -> tuple[CheckResult, list[Finding]]:
-    """Return the verdict on a design and its findings.
+    """Return the verdict on a clutch, and its findings.
 
     Args:
-        clutch: the design.
+        clutch: the clutch.
         strict: whether warnings fail it too.
         answers: what was asked of it already.
-        without: analyses that are not asked, because they take long: what they judge is left out.
+        without: parts that are not calculated, because they take long: what they judge is named as not judged.
     """
     answers = answers or Answers(clutch)
-    findings = _findings(answers, without)
-    requirements, missed = requirement_rows(answers, without=without)
-    findings += missed
+    rows, failed, open_parts = _judged(answers, without)
+    findings = list(dict.fromkeys([*_remarks(answers, without), *failed]))
     levels = [remark.level for remark in findings]
-    result = CheckResult(
-        passed="error" not in levels and not (strict and "warning" in levels),
-        errors=levels.count("error"),
-        warnings=levels.count("warning"),
-        notes=levels.count("info"),
-        requirements=requirements,
-        limits=utilisations(answers, findings, without),
-    )
-    return result, findings
+    passed = "error" not in levels and not (strict and "warning" in levels)
+    not_judged = [*(row.name for row in rows if row.passed is None), *open_parts]
+    sentence = _sentence(rows, findings, not_judged)
+    verdict = Verdict(passed=None if passed and open_parts else passed, sentence=sentence, not_judged=not_judged)
+    counts = {"errors": levels.count("error"), "warnings": levels.count("warning"), "notes": levels.count("info")}
+    return CheckResult(passed=passed, **counts, verdict=verdict, checks=rows), findings
 
 
 def check_at_once(answers: Answers) -> tuple[CheckResult, list[Finding]]:
-    """Return the verdict but for what has to be simulated or sampled first; a life may take the factor of its event."""
-    spec, without = answers.clutch.spec, simulating(answers.clutch)
-    if spec.drive.event is not None and spec.drive.dynamic_factor is None:
-        without |= {"life"}
-    return check(answers.clutch, answers=answers, without=without)
+    """Return the verdict but for what has to be simulated or sampled."""
+    return check(answers.clutch, answers=answers, without=simulating(answers.clutch))
+
+
+def simulating(clutch: Clutch) -> set[str]:
+    """Return the parts that simulate the event of a clutch, or sample it."""
+    of_event = {"simulate", "heat"} if clutch.spec.drive.event is not None else set()
+    return of_event | ({"tolerance"} if clutch.spec.tolerance is not None else set())
 
 
 def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
@@ -76,87 +140,186 @@ def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
         finding("bad-spec", "error", path=problem.path or None, where=error.where(problem), problem=str(problem))
         for problem in error.problems
     ]
+    verdict = Verdict(passed=False, sentence=_sentence([], problems, []), not_judged=[])
     errors = len(problems) + error.more
-    return CheckResult(passed=False, errors=errors, warnings=0, notes=0, requirements=[], limits=[]), problems
+    return CheckResult(passed=False, errors=errors, warnings=0, notes=0, verdict=verdict, checks=[]), problems
 
 
-def found_unsimulated(clutch: Clutch) -> list[Finding]:
-    """Return what a check finds but for what has to be simulated or sampled first; a life takes its event's factor."""
-    answers = Answers(clutch)
-    without = simulating(clutch)
-    return [*_findings(answers, without), *requirement_rows(answers, without=without)[1]]
-
-
-def _findings(answers: Answers, without: Collection[str]) -> list[Finding]:
-    """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
-    clutch = answers.clutch
-    findings = [
-        *clutch_findings(clutch.spec, clutch.quantities),
-        *pressure_findings(clutch),
-        *hub_findings(answers),
-        *_unusual(answers),
-    ]
-    findings += shaft_findings(answers, simulated="simulate" not in without)
+def _remarks(answers: Answers, without: Collection[str]) -> list[Finding]:
+    """Return the findings of every analysis that a check takes in and that applies to the clutch."""
+    clutch, own = answers.clutch, answers.quiet.quantities
+    findings = [*clutch_findings(clutch.spec, own), *unusual(clutch.spec, own)]
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         findings.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
+    if "simulate" in without and clutch.spec.drive.dynamic_factor is None:
+        without = {*without, "life"}  # it takes the factor of the event
     for analysis in ANALYSES.values():
         if analysis.judged and analysis.applies(clutch) and analysis.name not in without:
             findings += answers.ask(analysis.name)[1]
-    return list(dict.fromkeys(findings))
+    return findings
 
 
-def _unusual(answers: Answers) -> Iterator[Finding]:
-    """Say what can be made, yet is so unusual that a slip of the pen is likelier than a purpose.
-
-    The ranges are wide: they are no limits of a design, they find a millimetre written for a metre.
-    """
-    linings = (answers.clutch.spec.lists.materials or friction_materials()).values()
-    least, most = min(lining.friction_min for lining in linings), max(lining.friction_max for lining in linings)
-    for code, path, value, low, high in _figures(answers):
-        if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
-            limit = low if value < low else high
-            yield finding(
-                code, "warning", value=value, limit=limit, path=path, low=low, high=high, least=least, most=most
-            )
+# the rows
 
 
-def _figures(answers: Answers) -> Iterator[tuple[str, str, float, float, float]]:
-    """Figures of the design: code of its finding, key, value, and between what it usually lies."""
-    clutch = answers.clutch
-    spec, own = clutch.spec, clutch.quantities
-    radius = float(own["mean_radius"])
-    blocks = ("friction.driving", "friction.driven") if spec.friction.unlike else ("friction",)
-    for path, friction in zip(blocks, spec.friction.groups, strict=False):
-        # the papers have 0.1 to 0.8; dry rubber and clean metal in a vacuum are beyond, neither is a friction lining
-        yield "unusual/friction", f"{path}.min", friction.min, 0.02, 1.0
-        yield "unusual/friction", f"{path}.max", friction.max, 0.02, 1.0
-    yield "unusual/mean-radius", "friction_group.mean_radius", radius, 0.01, 1.0
-    yield "unusual/pairs", "friction_group.pairs", spec.friction_group.pairs, 1, 40
-    yield "unusual/margin", "adjustment.margin", spec.adjustment.margin, 1.0, 3.0
-    # over a full disc of the mean radius; linings bear 0.05 to 2 MPa
-    pressure = float(own["pack_force_at_rest"]) / (math.pi * radius**2)
-    yield "unusual/pressure", "closing_spring.force", pressure, 1e3, 5e6
-    springs = {"closing_spring": own["closing_force"]}
-    if spec.kind.travels:
-        springs["control_spring"] = own["control_force"]
-    for name, force in springs.items():
-        if stiffness := value_at(spec, f"{name}.stiffness"):
-            deflection, key = float(force) / stiffness, f"{name}.stiffness"
-            if math.isinf(deflection):
-                raise CalculationError(
-                    "{key} = {stiffness:.5g N/m}: a spring as soft as that has {force:.5g N} at a deflection beyond "
-                    "the range of numbers",
-                    key=key,
-                    stiffness=stiffness,
-                    force=float(force),
-                )
-            # a spring deflected by more is longer than the clutch is wide
-            yield "unusual/deflection", key, deflection, 0.0, 2 * radius
-    if ANALYSES["synthesize"].applies(clutch):
-        unit = answers.of(SynthesisResult)
-        path = "control_unit.wall_angle" if value_at(spec, "control_unit.gain") is None else "control_unit.gain"
-        # steeper the ball hardly bears along the axis, flatter it hardly bears around it
-        yield "unusual/wall-angle", path, unit.wall_angle, math.radians(5), math.radians(60)
-        circle = unit.ball_circle_radius
-        yield "unusual/ball-circle", "control_unit.ball_circle_radius", circle, 0.2 * radius, 2 * radius
+def _judged(answers: Answers, without: Collection[str]) -> tuple[list[CheckRow], list[Finding], list[str]]:
+    """Return a row for each check that applies, a finding for each that fails, and the names of parts left out."""
+    spec = answers.clutch.spec
+    rows, findings, left_out = list[CheckRow](), list[Finding](), dict[str, None]()
+    known, needed = dict[Part | None, Known](), dict[Part | None, list[Check]]()
+    for check in checks_of(spec):
+        if check.needs in without:
+            left_out[term(check.name if check.requirement else _PARTS[check.needs])] = None
+            continue
+        if check.needs not in known:
+            known[check.needs] = told(answers, check.needs)
+        needed.setdefault(check.needs, []).append(check)
+        for row in _row(check, known[check.needs], (spec.heat and spec.heat.ambient) or 0.0):
+            rows.append(row)
+            if row.passed is None:
+                needs = lacks(answers.quiet, check) if row.value is None else _SLIP_ENDS
+                about: dict[str, Any] = {"name": row.name, "needs": needs}
+                findings.append(finding("requirement-not-judged", "warning", limit=row.limit, path=row.path, **about))
+    for part, checks in needed.items():
+        findings += failures(spec, known[part], checks)
+    rows += _spring_rows(answers, without)
+    return rows, findings, [*left_out]
+
+
+_PARTS: Mapping[Part | None, str] = {
+    "simulate": term("the event"),
+    "heat": term("heat of a trip"),
+    "tolerance": term("scatter"),
+}
+_SLIP_ENDS = term("an end of the slip: drive.cut_off, or a longer drive.event.duration")
+
+
+def lacks(clutch: Clutch, check: Check) -> str:
+    """Say what a check that is not known needs: quantities that are not given, or a part."""
+    own = clutch.quantities
+    missing = own.missing(check.value) if check.needs is None or check.value in own.laws.laws else ()
+    return ", ".join(missing) or f"`{check.needs}`"
+
+
+def told(answers: Answers, part: Part | None) -> Known:
+    """Return what a part tells of a clutch, by name."""
+    clutch = answers.quiet
+    own = by_rule(clutch, answers.model)
+    if part is None:
+        undercut = "undercut_radius" in own and own["ball_radius_chosen"] >= own["undercut_radius"]
+        return Beside({"contact_force_hertz": None, "contact_pressure": None}, own) if undercut else own
+    if not ANALYSES[part].applies(clutch):
+        return {}
+    result = answers.ask(part)[0]
+    if part == "simulate":
+        if clutch.spec.drive.dynamic_factor is None:
+            own = own.at(dynamic_factor=result.largest_dynamic_factor)
+        return Beside(event_values(clutch, result), own)
+    if part == "heat":
+        return heat_values(result)
+    if part == "tolerance":
+        required = clutch.spec.requirements
+        of_limit = required is not None and result.torque_limit == required.torque_max
+        return {"exceedance": result.probability_above_limit if of_limit else None}
+    if part == "effects":
+        from .effects import torque_after_wear
+
+        return {"torque_after_wear": torque_after_wear(clutch, result)}
+    return {"outer_diameter": result.outer_diameter, "length": result.length}
+
+
+def _row(check: Check, known: Known, ambient: float) -> Iterator[CheckRow]:
+    """Yield the row of a check; of what is not known only that of a requirement."""
+    value, limit = check.value_of(known), check.limit_of(known)
+    passed = None if value is None or limit is None else bool(check.passes(value, limit))
+    idle = passed is None or (passed and (math.isinf(limit) or not limit))
+    if idle and not check.requirement:
+        return
+    used = None
+    if value is not None and limit is not None:
+        used = check.utilisation(value, limit, ambient if check.unit == "K abs" else 0.0)
+    if passed and check.value in (known.get("open") or ()):
+        passed = None  # where a slip has not ended it may be more
+    yield CheckRow(
+        code=check.code.partition("/")[0],
+        name=term(check.name),
+        symbol=term(check.symbol),
+        value=_finite(value),
+        limit=_finite(limit),
+        unit=check.unit.removesuffix(" abs"),
+        utilisation=_finite(used),
+        passed=passed,
+        **{name: getattr(check, name) for name in ("least", "level", "path", "needs")},
+    )
+
+
+def _finite(value: Any) -> float | None:
+    return None if value is None or not math.isfinite(value) else float(value)
+
+
+def _spring_rows(answers: Answers, without: Collection[str]) -> Iterator[CheckRow]:
+    """Yield what the springs that are named as parts hold, at the travel of the event where that is known."""
+    clutch, travel = answers.quiet, 0.0
+    if not clutch.spec.spring_parts:
+        return
+    if ANALYSES["simulate"].applies(clutch) and "simulate" not in without:
+        travels = answers.of(SimulateResult).travel_max
+        travel = 0.0 if travels is None else max(vars(travels).values())
+    demands, apply = demands_on_springs(clutch.spec, clutch.quantities, travel), answers.clutch.quantities.apply
+    for path, each in checks_of_spec(clutch.spec, demands, apply):
+        rule, used = each.rule, each.utilisation
+        if math.isfinite(used):
+            spring = term("closing spring") if path.startswith("closing") else term("control spring")
+            yield CheckRow(
+                code=rule.code, name=say("{spring}: {what}", spring=spring, what=term(rule.what)), symbol=rule.symbol,
+                value=each.value, limit=each.limit, unit=rule.unit, least=rule.least, utilisation=used,
+                passed=used <= 1 + 1e-9, level=rule.level, path=path, needs="springs",
+            )  # fmt: skip
+
+
+# the sentence
+
+
+def _sentence(rows: list[CheckRow], findings: list[Finding], not_judged: list[str]) -> str:
+    """Name a missed requirement, else the worst error, else the worst warning, else what is nearest to its limit."""
+    beyond = sorted((row for row in rows if row.passed is False), key=lambda row: row.utilisation or math.inf)
+    used = {(row.code, row.path): row.utilisation or math.inf for row in beyond}
+
+    def gravity(remark: Finding) -> tuple[bool, bool, float]:
+        share = used.get((remark.code, remark.path), 0.0)
+        return remark.code == "requirement-missed", remark.level == "error", share
+
+    grave = [each for each in findings if each.level != "info" and each.code != "requirement-not-judged"]
+    if grave:
+        worst = max(grave, key=gravity)
+        if worst.code == "requirement-missed":
+            said = say("The clutch misses a requirement: {what}.", what=worst.message)
+        elif worst.level == "error":
+            said = say("The clutch must not be made so: {what}.", what=worst.message)
+        else:
+            said = say("To be weighed: {what}.", what=worst.message)
+    else:
+        said = _passed(rows, so_far=bool(not_judged))
+    if not not_judged:
+        return said
+    return say("{sentence} Not yet judged: {names}.", sentence=said, names=joined(not_judged))
+
+
+def _passed(rows: list[CheckRow], *, so_far: bool) -> str:
+    """Say what is nearest to its limit, of what is not on it by what was set."""
+    shares = {
+        row.utilisation: row for row in rows if row.utilisation is not None and row.passed and row.level != "info"
+    }
+    nearest = max((share for share in shares if share < 1 - 1e-9), default=0.0)
+    required = any(row.is_requirement for row in rows)
+    if not nearest and so_far:
+        return say("What is judged so far passes.")
+    if not nearest:
+        return say("The clutch meets every requirement.") if required else say("The clutch passes every check.")
+    name, share = shares[nearest].name, percent(nearest)
+    if so_far:
+        return say("What is judged so far passes; nearest: {name}, {share} of its limit.", name=name, share=share)
+    if required:
+        return say("The clutch meets every requirement; nearest: {name}, {share} of its limit.", name=name, share=share)
+    return say("The clutch passes every check; nearest: {name}, {share} of its limit.", name=name, share=share)

@@ -11,8 +11,9 @@ from ..messages import joined, term
 from ..result import Answer, Sentence, Triple, described
 from ..spec.edit import as_variant, with_key, with_nominal_torque
 from ..variants import VARIANTS
+from .answers import Answers
 from .asking import Asking, answer, asked
-from .check import found_unsimulated
+from .check import CheckRow, check_at_once
 from .clutch_findings import clutch_findings
 
 
@@ -32,8 +33,11 @@ class ComparedClutch(Asking):
     accuracy_factor_peak: float = asked(description="accuracy factor by breakaway peaks")
     gain_limit: float | None = asked(description="gain limit", optional=True)
     travel_max: float | None = asked(optional=True)
-    warnings: int = described("warnings of check (event not simulated)")
-    errors: int = described("errors of check (event not simulated)")
+    warnings: int = described("warnings of check")
+    errors: int = described("errors of check")
+    passed: bool | None = described("whether the check passed; null: a part is not yet judged", details=True)
+    sentence: Sentence = described("verdict", details=True)
+    checks: list[CheckRow] = described("requirements and checks")
 
 
 class CompareResult(Answer):
@@ -102,8 +106,8 @@ def change(now: object, before: object) -> float | None:
 
 def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tuple[ComparedClutch, list[Finding]]:
     """Row of a clutch; and what it tells itself, and what else is counted, each with what the clutch is called."""
-    judged = found_unsimulated(clutch)
-    counted = (remark for remark in judged if remark.level != "info")
+    judged, findings = check_at_once(Answers(clutch))
+    counted = (remark for remark in findings if remark.level != "info")
     own, travels = clutch.quantities, clutch.spec.kind.travels
     row = answer(
         ComparedClutch,
@@ -112,7 +116,10 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tu
         variant=clutch.spec.variant,
         basis=basis,
         **({} if travels else {"travel_max": None}),
-        errors=sum(remark.level == "error" for remark in judged),
-        warnings=sum(remark.level == "warning" for remark in judged),
+        errors=judged.errors,
+        warnings=judged.warnings,
+        passed=judged.verdict.passed,
+        sentence=judged.verdict.sentence,
+        checks=judged.checks,
     )
     return row, [of_clutch(remark, called) for remark in dict.fromkeys((*clutch_findings(clutch.spec, own), *counted))]

@@ -161,7 +161,10 @@ def overload_curve(clutch: Wired) -> OverloadCurve:
     trip, set_at_min = own.at(**path), own.at("overload")
     reduced = float(own["reduced_gain"])
     gains = Axis(
-        "zC", find_key("C"), np.linspace(0.0, max(5.0, 1.2 * reduced), 401), 1 / float(own["controlled_pairs"])
+        "zC",
+        find_key("C", clutch.spec),
+        np.linspace(0.0, max(5.0, 1.2 * reduced), 401),
+        1 / float(own["controlled_pairs"]),
     )
     names = ("expected_torque", "actuation_torque_published", "actuation_torque_equilibrium", "potential_torque")
     return OverloadCurve(

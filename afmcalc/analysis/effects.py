@@ -254,7 +254,7 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
         def excess(first: float) -> float:
             return float(pressed(first).normal_force(driving, driven)) - first
 
-        least = float(counted(chain).normal_force(driving, driven))
+        least = float(counted(chain).normal_force(driving, driven)) * (1 - 1e-9)  # below it whatever rounding does
         first = most_force if excess(most_force) >= 0 else brentq(excess, least, most_force, xtol=1e-300)
         return float(pressed(first).torque(driving, driven))
 

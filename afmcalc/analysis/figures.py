@@ -9,16 +9,16 @@ from .registry import ANALYSES, PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:
     from ..drive.result import SimulateResult
-    from ..spec.requirements import Requirements
+    from ..spec import Spec
     from .answers import Answers
     from .curves import LifeCurve
-    from .design.rows import DesignResult
+    from .design import DesignResult
     from .shop import ShopDrawing
     from .simulate import MomentRow
     from .synthesize import SynthesisResult
-    from .tolerance.result import Study
+    from .tolerance_result import ToleranceResult
 
-_SINGLE = {"clutch": "SPEC", "names": "NAME", "requirements": "REQUIREMENTS"}
+_SINGLE = {"clutch": "SPEC", "names": "NAME", "search": "SPEC"}
 """What stands alone, as the help calls it."""
 
 
@@ -26,7 +26,7 @@ class Request(NamedTuple):
     """What to draw."""
 
     subjects: Sequence[Any]
-    """``Answers`` of clutches, names of the papers' figures, or requirements."""
+    """``Answers`` of clutches, names of the papers' figures, or specs with [search]."""
     sweep: str | None = None
     model: StressRule | None = None
 
@@ -45,9 +45,7 @@ class ToleranceFigure(NamedTuple):
     name: str | None
     nominal_torque: float
     seed: int
-    share: float
-    """Share of the distribution that the bars of the histogram hold."""
-    study: "Study"
+    result: "ToleranceResult"
 
 
 class SimulateFigure(NamedTuple):
@@ -173,14 +171,13 @@ def _life(request: Request) -> "list[LifeCurve]":
 
 
 def _tolerance(answers: "Answers") -> ToleranceFigure:
-    from .tolerance.statistics import CENTRAL
+    from .tolerance_result import ToleranceResult
 
-    study, spec = answers.study, answers.clutch.spec
-    if not study.histogram.densities:
+    result, spec = answers.of(ToleranceResult), answers.clutch.spec
+    if not result.histogram:
         raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
-    nominal, share = float(answers.clutch.nominal_torque), CENTRAL[1] - CENTRAL[0]
     assert spec.tolerance is not None
-    return ToleranceFigure(spec.name, nominal, spec.tolerance.seed, share, study)
+    return ToleranceFigure(spec.name, float(answers.clutch.nominal_torque), spec.tolerance.seed, result)
 
 
 def _simulate(answers: "Answers") -> SimulateFigure:
@@ -196,15 +193,15 @@ def _simulate(answers: "Answers") -> SimulateFigure:
     return SimulateFigure(spec.name, spec.drive.event.kind, result.load_torque, result, courses)
 
 
-def _pareto(need: "Requirements") -> ParetoFigure:
-    from .design.design import design
+def _pareto(spec: "Spec") -> ParetoFigure:
+    from .design import design
 
-    if len(set(need.objectives)) < 2:
+    result, findings = design(spec)
+    if len(set(result.objectives)) < 2:
         raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
-    result, findings = design(need)
     if not result.front:
         raise CalculationError(findings[0].message)
-    return ParetoFigure(need.name, result)
+    return ParetoFigure(spec.name, result)
 
 
 def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":

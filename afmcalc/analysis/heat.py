@@ -19,6 +19,7 @@ from ..drive.heat import (
 )
 from ..drive.result import EnergySource, HeatResult
 from ..engines import Clutch
+from ..engines.checks import failures_of
 from ..engines.quantities import Quantities
 from ..equations import heat as law
 from ..equations.arrays import Values
@@ -44,7 +45,10 @@ def remarks(clutch: Clutch, given: Heat, result: HeatResult, slips: HeatedSlips)
     melted = (given.ambient or 0.0) + max(_most(result.temperature_rise), _most(result.surface_temperature_rise))
     if melted >= IRON_MELTS:
         yield finding("discs-melt", "error", value=melted, limit=IRON_MELTS, path="heat.disc_mass")
-    yield from _temperature_findings(clutch, result)
+    yield from failures_of(clutch.spec, known := heat_values(result), "heat")
+    lining = material_limit(clutch)
+    if lining is not None and result.face_temperature is None and known["hottest"] is not None:
+        yield finding("faces-not-judged", "info", path="heat.conductivity", name=lining.name)
     if result.surface_temperature_rise is not None:
         # what the temperature of the faces rests on
         if given.lining_conductivity is None:
@@ -90,23 +94,6 @@ def _end_findings(clutch: Clutch, slips: HeatedSlips) -> Iterator[Finding]:
     level: Level = "error" if off is None else "info"
     carries, heat = measured(least, "N*m", 5), max(float(trip.energy or 0.0) for trip in carried.values())
     yield finding(code, level, value=least, limit=motor, path=path, at=at, carries=carries, heat=heat, off=off)
-
-
-def _temperature_findings(clutch: Clutch, result: HeatResult) -> Iterator[Finding]:
-    """Hold the faces against what their material allows; the mean of the discs where no more is known."""
-    judged = judged_temperature(clutch, result)
-    if judged is None:
-        return
-    hottest, of_faces, limit = judged
-    if hottest > limit.low:
-        beyond = hottest > limit.high
-        yield finding(
-            "temperature-exceeded" if beyond else "temperature-in-range", "error" if beyond else "warning",
-            value=hottest, limit=limit.high if beyond else limit.low, path=limit.path, name=limit.name, low=limit.low,
-            high=limit.high,
-        )  # fmt: skip
-    if not of_faces:
-        yield finding("faces-not-judged", "info", path="heat.conductivity", name=limit.name)
 
 
 def _most(ends: OpenTriple | None) -> float:
@@ -162,20 +149,21 @@ def limit_of(clutch: Clutch) -> Limit | None:
     return next((each for each in limits_of(clutch) if each.path != "requirements.face_temperature"), None)
 
 
-def judged_temperature(clutch: Clutch, result: HeatResult) -> tuple[float, bool, Limit] | None:
-    """What a material has to bear of a trip, K, the largest over the friction range; and what it allows.
+def heat_values(result: HeatResult) -> dict[str, Any]:
+    """Return what is held against a limit: of a trip the most, of trips the fewest, over the friction range.
 
-    Between them stands whether it is the temperature of the faces, or the mean of the discs.
+    ``open`` names what may be more, as a slip has not ended.
     """
-    limit, reached = material_limit(clutch), result.face_temperature or result.temperature
-    if limit is None or reached is None or all(value is None for value in vars(reached).values()):
-        return None
-    return _most(reached), result.face_temperature is not None, limit
-
-
-def share_of_rise(clutch: Clutch, temperature: float, limit: float) -> float:
-    """Share that a temperature uses of the rise from the surroundings' to a limit."""
-    return float(clutch.quantities.apply(law.share_of_rise, temperature, given(clutch.spec.heat).ambient, limit))
+    named = ("specific_work", "temperature", "face_temperature")
+    ends = {name: [*vars(triple).values()] for name in named if (triple := getattr(result, name)) is not None}
+    most = {name: max((value for value in values if value is not None), default=None) for name, values in ends.items()}
+    known: dict[str, Any] = {**most, "hottest": most.get("face_temperature", most.get("temperature"))}
+    known["open"] = {name for name, values in ends.items() if None in values}
+    if result.trips_per_hour is not None:
+        trips = [value for value in vars(result.trips_per_hour).values() if value is not None]
+        known["trips_per_hour"] = min(trips, default=math.inf)  # a slip without heat allows any number
+        known["open"] |= {"trips_per_hour"} if None in vars(result.energy).values() else set()
+    return known
 
 
 def _allowed(material: Material) -> tuple[float, float]:

@@ -1,9 +1,9 @@
 """The clutch in half section: whether its parts fit into the space there is, its mass and inertia."""
 
 from collections.abc import Iterator
-from typing import Any
 
 from ..engines import Clutch
+from ..engines.checks import failures_of
 from ..engines.layout import TOUCHES, PartName, SectionPart, inertia_of, length_of, overlaps, parts_of, sizes_of
 from ..findings import Finding, finding
 from ..messages import say, term
@@ -82,9 +82,8 @@ def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) ->
     for first, second, missing in overlaps(parts):
         if missing > TOUCHES:
             yield finding("parts-collide", "error", value=float(missing), first=term(first), second=term(second))
-    for code, path, value, limit in space_limits(clutch, result):
-        if value > limit + TOUCHES:
-            yield finding(code, "error", value=value, limit=limit, path=path, missing=value - limit)
+    known = {"outer_diameter": result.outer_diameter, "length": result.length}
+    yield from failures_of(clutch.spec, known, "layout")
     absent = {part.name for part in parts} - {row.part for row in result.parts}
     for name, path in _SOUGHT.items():
         if name in absent and (name != "balls" or (clutch.spec.control_unit is not None and clutch.gain > 0)):
@@ -95,13 +94,3 @@ _SOUGHT: dict[PartName, str] = {
     "closing spring": "closing_spring.disc", "control spring": "control_spring.disc",
     "balls": "control_unit.ball_diameter",
 }  # fmt: skip
-
-
-def space_limits(clutch: Clutch, result: LayoutResult) -> list[tuple[str, str, float, float]]:
-    """Each limit of the space that is given: code of the finding beyond it, key, value and limit, m."""
-    room: Any = clutch.spec.envelope
-    limits = [
-        ("housing-too-wide", "envelope.outer_diameter", result.outer_diameter, room.outer_diameter),
-        ("clutch-too-long", "envelope.length", result.length, room.length),
-    ]
-    return [limit for limit in limits if limit[-1] is not None]

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from ..drive.result import SimulateResult, dynamic_factor
 from ..engines import build
-from ..engines.quantities import Laws, Quantities
-from ..engines.selection import NAMES, Wired, by_rule
-from ..equations import life as law
-from ..equations import machine, pack
+from ..engines.checks import failures_of
+from ..engines.quantities import Quantities
+from ..engines.selection import Wired, by_rule
 from ..equations.arrays import Floats, Values, mean_along, spread
 from ..errors import AfmcalcError, given
 from ..findings import Finding, finding
@@ -29,7 +28,6 @@ from .sweep.grid import Axis, replaced, series
 
 if TYPE_CHECKING:
     from ..engines import Clutch
-    from ..spec.requirements import Requirements
 
 Setting = Literal["as-set", Method]
 UNLIMITED = "unlimited"
@@ -117,7 +115,8 @@ def life(
             **{f"stress_{side}": _stress(load) for side, load in sides.items()},
             sweep=life_sweep(clutch, model, sweeps, factor) or None,
         )
-        judged = [remark for side, load in sides.items() for remark in _judged(load, model, side)]
+        judged = failures_of(spec, own, "life")
+        judged += [remark for side, load in sides.items() for remark in _judged(load, model, side)]
     about = finding("slips-averaged" if model in _NEEDS else "mean-stress-rule", "info")
     return result, [*clutch_findings(spec, own), *judged, *underrated, about, *replaced(spec, sweeps)]
 
@@ -250,31 +249,6 @@ def _with_band(own: Quantities, load: Quantities, band: Floats, *, each_slip: bo
     return load.at(torque_high=least + most * (band / width), mean_damage=mean_along(damage))
 
 
-_OF_PART = Laws(pack, machine, law)
-
-
-def life_of(need: "Requirements", least: Floats, most: Floats) -> Floats:
-    """Cycles of the bands (S19) of many clutches, of the side that fails first.
-
-    Infinite where fatigue sets no limit; NaN of no torque.
-    """
-    import numpy as np
-
-    known: dict[str, Any] = {"torque_min": least, "torque_max": most}
-    for path in ("fatigue", "shaft", "drive"):
-        if (block := getattr(need, path)) is not None:
-            known |= {name: value for key, name in NAMES[path].items() if (value := getattr(block, key)) is not None}
-    if "shaft_diameter" in known:
-        known.pop("polar_section_modulus", None)
-    own = Quantities(_OF_PART, known)
-    with np.errstate(all="ignore"):
-        lives = [
-            np.where(load["damaging_stress"] <= load["endurance_limit"], np.inf, load["cycles"])
-            for load in (own, own.at("unprotected"))
-        ]
-    return np.minimum(*lives)
-
-
 def parse_axes(texts: Iterable[str], clutch: Wired, *, band: bool = False) -> list[Axis]:
     """Read the axes of a sweep; ``band`` takes dT for the scatter band, of which a life can be told."""
     from .sweep.axes import parse_axis
@@ -302,16 +276,8 @@ def band_axis(text: str, clutch: Wired) -> Axis:
 
 
 def _judged(load: Quantities, model: StressRule, side: str) -> Iterator[Finding]:
-    """Say how long a side lasts, springs as they are: no slip, so many, or without a limit by fatigue."""
-    limit, path, stress = load["endurance_limit"], "fatigue.endurance_limit", _stress(load)
-    if stress is None:
-        top, strength, path = float(load["stress_high"]), load["ultimate_strength"], "fatigue.ultimate_strength"
-        yield finding("static-strength-exceeded", "error", value=top, limit=strength, path=path, side=term(side))
-    elif _is_unlimited(load):
+    """Say of a side, springs as they are, that fatigue does not limit its life."""
+    if _is_unlimited(load):
         code = "life-not-limited/no-number" if model in _NEEDS else "life-not-limited/extrapolated"
-        yield finding(code, "info", value=stress, limit=limit, path=path, side=term(side))
-    elif (cycles := _cycles(load)) is not None:
-        yield finding(
-            "life-limited", "info", value=cycles, limit=load["base_cycles"], path=path, side=term(side), stress=stress,
-            endurance=limit,
-        )  # fmt: skip
+        stress, limit = _stress(load), load["endurance_limit"]
+        yield finding(code, "info", value=stress, limit=limit, path="fatigue.endurance_limit", side=term(side))

@@ -17,7 +17,7 @@ SpringOrder = Literal["length", "wear", "mass"]
 """What is small in the springs told first."""
 SpringKind = Literal["any", "disc", "coil"]
 
-Takes = Literal["clutch", "clutches", "names", "requirements"]
+Takes = Literal["clutch", "clutches", "names", "search"]
 
 
 class Plot(NamedTuple):
@@ -27,7 +27,7 @@ class Plot(NamedTuple):
     about: str
     """What it shows, for the help."""
     takes: Takes = "clutches"
-    """What it is of: one clutch, one or more, words (the papers' figures), or requirements."""
+    """What it is of: one clutch, one or more, words (the papers' figures), or a spec with [search]."""
     options: tuple[str, ...] = ()
     """Options it heeds; any other that is given is refused."""
     applies: Callable[["Clutch"], bool] = lambda clutch: True
@@ -133,12 +133,6 @@ def _any_effect(clutch: "Clutch") -> bool:
     from .effects import SOURCES
 
     return any(not source.missing(clutch) for source in SOURCES.values())
-
-
-def _about_tolerance(found: Any) -> str:
-    if found.method == "exact":
-        return "The slip torque as making and service scatter as given; the answer is exact."
-    return "The slip torque as making and service scatter as given; ± is the standard error."
 
 
 def _narrower(found: Any) -> str:
@@ -310,12 +304,13 @@ ANALYSES: dict[str, Analysis] = {
             ),
         ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
-        Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),
+        Analysis("solve", "analysis.solve", "SolveResult", "design"),
         Analysis(
-            "tolerance", "analysis.tolerance.study", "ToleranceResult", "design",
+            "tolerance", "analysis.tolerance", "ToleranceResult", "design",
             lambda clutch: clutch.spec.tolerance is not None,
             section=Section(
-                "Tolerances and scatter", _about_tolerance,
+                "Tolerances and scatter",
+                "The slip torque as making and service scatter as given; ± is the standard error.",
                 "As making and service scatter, the mean torque is {mean:.5g N·m}, its standard deviation "
                 "{standard_deviation:.4g N·m}.",
             ),
@@ -323,8 +318,8 @@ ANALYSES: dict[str, Analysis] = {
             example="tolerance",
         ),
         Analysis(
-            "design", "analysis.design.design", "DesignResult", "design",
-            plot=Plot("pareto", "Pareto front of a design, every clutch with its number", "requirements"),
+            "design", "analysis.design", "DesignResult", "design",
+            plot=Plot("pareto", "Pareto front of a design, every clutch with its number", "search"),
         ),
         Analysis("explain", "analysis.explain.explain", "ExplainResult", "papers"),
         Analysis("equations", "papers.register", "EquationsResult", "papers"),
@@ -362,17 +357,14 @@ def schema(command: str | None = None) -> dict[str, Any]:
     from ..messages import did_you_mean
     from ..result import Output
     from ..spec import Spec
-    from ..spec.requirements import Requirements
 
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
     if command is None or command == "spec":
         return {**head, **Spec.model_json_schema()}
-    if command == "requirements":
-        return {**head, **Requirements.model_json_schema()}
     if command not in ANALYSES:
         hint, results = did_you_mean(command, ANALYSES), ", ".join(ANALYSES)
         raise AfmcalcError(
-            "no JSON of a command {command!r}{hint}; described are: spec, requirements, {results}",
+            "no JSON of a command {command!r}{hint}; described are: spec, {results}",
             command=command,
             hint=hint,
             results=results,

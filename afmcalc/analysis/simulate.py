@@ -2,18 +2,19 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drive.cases import Outcome, bracket_of, case_of, outcome_of, peak_time
+from ..drive.cases import Case, Outcome, bracket_of, case_of, outcome_of, peak_time
 from ..drive.pack import Sleeve
 from ..drive.peaks import Peaks, peaks_of
 from ..drive.plant import Plant
 from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import Train, train_of
 from ..engines import Clutch
+from ..engines.checks import Beside, failures_of
 from ..engines.parts import checks_of_spec
 from ..equations import control_unit
 from ..equations import drive as law
@@ -31,7 +32,7 @@ from .registry import ANALYSES
 from .sweep.grid import Axis, replaced, series
 from .synthesize import synthesize
 from .torque import Pair, friction_fields, outside_range, pairs_asked
-from .wall import Wall, wall_of
+from .wall import wall_of
 
 _ENDS = ("f_min", term("f_cp", "symbol"), "f_max")
 _CLOSED = 1e-6
@@ -72,11 +73,6 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
         expected, path = last.case.plant.breakaway, "control_unit.release_lag"
         at, share, held = last.trip.trip_torque, last.trip_position, last.potential
         yield finding("release-lag", "info", value=at, limit=expected, path=path, share=share, held=held)
-    # the dynamic factor given, which the life takes, may be smaller than that of the event
-    assumed, computed = clutch.spec.drive.dynamic_factor, result.largest_dynamic_factor
-    if clutch.spec.fatigue is not None and assumed is not None and computed > assumed * (1 + _NEAR):
-        path = "drive.dynamic_factor"
-        yield finding("dynamic-factor-exceeded", "warning", value=computed, limit=float(assumed), path=path)
     yield from _judder(clutch, train, outcomes)
 
 
@@ -144,71 +140,51 @@ def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterat
         yield finding("judder", "info", value=least, limit=train.damping, path=path, ordinary=ordinary)
 
 
-class Strength(NamedTuple):
-    """What a control unit bears; None where it is not known, or nothing travels."""
-
-    contact_force: float | None
-    """On one ball, N."""
-    contact_path: str
-    """Key of the spec that this is from."""
-    travel: float | None
-    """At which a ball touches the edge of its pocket, m."""
-    clearance: float
-    """y that is to be left, m."""
-    wall: Wall | None
-
-
 def contact_forces(clutch: Clutch, outcomes: Sequence[Outcome]) -> list[float] | None:
     """Largest F_n of every event, N; None without balls whose number and circle are known."""
     unit = clutch.spec.control_unit
     if unit is None or unit.balls is None or unit.ball_circle_radius is None or not clutch.gain:
         return None
-    if clutch.spec.kind.travels and let_go(outcomes) is None:
+    if clutch.spec.kind.travels and let_go(outcomes[-1].case) is None:
         return None  # feedback that the key just holds is simulated without its balls
     count, radius = unit.balls, unit.ball_circle_radius
     return [float(control_unit.contact_force(each.trip.peak_wall, count, radius, 1.0)) for each in outcomes]
 
 
-def strength_of(clutch: Clutch) -> Strength:
-    """Return what the control unit as synthesized bears."""
-    if not ANALYSES["synthesize"].applies(clutch):
-        return Strength(None, "", None, 0.0, None)
-    unit, _ = synthesize(clutch)
-    wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
-    if not clutch.spec.kind.travels or unit.ball_diameter_standard is None or not wall.can_be_cut:
-        return Strength(unit.contact_force_allowable, unit.contact_path, None, 0.0, None)
-    travel = wall.sleeves * wall.mouth
-    return Strength(unit.contact_force_allowable, unit.contact_path, travel, unit.edge_clearance, wall)
-
-
-def let_go(outcomes: Sequence[Outcome]) -> float | None:
+def let_go(case: Case) -> float | None:
     """Travel at which the closing spring presses no more, m; None without a sleeve."""
-    pack = outcomes[-1].case.plant.pack
+    pack = case.plant.pack
     return float(pack.farthest) if isinstance(pack, Sleeve) else None
 
 
-def strains(clutch: Clutch, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Say where an event asks for more than balls, pockets or the closing spring have."""
-    strength = strength_of(clutch)
-    if (forces := contact_forces(clutch, outcomes)) is not None and strength.contact_force is not None:
-        force, at = max(zip(forces, _ENDS, strict=True))
-        if force > strength.contact_force * (1 + 1e-9):
-            limit, path = strength.contact_force, strength.contact_path
-            yield finding("event-contact-force", "error", value=force, limit=limit, path=path, at=at)
-    travel, at = max((each.trip.travel_max, end) for each, end in zip(outcomes, _ENDS, strict=True))
-    if strength.travel is not None and strength.wall is not None:
-        left = strength.wall.clearance(travel)
-        if travel > strength.travel:
-            yield finding("event-ball-leaves-pocket", "error", value=travel, limit=strength.travel, at=at)
-        elif left < strength.clearance * (1 - 1e-9):
-            path = "control_unit.edge_clearance"
-            yield finding(
-                "event-clearance", "warning", value=left, limit=strength.clearance, path=path, at=at, travel=travel
-            )
-    yield from _springs(clutch, travel)
-    free = let_go(outcomes)
-    if free is not None and travel > free * (1 - 1e-9):
-        yield finding("event-spring-let-go", "error", value=travel, limit=free, path="closing_spring", at=at)
+def event_values(clutch: Clutch, result: SimulateResult) -> dict[str, Any]:
+    """Return what an event asks of the parts, the largest over the friction range, and what they bear."""
+    own, factor = clutch.quantities, result.largest_dynamic_factor
+    assumed = clutch.spec.drive.dynamic_factor
+    known: dict[str, Any] = {"peak_torque": result.judged_peak, "contact_force": None, "travel_max": None}
+    known["dynamic_factor_of_event"] = assumed if assumed and assumed < factor <= assumed * (1 + _NEAR) else factor
+    if "shear_yield_strength" in own:
+        peak = max(float(own["torque_max"]), result.judged_peak)
+        known["event_stress"] = own.at(torque_high=peak)["stress_high"]
+    if result.contact_force is not None:
+        known["contact_force"], known["at_contact"] = _largest(result.contact_force)
+    if result.travel_max is not None:
+        known["travel_max"], known["at_travel"] = _largest(result.travel_max)
+        known["travel_let_go"] = let_go(case_of(clutch, *(friction.max for friction in clutch.friction)))
+    if ANALYSES["synthesize"].applies(clutch):
+        unit, _ = synthesize(clutch)
+        known["contact_force_allowable"] = unit.contact_force_allowable
+        wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
+        if result.travel_max is not None and unit.ball_diameter_standard is not None and wall.can_be_cut:
+            known["travel_to_edge"], travel = wall.sleeves * wall.mouth, known["travel_max"]
+            if travel <= known["travel_to_edge"]:
+                known["clearance"] = wall.clearance(travel)
+    return known
+
+
+def _largest(ends: Triple) -> tuple[float, str]:
+    """Largest of the values at f_min, mean and f_max, and where it is."""
+    return max(zip(vars(ends).values(), _ENDS, strict=True))
 
 
 def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
@@ -282,7 +258,8 @@ def simulate(
     )
     return result, [
         *clutch_findings(clutch.spec, clutch.quantities),
-        *strains(clutch, outcomes),
+        *failures_of(clutch.spec, Beside(event_values(clutch, result), clutch.quantities), "simulate"),
+        *_springs(clutch, max(one.trip.travel_max for one in outcomes)),
         *remarks_of(clutch, train, outcomes, result),
         *_wide("peak", peaks_at_stop),
         *_wide("heat", heats_at_stop),

@@ -5,10 +5,10 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
+from ..engines.checks import failures_of
 from ..engines.quantities import Quantities
 from ..engines.selection import Wired, quantities_of
 from ..equations.arrays import next_listed
-from ..errors import given
 from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, Sentence, described, quantity
@@ -96,10 +96,8 @@ def synthesize(clutch: Wired, balls: Sequence[float] | None = None) -> tuple[Syn
     )
     return result, [
         *clutch_findings(spec, own),
-        *_ball_findings(spec, unit, result, sizes[-1]),
-        *_curve_findings(spec, result, sizes),
-        *_room_findings(unit, result),
-        *_contact_findings(spec, unit, result),
+        *failures_of(spec, own, "synthesize"),
+        *_remarks(spec, unit, result, sizes),
     ]
 
 
@@ -155,43 +153,25 @@ def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
     return data
 
 
-def contact_limits(spec: Spec, result: SynthesisResult) -> Iterator[tuple[float, float, bool]]:
-    """Yield each limit of the contact: normal force on a ball, what it may be, N, and whether Hertz says so."""
-    unit = spec.control_unit
-    if unit is None or result.contact_force is None:
-        return
-    if unit.allowable_contact_force is not None:
-        yield result.contact_force, unit.allowable_contact_force, False
-    if result.contact_force_hertz is not None:
-        yield result.contact_force, result.contact_force_hertz, True
-
-
-def _ball_findings(spec: Spec, unit: ControlUnit, result: SynthesisResult, largest: float) -> Iterator[Finding]:
-    """Say what is taken where the spec says nothing, and whether the ball chosen will do."""
+def _remarks(spec: Spec, unit: ControlUnit, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:
+    """Say what is taken where the spec says nothing, how the ball is held, and what would make a wall possible."""
     for key in ("face_gap", "edge_clearance"):
         if getattr(unit, key) is None:
             yield finding("default-clearance", "info", value=getattr(result, key), path=f"control_unit.{key}")
     if not spec.kind.travels:
         yield finding("no-sleeve-travel", "info", value=0.0)
-    chosen, smallest = result.ball_diameter_standard, 2 * result.ball_radius
-    if chosen is None:
-        yield finding("no-standard-ball", "error", value=smallest, limit=largest)
-    elif chosen < smallest * (1 - 1e-12):
-        yield finding("ball-too-small", "error", value=chosen, limit=smallest, path="control_unit.ball_diameter")
-
-
-def _curve_findings(spec: Spec, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:
-    """Say what cannot be cut, and what would; and how the ball is held in the other sleeve."""
-    limit = result.undercut_radius
-    if limit is None:
-        return
-    unit = given(spec.control_unit)
-    yield finding("ball-slides-in-seat", "info", path=f"control_unit.{'pocket' if unit.pocket else 'gain_slope'}")
-    if result.ball_diameter >= 2 * limit:
-        path = "control_unit.ball_diameter" if result.ball_diameter_standard is None else "control_unit.gain_slope"
-        needed, value, gain = 2 * result.ball_radius, result.ball_diameter, _gain_that_can_be_cut(spec, sizes)
-        code = "wall-undercut" if gain is None else "wall-undercut/gain"
-        yield finding(code, "error", value=value, limit=2 * limit, path=path, needed=needed, gain=gain)
+    if (limit := result.undercut_radius) is not None:
+        yield finding("ball-slides-in-seat", "info", path=f"control_unit.{'pocket' if unit.pocket else 'gain_slope'}")
+        if result.ball_diameter >= 2 * limit and (gain := _gain_that_can_be_cut(spec, sizes)) is not None:
+            yield finding("wall-undercut/gain", "info", value=gain, path="control_unit.gain")
+    if unit.balls is None:
+        yield finding("balls-not-given", "info", path="control_unit.balls")
+    elastic = unit.elasticity
+    if unit.contact is None and result.contact_pressure is not None:
+        yield finding(
+            "contact-assumed", "info", value=result.contact_pressure, limit=elastic.allowable_pressure,
+            path="control_unit.contact", modulus=elastic.wall_modulus, poisson=elastic.wall_poisson,
+        )  # fmt: skip
 
 
 def _gain_that_can_be_cut(spec: Spec, sizes: Sequence[float]) -> float | None:
@@ -202,40 +182,3 @@ def _gain_that_can_be_cut(spec: Spec, sizes: Sequence[float]) -> float | None:
         ball = next_listed(2 * steeper["ball_radius"], sizes)
         cut = np.broadcast_to(ball / 2 < steeper["undercut_radius"], gains.shape)
     return float(gains[cut.argmax()]) if cut.any() else None
-
-
-def _room_findings(unit: ControlUnit, result: SynthesisResult) -> Iterator[Finding]:
-    """Say what is in the way of what: balls of balls or the axis, pockets of pockets or the back of the sleeve."""
-    diameter, pitch, circle = result.ball_diameter, result.ball_pitch, result.ball_circle_radius
-    path, width, depth = "control_unit.balls", result.pocket_width, result.pocket_depth_cut
-    if pitch is None:
-        if diameter >= 2 * circle:
-            path = "control_unit.ball_circle_radius"
-            yield finding("ball-reaches-axis", "error", value=diameter / 2, limit=circle, path=path)
-    else:
-        if diameter >= pitch:
-            yield finding("balls-overlap", "error", value=diameter, limit=pitch, path=path, balls=unit.balls)
-        if width >= pitch:
-            yield finding("pockets-overlap", "error", value=width, limit=pitch, path=path, balls=unit.balls)
-    if unit.sleeve_depth is not None and depth >= unit.sleeve_depth:
-        path = "control_unit.sleeve_depth"
-        yield finding("depth-beyond-sleeve", "error", value=depth, limit=unit.sleeve_depth, path=path)
-
-
-def _contact_findings(spec: Spec, unit: ControlUnit, result: SynthesisResult) -> Iterator[Finding]:
-    """Say what of the contact is not known or assumed, and what is exceeded."""
-    if unit.balls is None:
-        yield finding("balls-not-given", "info", path="control_unit.balls")
-    elastic = unit.elasticity
-    if unit.contact is None and result.contact_pressure is not None:
-        yield finding(
-            "contact-assumed", "info", value=result.contact_pressure, limit=elastic.allowable_pressure,
-            path="control_unit.contact", modulus=elastic.wall_modulus, poisson=elastic.wall_poisson,
-        )  # fmt: skip
-    for force, allowable, by_hertz in contact_limits(spec, result):
-        if force > allowable:
-            code, path = "contact-force-exceeded", "control_unit.allowable_contact_force"
-            if by_hertz:
-                code, path = "contact-force-exceeded/hertz", "control_unit.contact"
-            reached, allowed = result.contact_pressure, elastic.allowable_pressure
-            yield finding(code, "error", value=force, limit=allowable, path=path, reached=reached, allowed=allowed)

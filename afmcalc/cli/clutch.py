@@ -61,17 +61,31 @@ def torque(
 
 
 @with_common
-def accuracy(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOption = False, *, common: Common) -> None:
+def accuracy(
+    spec: SpecArgument = None,
+    sweep: SweepOption = None,
+    columns: Annotated[
+        list[str] | None,
+        Option("--columns", metavar="NAME,…", help="More columns of the sweep: quantities, such as torque_at_f_max."),
+    ] = None,
+    plot: PlotOption = False,
+    *,
+    common: Common,
+) -> None:
     """Accuracy factor, its limits and sensitivities, and sweeps of it.
 
     \b
     afmcalc accuracy --sweep C
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
+    afmcalc accuracy clutch.toml --sweep R --columns closing_force,torque_at_f_max
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
+    if columns and not sweep:
+        raise AfmcalcError("--columns are those of a sweep: give --sweep NAME with them")
     clutch = common.wired(spec)
-    common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch))
+    names = [name.strip() for text in columns or () for name in text.split(",")]
+    common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch), columns=names)
 
 
 @with_common

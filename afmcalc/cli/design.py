@@ -1,11 +1,14 @@
 """Commands that go from what is wanted to a clutch."""
 
+import os
+from dataclasses import replace
 from typing import Annotated
 
 from typer import Argument, Option
 
 from ..errors import AfmcalcError
 from ..messages import say
+from .files import is_json_spec
 from .help import completing
 from .options import Common, SpecArgument, with_common
 
@@ -21,48 +24,57 @@ def solve(
         ),
     ],
     spec: SpecArgument = None,
-    parameter: Annotated[
+    key: Annotated[
         str,
         Option(
             "--for",
-            metavar="NAME",
-            help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.",
+            metavar="KEY",
+            help="Key to solve for, by symbol or path.",
             autocompletion=completing("parameter"),
         ),
     ] = "C",
+    save: Annotated[
+        str | None, Option(metavar="FILE", help="Write the spec with the value found, the nearest to the present one.")
+    ] = None,
     beyond_limit: Annotated[bool, Option("--beyond-limit", help="Go past the gain limit of the variant.")] = False,
     *,
     common: Common,
 ) -> None:
-    """One parameter from one wanted quantity.
+    """One key from one wanted quantity.
 
-    Wanted can be what the torque law gives, and whatever check judges by a requirement: peak_torque, temperature, work,
-    exceedance, cycles, contact_pressure and others. Those are calculated for one clutch at a time, up to a second each,
-    at some values of the parameter around that of the spec, and then between two of them.
+    Wanted can be any quantity by its name in JSON or its symbol, at a friction too (torque_at_f_max), and whatever a
+    requirement judges. The quantity is calculated at 400 values over the range of the key; between two of them that lie
+    on either side of what is wanted the value is found. What needs an event (peak_torque, temperature), a life or parts
+    is calculated for one clutch at a time, at 40 values around that of the spec.
 
     \b
     afmcalc solve --for C accuracy_factor=2.0 clutch.toml
     afmcalc solve --for F nominal_torque="250 N*m" clutch.toml --json | afmcalc torque -
-    afmcalc solve --for z torque_max=300 clutch.toml
+    afmcalc solve --for z torque_max=300 clutch.toml --save solved.toml
     afmcalc solve --for F peak_torque=450 drive.toml
     """  # noqa: D301
-    from ..analysis.solve.solve import in_order, parse_target
+    from ..analysis.solve import parse_target
     from ..spec import resolved
 
-    target, spec = in_order(target, spec)
-    common.keep(spec)
+    if spec is not None and "=" in spec and "=" not in target:
+        target, spec = spec, target
+    common.keep(spec, beside=save)
     name, wanted, questions = parse_target(target)
     clutch = common.build(spec)
-    result, solved, findings = common.ask(clutch, parameter, name, wanted, beyond_limit=beyond_limit)
-    common.emit(result, [*questions, *findings], resolved(solved.spec))
+    result, solved, findings = common.ask(clutch, key, name, wanted, beyond_limit=beyond_limit)
+    if result.roots or common.chosen_format == "json":
+        common.emit(result, [*questions, *findings], resolved(solved.spec))
+    if not result.roots:
+        raise AfmcalcError(findings[-1].message)
+    if save:
+        about = say("{path} found by afmcalc solve.", path=result.path)
+        wrote = say("wrote the spec with the value found to {output}", output=save)
+        replace(common, output=save).write_spec(resolved(solved.spec), about, wrote)
 
 
 @with_common
 def tolerance(
     spec: SpecArgument = None,
-    threads: Annotated[
-        int | None, Option(min=1, help="How many threads; the digits stay the same.  [default: all]")
-    ] = None,
     *,
     common: Common,
 ) -> None:
@@ -72,19 +84,22 @@ def tolerance(
 
     \b
     afmcalc tolerance clutch.toml
-    afmcalc tolerance clutch.toml --set tolerance.samples=10_000_000 --json
-    afmcalc tolerance clutch.toml --set tolerance.method=quasi-monte-carlo
+    afmcalc tolerance clutch.toml --set tolerance.samples=2_000_000 --json
     """  # noqa: D301
-    common.calculate(common.clutch(spec), threads=threads)
+    common.calculate(common.clutch(spec))
 
 
 @with_common
 def design(
-    requirements: Annotated[
-        str, Argument(metavar="REQUIREMENTS", help="TOML or JSON file of what is wanted, - for standard input.")
-    ],
+    spec: Annotated[str, Argument(metavar="SPEC", help="TOML or JSON file with a [search], - for standard input.")],
     pick: Annotated[
-        str | None, Option(metavar="N|knee", help="Take this clutch of the front as a spec; --output writes it.")
+        str | None, Option(metavar="N|compromise", help="Take this clutch of the front; --save writes it.")
+    ] = None,
+    save: Annotated[
+        str | None,
+        Option(
+            metavar="FILE", help="Write the spec with the values picked, comments and units kept, without [search]."
+        ),
     ] = None,
     top: Annotated[
         int | None, Option(metavar="N", min=1, help="Show so many of the front.  [default: 40 in tables]")
@@ -95,72 +110,53 @@ def design(
             metavar="QUANTITY", help="Sort the front by this, least first: any numeric column, by its name in JSON."
         ),
     ] = None,
-    simulate: Annotated[
-        bool,
-        Option(
-            "--simulate/--no-simulate", help="Hold the front to what has to be simulated or sampled, or do not yet."
-        ),
-    ] = True,
-    explain: Annotated[
-        str | None, Option(metavar="N|knee", help="Show the neighbours of this clutch, and what each gives up.")
-    ] = None,
-    misses: Annotated[
-        bool, Option("--misses", help="Tell the nearest miss of each requirement too, and what to relax.")
-    ] = False,
     *,
     common: Common,
 ) -> None:
-    """The best clutches for what is wanted: the exact Pareto front.
+    """The best clutches for what is required: the Pareto front of a grid.
 
-    An example is written by afmcalc init --kind requirements. A number of the front means the same clutch in the table,
-    the CSV, the plot and for --pick, however the table is sorted. Between the points of a range every objective is made
-    as small as it goes; with closing_forces, a curved pocket, or what has to be simulated, the front is that of the
-    points; --no-simulate looks without simulating. With --pick a clutch gets round figures that hold every limit, is
-    calculated again with them and shown alone, with what a check says of its requirements and limits; --output FILE
-    gets it as a spec that passes a check.
+    SPEC is a clutch with requirements and a [search] of keys to vary, such as "control_unit.gain" = "0:1:21"; an
+    example is written by afmcalc init --kind requirements. A clutch of the front holds every requirement and passes
+    check, and no other candidate is better in one of the objectives and as good in the others. They are quantities to
+    be small, or large with a minus: objectives = ["closing_force", "-gain_limit"].
 
     \b
     afmcalc design requirements.toml --sort accuracy_factor --top 10
-    afmcalc design requirements.toml --explain knee
-    afmcalc design requirements.toml --no-simulate
-    afmcalc design requirements.toml --pick 3 --output clutch.toml
+    afmcalc design requirements.toml --pick compromise --save clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
-    from ..analysis.design.design import check_sort, focused, shown, with_neighbours
-    from ..analysis.design.pick import with_picked, with_verdict
+    from ..analysis.design import picked, shown
     from ..spec import resolved
-    from ..spec.requirements import read_requirements
 
-    common.keep(requirements, spec=pick is not None)
-    check_sort(sort)
-    need = read_requirements(requirements, common.overrides)
-    result, findings = common.ask(need, misses=misses or None, simulate=simulate)
-    printed = common if pick is None else common.to_standard_output()
-    spec = None
+    common.keep(spec, beside=save)
+    if save:
+        is_json_spec(save)  # refuses another ending
+    if save and pick is None:
+        raise AfmcalcError("--save writes the clutch of --pick: give both")
+    given = common.read(spec)
+    result, findings = common.ask(given)
+    chosen = None
     if pick is not None and result.front:
-        with common.bar():
-            result, chosen = with_picked(need, result, pick)
-            result, remarks = with_verdict(result, chosen)
-        findings = [*dict.fromkeys([*findings, *remarks])]
-        spec = resolved(chosen)
-    if explain is not None and result.front:
-        result = with_neighbours(result, explain)
-    if top is None and printed.chosen_format != "json":
-        if spec or result.neighbours is not None:
-            result = focused(result)
-        elif result.on_front > _IN_TABLES and printed.chosen_format != "csv":
-            top = _IN_TABLES
-            common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))
-    empty = [finding for finding in findings if finding.code == "no-candidate"]
-    if printed.chosen_format != "json":  # there it is the error below
-        findings = [finding for finding in findings if finding not in empty]
-    printed.emit(shown(result, sort, top), findings, spec)
-    if empty:
-        raise AfmcalcError(empty[0].message)
-    if spec and common.output:
-        number = result.picked[0].number
-        about = say("Number {pick} of the front of afmcalc design.", pick=number)
-        common.write_spec(spec, about, say("wrote number {pick} to {output}", pick=number, output=common.output))
+        row, chosen = picked(given, result, pick)
+        result = result.model_copy(update={"front": [row]})
+    elif top is None and common.chosen_format in ("table", "markdown") and len(result.front) > _IN_TABLES:
+        top = _IN_TABLES
+        common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=len(result.front)))
+    nothing = [finding for finding in findings if finding.code == "no-candidate"]
+    if common.chosen_format != "json":  # there it is the error below
+        findings = [finding for finding in findings if finding not in nothing]
+    common.emit(shown(result, sort, top), findings, resolved(chosen) if chosen else None)
+    if nothing:
+        raise AfmcalcError(nothing[0].message)
+    if save and chosen:
+        import json
+
+        from ..spec.saved import saved
+
+        folder = os.path.dirname(os.path.abspath(save))
+        as_json = f"{json.dumps(resolved(chosen), indent=2, ensure_ascii=False)}\n"
+        text = as_json if is_json_spec(save) else saved(given, row.changes, chosen, folder)
+        common.save(text.encode(), save)
 
 
 _IN_TABLES = 40

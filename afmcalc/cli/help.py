@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 
 from typer.core import TyperCommand, TyperGroup
 
-from ..messages import Text, fitting, told, translate
+from ..messages import Text, fitting, term, told, translate
 
 Context: TypeAlias = Any
 HelpFormatter: TypeAlias = Any
@@ -42,31 +42,35 @@ def names_of(kind: str) -> Named:
             sections = {name: ANALYSES[name].section for name in EXPLAINED}
             return [(name, translate(section.title if section else "Checks")) for name, section in sections.items()]
         case "described":
-            return [(name, "") for name in (*ANALYSES, "requirements")]
+            return [(name, "") for name in ANALYSES]
         case "figure":
             from ..papers import FIGURES
 
             return [(name, "") for name in FIGURES]
         case "target":
-            from ..analysis.solve.solve import targets
+            from ..analysis.solve import is_quantity
+            from ..equations.terms import TERMS
             from ..render.symbols import native
 
-            return [
-                (name, f"{native(target.symbols[0])}, {translate(target.description)}")
-                for name, target in targets().items()
-            ]
+            terms = {name: own for name, own in TERMS.items() if is_quantity(name)}
+            about = {name: f"{native(own.symbol)}, {translate(own.meaning)}" for name, own in terms.items()}
+            return [*({**about, **dict(names_of("required"))}).items()]
     from ..spec.keys import ALIASES, keys
 
+    if kind == "required":
+        from ..render.symbols import native
+
+        judged = ((path, key) for path, key in keys().items() if path.startswith("requirements."))
+        return [
+            (path.partition(".")[2], f"{native(key.symbol or '')}, {translate(key.description).partition(',')[0]}")
+            for path, key in judged
+        ]
     if kind == "path":
         return [(path, translate(key.description)) for path, key in keys().items()]
     symbols = {
         symbol: f"{path}, {translate(keys()[path].description).partition(';')[0]}" for symbol, path in ALIASES.items()
     }
-    if kind == "swept":
-        return [("zC", translate("reduced gain")), *symbols.items()]
-    from ..analysis.solve.solve import PARAMETERS
-
-    return [(symbol, symbols[symbol]) for symbol in PARAMETERS]
+    return [("zC", translate("reduced gain")), *symbols.items()] if kind == "swept" else [*symbols.items()]
 
 
 def completing(kind: str, end: str = "") -> Callable[[str], Named]:
@@ -75,7 +79,10 @@ def completing(kind: str, end: str = "") -> Callable[[str], Named]:
 
 
 _LISTED = {
-    "solve": {"NAME": "parameter", "TARGET": "target"},
+    "solve": {
+        term("KEY (or any number of the spec, by its path)"): "parameter",
+        term("TARGET (or any quantity, by its name in JSON)"): "required",
+    },
     "plot": {"WHAT": "plot"},
     "explain": {"COMMAND": "explained"},
 }
@@ -123,7 +130,7 @@ class Command(_Help, TyperCommand):
         if any(parameter.name == "sweep" for parameter in self.params):
             lists[told("NAME of --sweep (or any number of the spec, by its path)")] = "swept"
         for title, kind in lists.items():
-            with formatter.section(title):
+            with formatter.section(translate(title)):
                 formatter.write_dl(names_of(kind), col_max=_WIDEST)
 
 

@@ -64,7 +64,7 @@ def plot(
     chosen = plot_of(what)
     what = chosen.name
     ending = picture_of(common.output)
-    of_clutches = chosen.takes not in ("names", "requirements")
+    of_clutches = chosen.takes not in ("names", "search")
     sources: list[str | None] = [*(subjects or ())] or ([None] if of_clutches else [])
     refuse(common.output, force=common.force, inputs=sources)
     if sources.count("-") > 1:
@@ -84,12 +84,8 @@ def plot(
         need_drawing("plot")
     if of_clutches:
         request = request._replace(subjects=_answers(what, request, common))
-    elif chosen.takes == "requirements":
-        from ..spec.requirements import read_requirements
-
-        request = request._replace(
-            subjects=[read_requirements(source, common.overrides) for source in request.subjects]
-        )
+    elif chosen.takes == "search":
+        request = request._replace(subjects=[common.read(source) for source in request.subjects])
     with common.bar():
         figure = gathered(what, request)
         if ending == "dxf" and common.output:

@@ -40,20 +40,18 @@ def serve(
     from hashlib import sha256
     from secrets import token_urlsafe
 
-    from tomli_w import dumps
     from uvicorn import Config, Server
 
-    from ..analysis.design.similar import requirements_like
-    from ..engines import build
     from ..render.units import shown_in
     from ..spec.parse import bytes_of, decoded
+    from ..web.answers import search_of
     from ..web.app import Page
     from ..web.form import Base, State
 
     common.keep(spec, spec=True)
     raw, name = bytes_of(common.given_instead("torque") if spec is None else spec)
     base = Base(name, decoded(raw, name).text, spec, tuple(common.overrides), sha256(raw).hexdigest())
-    requirements = dumps(requirements_like(build(State(base).spec)))
+    requirements = search_of(State(base).spec)
     target = common.output or (spec if common.force and spec and os.path.isfile(spec) else "")
     listening, token = _listen(port), token_urlsafe(24)
     port = listening.getsockname()[1]

@@ -38,7 +38,7 @@ def init(
     kind: Annotated[
         Kind,
         Option(
-            help="A clutch, one with a drive or with tolerances; requirements for a design, or from a motor's plate."
+            help="A clutch, one with a drive or with tolerances; one with a search for design, or from a motor's plate."
         ),
     ] = "clutch",
     variant: Annotated[Example | None, Option(help="Clutch to start from.")] = None,
@@ -64,16 +64,15 @@ def init(
         raise AfmcalcError("give FILE or --output, not both")
     if variant and kind not in ("clutch", "drive"):
         raise AfmcalcError("--variant belongs to --kind clutch or drive")
-    of = "requirements" if _KINDS[kind] == "design" else None
-    target = output or file or f"{kind if of else 'clutch'}.toml"
+    target = output or file or f"{kind if _KINDS[kind] == 'design' else 'clutch'}.toml"
     if schema and target == "-":
         raise AfmcalcError("--schema writes a file beside FILE: name one")
     text = annotated(_text(kind, variant))
     written = [(target, text)]
     if schema:
-        name = f"afmcalc.{of}.schema.json" if of else "afmcalc.schema.json"
+        name = "afmcalc.schema.json"
         beside = os.path.join(os.path.dirname(target), name)
-        written = [(target, f"#:schema ./{name}\n{text}"), (beside, _schema_of(of))]
+        written = [(target, f"#:schema ./{name}\n{text}"), (beside, _schema_of(None))]
     refuse(*(path for path, _ in written), force=force)
     for path, content in written:
         write(content, path, force=force, utf8=True)

@@ -1,7 +1,9 @@
 """A sleeve between two springs of any characteristic, behind walls straight or curved: where it is in balance."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from ..equations import curved
@@ -27,6 +29,14 @@ class Balance:
     """C_1, 1/m."""
     straight: bool
     """Whether C_1 is nought: then there is but one balance."""
+
+    @cached_property
+    def nought(self) -> Values:
+        """0 in the common shape of all that the balance depends on but friction."""
+        straight = (spring.straight_stiffness for spring in (self.closing, self.control) if spring.disc is None)
+        return 0.0 * math.prod(
+            (self.net_gain, self.gain_slope, self.closing.set_force, self.control.set_force, *straight)
+        )
 
     def pressed(self, travel: Values) -> Values:
         """Normal force N, N."""
@@ -77,7 +87,7 @@ class Balance:
         """Places up to ``end`` between which the friction that holds the sleeve does not turn, for each friction."""
         import numpy as np
 
-        grid = places(end + 0.0 * (self.net_gain * self.gain_slope), _PLACES)
+        grid = places(end + self.nought, _PLACES)
         with np.errstate(all="ignore"):  # nothing presses where the closing spring is let out
             found = np.sort(np.concatenate([grid, turned(self._friction_slope, grid)]), axis=0)
         found = found.reshape(len(found), *(1,) * max(np.ndim(friction) - np.ndim(grid[0]), 0), *found.shape[1:])

@@ -175,9 +175,7 @@ def _turns(balance, travel_start, travel_end, friction_low, friction_high, torqu
     """
     import numpy as np
 
-    # zeros in the common shape of all clutches, as the travels may have a smaller shape
-    shape = 0.0 * (balance.closing.set_force * balance.control.set_force * balance.net_gain * balance.gain_slope)
-    way = balance.way(travel_start + shape, travel_end + shape)
+    way = balance.way(travel_start + balance.nought, travel_end + balance.nought)  # a travel may have a smaller shape
     friction = np.asarray(balance.friction(way))
     torque = balance.pressed(way) * arm * friction
     inside = (friction >= friction_low * (1 - _ROUNDING)) & (friction <= friction_high * (1 + _ROUNDING))

@@ -23,7 +23,10 @@ class Named:
     allowable_contact_force: Values  # [F_n], N: allowable normal force on one ball
     allowable_pressure: Values  # p_0,allow, Pa: allowable maximum contact pressure
     balance: Any  # balance of the forces on the sleeve
+    ball_bore: Values  # 2r − d_ш, m: diameter of the circle inside the balls
     ball_circle_radius: Values  # r, m: radius of the ball circle
+    ball_diameter: Values  # d_ш, m: ball diameter
+    ball_diameter_needed: Values  # 2 r_ш, m: smallest ball diameter
     ball_diameter_standard: Values  # d_ш, m: ball chosen: given, or the next standard one
     ball_modulus: Values  # E_1, Pa: elastic modulus of the ball
     ball_pitch: Values  # t_ш, m: distance between the centres of neighbouring balls
@@ -65,11 +68,15 @@ class Named:
     cos_wall_angle: Values  # cos α, 1: cosine of the wall angle
     counted_damage: Values  # D, 1: damage of a slip as far as it counts
     cycles: Values  # N_ц, 1: cycles to failure
+    cycles_least: Values  # N_ц, 1: cycles to failure of the side that fails first
     cycles_of_band: Values  # N_ц, 1: cycles to failure
+    cycles_of_fatigue: Values  # N_ц, 1: cycles to failure
     cycles_of_line: Values  # N_ц, 1: cycles to failure
     cycles_of_mean_damage: Values  # N_ц, 1: cycles to failure
+    cycles_of_side: Values  # N_ц, 1: cycles to failure
     damage: Values  # 1/N_ц, 1: damage of one cycle
     damaging_stress: Values  # τ_eq, Pa: damaging stress
+    disc_bore: Values  # 2 r_i, m: inner diameter of the friction surface
     discriminant: Values  # D, 1: discriminant of S22 (17)
     drive_efficiency: Values  # η, 1: efficiency between motor and clutch
     drive_ratio: Values  # i, 1: speed of the motor over that of the clutch
@@ -79,6 +86,7 @@ class Named:
     dynamic_factor: Values  # k_д, 1: dynamic factor by which the unprotected side is loaded more
     edge_clearance: Values  # y, m: clearance asked for
     edge_clearance_standard: Values  # y_st, m: clearance with the ball chosen
+    endless: Values  # ∞, 1: no limit
     endurance_limit: Values  # τ_limb, Pa: endurance limit
     equivalent_gain: Values  # C_eff, 1: gain of the all-driving clutch with the same torque curve
     expected_torque: Values  # T_муф, N*m: expected slip torque; lower bound of the tripping torque
@@ -129,6 +137,7 @@ class Named:
     hysteresis_ratio: Values  # κ₊/κ, 1: factor by which friction must fall before the sleeve moves back
     inner_radius: Values  # r_i, m: inner radius of the friction surface
     is_broken: Any  # whether the largest load breaks the part
+    is_endless: Any  # whether fatigue sets no limit
     is_held_at_stop: Any  # whether the control spring keeps the sleeve at its stop
     is_locked: Any  # whether the key keeps the sleeve where it was at f_max
     is_made: Any  # whether the control spring has a force of its own
@@ -147,6 +156,7 @@ class Named:
     margin: Values  # β_н, 1: torque margin
     margin_in_spring: Values  # β_п, 1: torque margin as far as it is in the spring
     mean_damage: Values  # D_m, 1: mean damage of a slip over f_min … f_max
+    mean_diameter: Values  # 2 R_cp, m: mean friction diameter
     mean_pressure: Values  # p, Pa: surface pressure in the mean
     mean_radius: Values  # R_cp, m: mean friction radius
     mean_stress: Values  # τ_m, Pa: mean stress of the cycle
@@ -159,10 +169,10 @@ class Named:
     net_gain: Values  # κ, 1: C − 2 R f_1/d, gain net of the key's friction
     net_gain_acting: Values  # κ, 1: net gain; κ₊ while the sleeve returns
     net_gain_back: Values  # κ₊(x), 1: net gain where the sleeve is, friction falling under load
-    net_gain_for_control_force: Values  # κ, 1: C − 2 R f_1/d, gain net of the key's friction
     net_gain_returning: Values  # κ₊, 1: C + 2 R f_1/d
     net_gain_there: Values  # κ(x), 1: net gain where the sleeve is
     never: Any  # no
+    no_slope: Values  # C_1, 1/m: growth of the gain with travel where no wall holds the torque
     nominal_torque: Values  # T_н, N*m: nominal torque of the clutch
     nominal_torque_ratio: Values  # K_п, 1: nominal torque over that of a base clutch whose pairs are all controlled, of equal spring force and gain
     nominal_torque_wanted: Values  # T_н, N*m: nominal torque of the clutch
@@ -172,10 +182,10 @@ class Named:
     normal_force_moving_back: Values  # N, N: normal force while the sleeve moves back
     normal_force_returning: Values  # N, N: normal force, friction falling under load
     normal_force_seated: Values  # N, N: normal force on the pairs
-    no_slope: Values  # C_1, 1/m: growth of the gain with travel where no wall holds the torque
     nothing: Values  # 0, 1: nothing
     onset_torque: Values  # T_1(0), N*m: torque that the bypass pairs carry alone, before the balls take a share
     optimal_reduced_gain: Values  # (zC)_opt, 1: reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum
+    outer_diameter: Values  # 2 r_o, m: outer diameter of the friction surface
     outer_radius: Values  # r_o, m: outer radius of the friction surface
     pack_force_at_rest: Values  # N(0), N: force on the pack of the clutch at rest
     pairs: Values  # z, 1: friction pairs

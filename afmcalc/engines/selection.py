@@ -23,6 +23,7 @@ from ..equations import (
 )
 from ..equations.arrays import is_array
 from ..messages import say
+from ..spec.lists import diameters
 from ..variants import VARIANTS, Variant
 from .quantities import Case, Laws, Quantities
 
@@ -176,6 +177,8 @@ def given(spec: "Spec") -> dict[str, Any]:
         if block is not None:
             found |= {name: value for key, name in names.items() if (value := getattr(block, key)) is not None}
     found |= dict(_materials(spec))
+    if "ball_circle_radius" in found:
+        found["balls_listed"] = tuple(spec.lists.balls or diameters())
     slope = found.get("gain_slope")
     if slope is not None and not is_array(slope) and slope == 0:
         del found["gain_slope"]  # a straight wall

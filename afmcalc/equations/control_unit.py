@@ -2,7 +2,7 @@
 
 import math
 
-from .arrays import atan, chosen, cos, next_listed, sin
+from .arrays import atan, chosen, cos, larger, next_listed, sin
 from .wiring import Same
 
 face_gap = edge_clearance = 0.002
@@ -64,6 +64,31 @@ def ball_radius_chosen(ball_diameter_standard, ball_radius):
     Source: Definition.
     """
     return chosen(ball_diameter_standard > 0, lambda: ball_diameter_standard / 2, lambda: ball_radius)
+
+
+def ball_diameter(ball_radius_chosen):
+    """Diameter of the ball chosen; of no ball the smallest diameter.
+
+    Source: Definition.
+    """
+    return 2 * ball_radius_chosen
+
+
+def ball_diameter_needed(ball_radius):
+    """Smallest ball diameter for a travel, 2 r_ш.
+
+    Source: S21 (23).
+    Validity: α > 0.
+    """
+    return 2 * ball_radius
+
+
+def ball_bore(ball_circle_radius, ball_diameter):
+    """Diameter of the circle inside the balls, 2 r − d_ш; 0 where they reach the axis.
+
+    Source: Geometry.
+    """
+    return larger(2 * ball_circle_radius - ball_diameter, 0.0)
 
 
 def edge_clearance_standard(ball_radius_chosen, travel_max, face_gap, sin_wall_angle):

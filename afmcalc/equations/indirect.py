@@ -92,15 +92,6 @@ def friction_leaving_made(control_force_made, closing_force, pairs, net_gain):
     return quotient(control_force_made / closing_force - 1, pairs * net_gain)
 
 
-def net_gain_for_control_force(control_force, closing_force, pairs, friction_set):
-    """Net gain that a control spring asks for, κ = (F_п2 − F_п1)/(z F_п1 f_set); C is κ + 2 R f_1/d.
-
-    Source: S21 (5).
-    Validity: F_п2 ≥ F_п1.
-    """
-    return (control_force - closing_force) / (pairs * closing_force * friction_set)
-
-
 control_force = Same("control_force_set")
 friction_leaving = Same("friction_set")
 

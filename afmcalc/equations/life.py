@@ -120,6 +120,28 @@ def is_broken(stress_high, ultimate_strength):
 
 cycles = Either("is_broken", "nothing", "cycles_of_line")
 
+
+def is_endless(damaging_stress, endurance_limit):
+    """Whether fatigue sets no limit, τ_eq ≤ τ_limb.
+
+    Source: Definition of the endurance limit.
+    """
+    return damaging_stress <= endurance_limit
+
+
+endless = math.inf
+cycles_of_fatigue = Either("is_endless", "endless", "cycles")
+cycles_of_side = Either("is_broken", "nothing", "cycles_of_fatigue")
+
+
+def cycles_least(cycles_of_side, cycles_of_side_at_unprotected):
+    """Cycles to failure of the side that fails first; infinite where fatigue limits neither.
+
+    Source: Definition.
+    """
+    return smaller(cycles_of_side, cycles_of_side_at_unprotected)
+
+
 # slip by slip
 
 

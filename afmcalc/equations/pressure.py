@@ -3,6 +3,30 @@
 import math
 
 
+def outer_diameter(outer_radius):
+    """Outer diameter of the friction surface, 2 r_o.
+
+    Source: Definition.
+    """
+    return 2 * outer_radius
+
+
+def disc_bore(inner_radius):
+    """Inner diameter of the friction surface, 2 r_i.
+
+    Source: Definition.
+    """
+    return 2 * inner_radius
+
+
+def mean_diameter(mean_radius):
+    """Mean friction diameter, 2 R_cp.
+
+    Source: Definition.
+    """
+    return 2 * mean_radius
+
+
 def mean_pressure(pack_force_at_rest, inner_radius, outer_radius):
     """Mean surface pressure of a ring, F/(π (r_o² − r_i²)).
 

@@ -34,7 +34,10 @@ actuation_torque_published | T_ср | N*m | actuation torque as published, S22 (
 allowable_contact_force | [F_n] | N | allowable normal force on one ball
 allowable_pressure | p_0,allow | Pa | allowable maximum contact pressure
 balance |  |  | balance of the forces on the sleeve
+ball_bore | 2r − d_ш | m | diameter of the circle inside the balls
 ball_circle_radius | r | m | radius of the ball circle
+ball_diameter | d_ш | m | ball diameter
+ball_diameter_needed | 2 r_ш | m | smallest ball diameter
 ball_diameter_standard | d_ш | m | ball chosen: given, or the next standard one
 ball_modulus | E_1 | Pa | elastic modulus of the ball
 ball_pitch | t_ш | m | distance between the centres of neighbouring balls
@@ -76,11 +79,15 @@ conventional_accuracy_factor | K_т,0 | 1 | accuracy factor of an ordinary clutc
 cos_wall_angle | cos α | 1 | cosine of the wall angle
 counted_damage | D | 1 | damage of a slip as far as it counts
 cycles | N_ц | 1 | cycles to failure
+cycles_least | N_ц | 1 | cycles to failure of the side that fails first
 cycles_of_band | N_ц | 1 | cycles to failure
+cycles_of_fatigue | N_ц | 1 | cycles to failure
 cycles_of_line | N_ц | 1 | cycles to failure
 cycles_of_mean_damage | N_ц | 1 | cycles to failure
+cycles_of_side | N_ц | 1 | cycles to failure
 damage | 1/N_ц | 1 | damage of one cycle
 damaging_stress | τ_eq | Pa | damaging stress
+disc_bore | 2 r_i | m | inner diameter of the friction surface
 discriminant | D | 1 | discriminant of S22 (17)
 drive_efficiency | η | 1 | efficiency between motor and clutch
 drive_ratio | i | 1 | speed of the motor over that of the clutch
@@ -90,6 +97,7 @@ driving_torque | T_1 | N*m | torque of the bypass pairs
 dynamic_factor | k_д | 1 | dynamic factor by which the unprotected side is loaded more
 edge_clearance | y | m | clearance asked for
 edge_clearance_standard | y_st | m | clearance with the ball chosen
+endless | ∞ | 1 | no limit
 endurance_limit | τ_limb | Pa | endurance limit
 equivalent_gain | C_eff | 1 | gain of the all-driving clutch with the same torque curve
 expected_torque | T_муф | N*m | expected slip torque; lower bound of the tripping torque
@@ -140,6 +148,7 @@ hub_diameter | d | m | hub diameter at the key
 hysteresis_ratio | κ₊/κ | 1 | factor by which friction must fall before the sleeve moves back
 inner_radius | r_i | m | inner radius of the friction surface
 is_broken |  |  | whether the largest load breaks the part
+is_endless |  |  | whether fatigue sets no limit
 is_held_at_stop |  |  | whether the control spring keeps the sleeve at its stop
 is_locked |  |  | whether the key keeps the sleeve where it was at f_max
 is_made |  |  | whether the control spring has a force of its own
@@ -158,6 +167,7 @@ machine_torque | T_н.маш | N*m | nominal torque of the machine
 margin | β_н | 1 | torque margin
 margin_in_spring | β_п | 1 | torque margin as far as it is in the spring
 mean_damage | D_m | 1 | mean damage of a slip over f_min … f_max
+mean_diameter | 2 R_cp | m | mean friction diameter
 mean_pressure | p | Pa | surface pressure in the mean
 mean_radius | R_cp | m | mean friction radius
 mean_stress | τ_m | Pa | mean stress of the cycle
@@ -170,10 +180,10 @@ motor_torque_at_clutch | T_дв | N*m | rated torque of the motor at the clutch
 net_gain | κ | 1 | C − 2 R f_1/d, gain net of the key's friction
 net_gain_acting | κ | 1 | net gain; κ₊ while the sleeve returns
 net_gain_back | κ₊(x) | 1 | net gain where the sleeve is, friction falling under load
-net_gain_for_control_force | κ | 1 | C − 2 R f_1/d, gain net of the key's friction
 net_gain_returning | κ₊ | 1 | C + 2 R f_1/d
 net_gain_there | κ(x) | 1 | net gain where the sleeve is
 never |  |  | no
+no_slope | C_1 | 1/m | growth of the gain with travel where no wall holds the torque
 nominal_torque | T_н | N*m | nominal torque of the clutch
 nominal_torque_ratio | K_п | 1 | nominal torque over that of a base clutch whose pairs are all controlled, of equal spring force and gain
 nominal_torque_wanted | T_н | N*m | nominal torque of the clutch
@@ -183,10 +193,10 @@ normal_force_moving | N | N | normal force on the pairs
 normal_force_moving_back | N | N | normal force while the sleeve moves back
 normal_force_returning | N | N | normal force, friction falling under load
 normal_force_seated | N | N | normal force on the pairs
-no_slope | C_1 | 1/m | growth of the gain with travel where no wall holds the torque
 nothing | 0 | 1 | nothing
 onset_torque | T_1(0) | N*m | torque that the bypass pairs carry alone, before the balls take a share
 optimal_reduced_gain | (zC)_opt | 1 | reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum
+outer_diameter | 2 r_o | m | outer diameter of the friction surface
 outer_radius | r_o | m | outer radius of the friction surface
 pack_force_at_rest | N(0) | N | force on the pack of the clutch at rest
 pairs | z | 1 | friction pairs

@@ -167,6 +167,8 @@ def _records(records: Sequence[Result]) -> Table:
                 )
                 for end, at in ENDS.items()
             ]
+        elif isinstance(column.values[0], list) and any(isinstance(one, Result) for one in column.values[0]):
+            continue  # records of a record are for programs
         elif isinstance(column.values[0], dict):
             columns += [
                 column._replace(

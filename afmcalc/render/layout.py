@@ -41,14 +41,16 @@ def title(output: Output) -> str:
 
 
 def lead(output: Output) -> str:
-    """Return the verdict on a clutch that was checked, which stands before its tables; else nothing."""
+    """Return the verdict on each clutch that was checked, which stands before the tables; else nothing."""
+    if output.command == "compare":
+        lines = dict[str, None]()
+        for row in output.result.clutches:
+            variant = translate(row.variant, "value")
+            name = f"{variant}, {worded(row.basis)}" if row.basis else printable(named(row.name) or variant)
+            lines[f"{name}: {translate(row.sentence)}"] = None
+        return "\n".join(lines)
     checked = output.result if output.command == "check" else getattr(output.result, "verdict", None)
-    if checked is None:
-        return ""
-    from .verdict import verdict
-
-    _, sentence, limit = verdict(checked, output.findings)
-    return f"{sentence} {limit}".rstrip()
+    return "" if checked is None else translate(checked.verdict.sentence)
 
 
 def blocks(laid_out: Document) -> list[TextTable]:

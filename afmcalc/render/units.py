@@ -102,7 +102,6 @@ _IN_ENGLISH = {
     "hertz-ball-on-curved-wall": "Hertz, ball on a curved wall",
     "uniform-wear": "uniform wear",
     "uniform-pressure": "uniform pressure",
-    "monte-carlo": "Monte Carlo",
     "as-made": "as made for the nominal clutch",
     "each-adjusted": "each clutch adjusted",
     "simulate": "simulation of the event",

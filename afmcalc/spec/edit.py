@@ -17,6 +17,7 @@ from .models import Method, Spec, resolved
 from .parse import TOO_DEEP, check_size
 from .removed import instead_of
 from .rules import foreign_keys, given_in
+from .search import flat
 from .write import written
 
 Overrides: TypeAlias = Collection[str] | Mapping[str, object]
@@ -38,7 +39,7 @@ _REPLACED = {
     "control_spring.stiffness": ("control_spring.disc", "control_spring.coil"),
     "fatigue.polar_section_modulus": ("shaft",),
     "shaft.diameter": ("fatigue.polar_section_modulus",),
-    **{f"friction.{end}": ("friction.material", "friction.unknown") for end in ("min", "mean", "max")},
+    **{f"friction.{end}": ("friction.material",) for end in ("min", "mean", "max")},
     **{
         f"friction.{group}.{end}": (f"friction.{group}.material",)
         for group in ("driving", "driven")
@@ -46,6 +47,8 @@ _REPLACED = {
     },
 }
 """Key → keys it stands in for: where it is set, they are taken out of the spec."""
+
+_SEARCH = "search."
 
 M = TypeVar("M", bound=BaseModel)
 
@@ -76,6 +79,10 @@ def apply_overrides(data: dict[str, object], overrides: Overrides, model: type[B
     changed: dict[str, object] = {}
     for override, value in pairs:
         path = _path(override, model)
+        if path.startswith(_SEARCH) and isinstance(table := data.setdefault("search", {}), dict):
+            data["search"] = dict(flat(table)) | {path.removeprefix(_SEARCH): value}
+            changed[path] = value
+            continue
         try:
             put(data, path, value)
         except ValueError as error:
@@ -100,6 +107,9 @@ def key_of(override: str) -> str:
 def _path(override: str, model: type[BaseModel]) -> str:
     """Path of the key that an override gives by path, name or symbol."""
     given = key_of(override)
+    if given.startswith(_SEARCH):
+        name = given.removeprefix(_SEARCH)
+        return _SEARCH + (path_of(name, model) or name)
     path = path_of(given, model) or given
     *blocks, last = path.split(".")
     known = names_in(blocks, model)
@@ -164,7 +174,8 @@ def replaced(spec: Spec, paths: Iterable[str]) -> dict[str, str]:
     }
 
 
-def _without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
+def without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
+    """Return the spec without the keys that those at ``paths`` stand in for; friction of a material as numbers."""
     gone: dict[str, object] = dict.fromkeys(replaced(spec, paths))
     for material in [path for path in gone if path.endswith(".material")]:
         group = material.removesuffix(".material")
@@ -193,13 +204,13 @@ def with_key(spec: Spec, path: str, value: Values) -> Spec:
 
 def with_keys(spec: Spec, values: Mapping[str, Values]) -> Spec:
     """Copy a spec with such values for several keys."""
-    return with_values(_without_replaced(spec, values), values)
+    return with_values(without_replaced(spec, values), values)
 
 
 def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:
     """Return the validated spec with other values of some keys, None for none, and without what they stand in for."""
     given = [path for path, value in values.items() if value is not None]
-    data = _without_replaced(spec, given).model_dump(exclude_none=True)
+    data = without_replaced(spec, given).model_dump(exclude_none=True)
     for path, value in values.items():
         put(data, path, value)
     return make_spec(data, spec.label.but(values))

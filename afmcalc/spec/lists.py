@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from csv import DictReader
 from decimal import Decimal
+from functools import cache
 from importlib.resources import files
 from os import PathLike
 from typing import Annotated, Any, Literal, TypeVar
@@ -146,9 +147,8 @@ def diameters(source: str | PathLike[str] | None = None) -> list[float]:
         AfmcalcError: the file is no such list.
     """
     if source is None:
-        label = Source("balls.csv", files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8"))
-    else:
-        label = text_of(source)
+        return [*_standard_balls()]
+    label = text_of(source)
     if label.lower().endswith(".csv"):
         return sorted(_of_csv(label))
     data = toml_of(label)
@@ -159,6 +159,12 @@ def diameters(source: str | PathLike[str] | None = None) -> list[float]:
             "{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=label
         )
     return sorted(_diameter(item, label) for item in listed)
+
+
+@cache
+def _standard_balls() -> list[float]:
+    text = files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8")
+    return sorted(_of_csv(Source("balls.csv", text)))
 
 
 def _of_csv(source: Source) -> list[float]:

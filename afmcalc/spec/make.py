@@ -12,13 +12,11 @@ from .fields import Broken
 from .lists import own_lists
 from .models import Spec
 from .problems import given_at, problems_in
-from .rules import Table
+from .removed import moved_in
+from .rules import Table, given_in
 from .source import Source
 
 M = TypeVar("M", bound=BaseModel)
-
-_REQUIRED = frozenset(("variants", "objectives", "wanted", "search"))
-"""What only a requirements file has."""
 
 
 def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -> Spec:
@@ -36,18 +34,18 @@ def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] 
     more = 0
     label = label if isinstance(label, Source) else Source(label)
     named = data.get("catalogues")
+    if moved := moved_in(data, given_in(data)):
+        problems += [
+            Problem(path, None, say("is now {place}, in a spec with [search]", place=place))
+            for path, place in moved.items()
+        ]
+        raise SpecError(label, problems)
     label.lists = own_lists(named) if named else Lists()
     try:
         made = model.model_validate(dict(data), context=label)
         if not problems:
             return made
     except ValidationError as error:
-        if model is not Spec and "variant" in data and _REQUIRED.isdisjoint(data):
-            other = say("is a clutch spec, no requirements: afmcalc init --kind requirements writes such a file")
-            raise SpecError(label, [Problem("", None, other)]) from None
-        if model is Spec and "variant" not in data and len(_REQUIRED & set(data)) > 1:
-            other = say("is a requirements file, no clutch: afmcalc design finds the clutches for it")
-            raise SpecError(label, [Problem("", None, other)]) from None
         found, more = problems_in(error, data, model)
         problems += found
     raise SpecError(label, problems, more)

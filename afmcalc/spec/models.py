@@ -11,7 +11,6 @@ from pydantic import (
     GetPydanticSchema,
     ModelWrapValidatorHandler,
     PrivateAttr,
-    StrictBool,
     ValidationError,
     field_validator,
     model_validator,
@@ -25,6 +24,7 @@ from ..variants import VARIANTS, Variant
 from . import rules
 from .catalogues import Lists, Material, friction_materials, material_named, worst_of
 from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required, rule_error
+from .search import Search, axes_of
 from .source import Source
 from .tolerance import Tolerance, in_si
 
@@ -115,8 +115,7 @@ class FrictionRange(RuledBlock):
     mean: Coefficient | None = key("mean coefficient of friction; default (min + max)/2", "f_cp")
     max: Coefficient | None = key("largest coefficient of friction", "f_max")
     material: MaterialNames | None = key(
-        "name of a friction material of the catalogue, or a list of them: design tries each, a clutch is calculated "
-        "with the worst"
+        "name of a friction material of the catalogue, or a list of them: a clutch is calculated with the worst"
     )
 
     _own: Mapping[str, Material] | None = PrivateAttr(default=None)
@@ -187,13 +186,6 @@ class Friction(FrictionRange):
     stribeck_speed: SlidingSpeed | None = key(
         "sliding speed over which static friction falls to sliding friction", "v_s"
     )
-    unknown: StrictBool | None = key("of several materials it is not known which is fitted: the worst of them counts")
-
-    def broken_rules(self) -> Iterable[Broken]:
-        """What is not known is one of several."""
-        yield from super().broken_rules()
-        if self.unknown and all(len(block.material_names) == 1 for block in self.blocks.values()):
-            yield "unknown", say('is the worst of several materials: list them, material = ["…", "…"]')
 
     def contradictions(self) -> Iterable[Broken]:
         """Materials of one list that no clutch has to bear both of: for dry faces, and for oil."""
@@ -592,23 +584,25 @@ class ProtectedShaft(Block):
 
 
 def bore_of(source: Any) -> Any:
-    """Bore of the hub of a spec or of requirements that have an envelope, m: its own, else the shaft, else none."""
+    """Bore of the hub of a spec that has an envelope, m: its own, else the shaft, else none."""
     bore = source.envelope.bore
     return bore if bore is not None else source.shaft.diameter if source.shaft else 0.0
 
 
-def around_the_shaft(source: Any, unit: str) -> Iterable[Broken]:
-    """What is around the shaft of a spec or of requirements is wider; ``unit`` has the hub at the key."""
+def around_the_shaft(source: Any) -> Iterable[Broken]:
+    """What is around the shaft of a spec is wider."""
     if (shaft := source.shaft) is None:
         return
     if (bore := source.envelope and source.envelope.bore) is not None and bore < shaft.diameter:
         yield "envelope.bore", say("must be at least shaft.diameter ({least:g} m)", least=shaft.diameter)
-    for path in (f"{unit}.hub_diameter", "envelope.hub_diameter", "envelope.outer_diameter"):
+    for path in ("control_unit.hub_diameter", "envelope.hub_diameter", "envelope.outer_diameter"):
         block, _, name = path.partition(".")
         yield from _bigger(path, getattr(getattr(source, block), name, None), "shaft.diameter", shaft.diameter)
 
 
-class _OfTheClutch(RuledBlock):
+class Required(RuledBlock):
+    """What a clutch is to hold; each key is a row of ``check`` and of the report, and what ``design`` searches by."""
+
     nominal_torque: Torque | None = key("nominal torque of the clutch, at least", "T_н")
     machine_torque: Torque | None = key(
         "nominal torque of the machine, at least: the clutch's over the margin", "T_н.маш"
@@ -618,13 +612,9 @@ class _OfTheClutch(RuledBlock):
     torque_max: Torque | None = key("largest sustained torque, at most", "T_max")
     outer_diameter: Length | None = key("outer diameter of the friction faces, at most", "2 r_o")
     surface_pressure: Stress | None = key("mean surface pressure at rest, at most; needs both radii", "p")
+    closing_force: Force | None = key("force on the pack at rest, at most (F_п; indirect F_п2)", "N(0)")
     travel: Length | None = key("largest travel of the sleeve, at most (indirect)", "x_max")
     reduced_gain: Ratio | None = key("reduced gain, at most", "z_2 C")
-
-
-class OfService(RuledBlock):
-    """What a clutch is to hold in service: ``check`` judges it, ``design`` requires it."""
-
     peak_torque: Torque | None = key("peak torque in the shaft, at most (simulate)", "T_peak")
     exceedance: Probability | None = key("probability that the torque exceeds T_max, at most (tolerance)", "P(T>T_max)")
     work: SpecificWork | None = key("specific work of a trip, at most (heat)", "q_A")
@@ -643,10 +633,6 @@ class OfService(RuledBlock):
         """A probability is one of a torque."""
         if self.exceedance is not None and getattr(self, "torque_max", None) is None:
             yield "torque_max", say("required beside {other}", other="exceedance")
-
-
-class Required(OfService, _OfTheClutch):
-    """What a clutch is to hold; each key is a row of ``check`` and of the report."""
 
 
 def _as_text(value: object) -> object:
@@ -749,6 +735,15 @@ class Spec(FileBlock):
     catalogues: Catalogues | None = None
     report: TitleBlock | None = None
     drawing: ShopNotes | None = None
+    objectives: tuple[str, ...] | None = key(
+        'quantities that design makes small, or large ("-gain_limit"); default closing_force and accuracy_factor'
+    )
+    search: Search | None = key('keys that design varies, each with a list or "start:stop:count"; springs: from lists')
+
+    @field_validator("search", mode="before")
+    @classmethod
+    def _axes(cls, given: object) -> object:
+        return axes_of(given, cls) if isinstance(given, dict) else given
 
     @field_validator("tolerance")
     @classmethod
@@ -765,7 +760,7 @@ class Spec(FileBlock):
         except ValidationError as error:
             raise rule_error(broken, error) from None
         broken += spec.friction.contradictions()
-        broken += around_the_shaft(spec, "control_unit")
+        broken += around_the_shaft(spec)
         if broken:
             raise rule_error(broken)
         return spec

@@ -63,11 +63,9 @@ def data_of(
     questions, broken = [], []
     for path, value in given_in(data).items():
         # center and ends of what scatters are in the unit of its key
-        key = keys.get(path) or keys.get(re.sub(r"^tolerance\.fields\.|\.(center|min|max)$", "", path))
+        key = keys.get(path) or keys.get(re.sub(r"^(tolerance\.fields|search)\.|\.(center|min|max)$", "", path))
         if key and key.unit not in (None, "1") and (path in changed or not in_si):
             numbers = value if isinstance(value, list) else [value]
-            if isinstance(value, dict):
-                numbers = [number for name, number in value.items() if name in ("start", "stop", "step")]
             try:
                 questions += [asked_unit(number, key.unit, path) for number in numbers if not isinstance(number, str)]
             except ValueError as error:

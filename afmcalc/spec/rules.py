@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple, TypeAlias, TypeGuard
 
 from ..messages import say, say_many
-from ..variants import VARIANTS, Variant
+from ..variants import VARIANTS
 from .fields import Broken
 
 Table: TypeAlias = Mapping[str, object]
@@ -45,7 +45,7 @@ _GROUPS = ("friction.driving", "friction.driven")
 _MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "inner", "outer"))
 _GAIN, _ANGLE, _CIRCLE = "control_unit.gain", "control_unit.wall_angle", "control_unit.ball_circle_radius"
 _SLOPE, _POCKET = "control_unit.gain_slope", "control_unit.pocket"
-_HUBS = ("control_unit.hub_diameter", "fixed.hub_diameter")
+_HUB = "control_unit.hub_diameter"
 _ENVELOPE = say("required beside [envelope]: both radii of the faces, instead of mean_radius")
 _FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
 
@@ -76,8 +76,8 @@ _RULES = (
     *(_wanted(f"drive.{key}", "drive.event.") for key in ("motor_inertia", "shaft_stiffness")),
     _wanted("drive.driven_inertia", "drive.event.", unless=("envelope.",)),
     *(_wanted(key, "envelope.", message=_ENVELOPE) for key in (_INNER, _OUTER)),
-    _wanted("envelope.hub_diameter", "envelope.", unless=_HUBS),
-    *(_wrong("envelope.hub_diameter", say("excludes {other}: it is the same hub", other=hub), hub) for hub in _HUBS),
+    _wanted("envelope.hub_diameter", "envelope.", unless=(_HUB,)),
+    _wrong("envelope.hub_diameter", say("excludes {other}: it is the same hub", other=_HUB), _HUB),
     _wanted("drive.speed", "drive.event.", unless=("drive.motor",)),
     _wrong("requirements.machine_torque", BY_PLATE, "machine."),
     _wrong(_MODULUS, say("excludes [shaft], whose diameter gives it"), "shaft."),
@@ -94,23 +94,12 @@ _RULES = (
 """Rules that ask only whether keys are given."""
 
 
-SHARED = ("machine", "drive", "shaft", "fatigue", "heat", "tolerance", "envelope")
-"""Blocks that a requirements file has as a spec has them."""
-
-
 def broken_rules(data: Table) -> list[Broken]:
     """Rules between keys that ``data`` breaks; values themselves are the models' business."""
     given = given_in(data)
     variant = VARIANTS.get(str(given.get("variant")))
     of_event = _event(given, travels=variant is not None and variant.travels)
     return [*_broken(given, _RULES), *_static_friction(given), *_variant(given), *_pairs(given), *of_event]
-
-
-def shared_rules(data: Table, variants: Iterable[Variant]) -> list[Broken]:
-    """Rules that the shared blocks of a requirements file break."""
-    given = given_in(data)
-    rules = [rule for rule in _RULES if rule.key.partition(".")[0] in SHARED]
-    return [*_broken(given, rules), *_event(given, travels=any(variant.travels for variant in variants))]
 
 
 def _broken(given: Table, rules: Iterable[KeyRule]) -> list[Broken]:

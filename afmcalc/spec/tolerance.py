@@ -13,7 +13,6 @@ from .quantity import NUMBER, parse_quantity
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
 Setting = Literal["as-made", "each-adjusted"]
-SamplingMethod = Literal["auto", "monte-carlo", "quasi-monte-carlo"]
 
 FRICTION = ("friction", "friction.driving", "friction.driven")
 """Names of the friction in service, which is no single key of the spec but the range it wanders in."""
@@ -56,14 +55,11 @@ class Distribution(Block):
 class Tolerance(Block):
     """What scatters, and how it is calculated."""
 
-    method: SamplingMethod = key(
-        "how the scatter is calculated; auto: exact where only friction varies, else Monte Carlo", default="auto"
-    )
     setting: Setting = key(
         "how the springs of a sample are set; as-made: for the nominal clutch, and held; each-adjusted: on the bench",
         default="as-made",
     )
-    samples: Whole = key("size of the sample", default=1_000_000, ge=1000, le=10**10)
+    samples: Whole = key("size of the sample", default=200_000, ge=1000, le=2_000_000)
     seed: Whole = key("start of the random numbers; the same seed gives the same digits", default=1, ge=0, le=2**63)
     quantiles: Annotated[tuple[Number, ...], FailFast()] = key(
         "probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995)
@@ -75,7 +71,7 @@ class Tolerance(Block):
         ge=-1,
         le=1,
     )
-    sobol_base: Whole = key("base sample of the Sobol indices", default=65536, ge=64, le=2**30)
+    sobol_base: Whole = key("base sample of the Sobol indices", default=65536, ge=64, le=2**20)
     fields: dict[str, Distribution] = required("spec path (or friction) to its distribution", min_length=1)
 
     def __hash__(self) -> int:

@@ -56,6 +56,9 @@ def written(data: Mapping[str, Any], path: str = "") -> dict[str, Any]:
             table[name] = {
                 part: value_as_written(number, about.unit if about else None) for part, number in value.items()
             }
+        elif inner == "search":
+            units = {axis: keys()[axis].unit if axis in keys() else None for axis in value}
+            table[name] = {axis: value_as_written(values, units[axis]) for axis, values in value.items()}
         elif value:
             table[name] = written(value, inner)
     return table

@@ -1,7 +1,5 @@
 """What a page is shown: fragments of HTML, from the functions that the commands ask."""
 
-import json
-import time
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -9,22 +7,21 @@ from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
+from tomli_w import dumps
 
 from .. import __version__
 from ..analysis.answers import Answers
 from ..analysis.check import check_at_once
 from ..analysis.compare import change
-from ..analysis.design.design import shown
-from ..analysis.design.pick import with_picked
+from ..analysis.design import shown
+from ..analysis.design_grid import candidate
 from ..analysis.dossier import dossier
 from ..analysis.figures import ParetoFigure, Request, gathered
 from ..analysis.registry import ANALYSES
-from ..analysis.requirements import simulating
 from ..analysis.sweep.axes import parse_axis
 from ..engines import build
 from ..errors import AfmcalcError, CalculationError
-from ..messages import localized, say, spoken, told, translate
-from ..progress import tell
+from ..messages import localized, spoken, told, translate
 from ..render.document import Column, document
 from ..render.drawing import Drawing
 from ..render.layout import TextTable, blocks, cells, ranked
@@ -38,14 +35,11 @@ from ..render.report.page import template
 from ..render.report.title import text_as_given, title_block
 from ..render.report.words import FORMS
 from ..render.units import display_unit
-from ..render.verdict import verdict
 from ..result import Result
-from ..spec import resolved, to_toml
-from ..spec.make import validated
+from ..spec import Spec, make_spec, resolved, to_toml
 from ..spec.parse import parse
-from ..spec.read import data_of
-from ..spec.requirements import Requirements
 from ..spec.source import Source
+from ..spec.write import written
 from .form import Base, State, editable, refusal
 
 Job = Mapping[str, Any]
@@ -53,8 +47,7 @@ Job = Mapping[str, Any]
 Answer = dict[str, Any]
 _MOST = 20
 """Clutches of a front that are shown, each to be loaded."""
-_ROUNDING = 90.0
-"""Seconds of a search after which no more of them are rounded: the answer has to come in time."""
+_OBJECTIVES = ["closing_force", "accuracy_factor"]
 
 
 def answer(state: State, job: Job) -> Answer:
@@ -74,8 +67,6 @@ def _live(state: State, job: Job) -> Answer:
     """Show a clutch after each change; its numbers beside those of the pinned one."""
     answers, pinned = Answers(build(state.spec)), job["pinned"]
     checked, findings = check_at_once(answers)
-    judged = verdict(checked, findings)
-    notes = [told("What is simulated or sampled is not judged here: see the tabs.")]
     before, inputs = None, []
     if pinned:
         old, new = pinned.texts, state.texts
@@ -85,7 +76,7 @@ def _live(state: State, job: Job) -> Answer:
         with suppress(AfmcalcError):
             before = Answers(build(pinned.spec)).ask("torque")[0]
     fragments = {
-        "verdict": fragment("verdict", judged, checked, ranked(findings), notes if simulating(answers.clutch) else []),
+        "verdict": fragment("verdict", checked, ranked(findings)),
         "section": _figure("section", answers, 1),
         "torque": _figure("torque", answers, 2),
         "numbers": fragment("numbers", *_numbers(answers.ask("torque")[0], before)),
@@ -169,42 +160,49 @@ def _report(state: State, job: Job) -> Answer:
     return {"html": html, "command": state.command("report", "--output", "report.html")}
 
 
+def search_of(spec: Spec) -> str:
+    """Return objectives, requirements and search of a spec as text; without a search one around the clutch."""
+    pairs, least = spec.friction_group.pairs, spec.least_pairs
+    search: dict[str, Any] = {
+        "friction_group.pairs": [pairs + more for more in (-2, 0, 2, 4) if pairs + more >= least],
+        "adjustment.nominal_torque": [float(build(spec).nominal_torque)],
+    }
+    if spec.control_unit is not None and (gain := spec.control_unit.gain):
+        search["control_unit.gain"] = [float(f"{share * gain:.3g}") for share in (0.5, 0.75, 1.0, 1.25, 1.5)]
+    data = resolved(spec)
+    told = {"objectives": spec.objectives or _OBJECTIVES, "requirements": data.get("requirements")}
+    told["search"] = data.get("search") or search
+    return dumps(written({name: value for name, value in told.items() if value}))
+
+
 def _design(state: State, job: Job) -> Answer:
-    """Search a front, and round each clutch of it that is shown, as ``--pick`` does: a base to go on from."""
-    began, lists = time.monotonic(), state.spec.catalogues
-    named = lists.model_dump(exclude_none=True) if lists else {}
-    overrides = [f"catalogues.{name}={json.dumps(file, ensure_ascii=False)}" for name, file in named.items()]
-    source = Source(told("requirements"), job["options"].get("requirements", ""))
+    """Search around a clutch; each clutch of the front that is shown is a base to go on from."""
+    source = Source(told("search"), job["options"].get("requirements", ""))
     try:
-        if "catalogues" in parse(source):
-            raise AfmcalcError("catalogues: no file is named here; the lists are those of the clutch")
-        need = validated(Requirements, *data_of(source, overrides, Requirements))
-        result, findings = ANALYSES["design"].function(need)
+        given = parse(source)
+        if others := given.keys() - {"objectives", "requirements", "search"}:
+            raise AfmcalcError("{name}: only objectives, requirements and search stand here", name=min(others))
+        spec = make_spec(resolved(state.spec) | given, source)
+        result, findings = ANALYSES["design"].function(spec)
     except AfmcalcError as error:
         return refusal(error, "requirements")
     front = shown(result, None, _MOST)
-    bases, numbers = list[Base](), list[int | None]()
-    for at, row in enumerate(front.front):
-        tell(say("rounding"), at, len(front.front))
-        numbers.append(None)
-        with suppress(CalculationError):  # no round figures pass
-            if time.monotonic() - began < _ROUNDING:
-                data = resolved(with_picked(need, result, row.number)[1])
-                about = told("Number {pick} of the front of afmcalc design.", pick=row.number)
-                numbers[at] = job["first"] + len(bases)
-                bases.append(Base(told("number {pick} of the front", pick=row.number), to_toml(data, about), "-"))
+    bases = [
+        Base(told("number {pick} of the front", pick=row.number), to_toml(resolved(candidate(spec, row.changes))), "-")
+        for row in front.front
+    ]
+    numbers = [job["first"] + number for number in range(len(bases))]
     tables, none = blocks(document(front)), TextTable("", [], [], [])
     table = next((each for each in tables if each.source and each.source.path == "front"), none)
     notes = [line for line in (table.legend, table.meanings) if line]
-    if result.on_front > len(front.front):
-        notes.append(told("{top} of {count} shown; --top {count} shows all", top=_MOST, count=result.on_front))
+    if len(result.front) > len(front.front):
+        notes.append(told("{top} of {count} shown; --top {count} shows all", top=_MOST, count=len(result.front)))
     number = 2 + list(_ANSWERS).index("design")
-    drawn = len({*need.objectives}) > 1 and result.front
-    figures = [_drawn(sheet_of("pareto", ParetoFigure(need.name, result)), number)] if drawn else []
+    drawn = len({*result.objectives}) > 1 and result.front
+    figures = [_drawn(sheet_of("pareto", ParetoFigure(spec.name, result)), number)] if drawn else []
     html = fragment("front", table, numbers, figures, ranked(findings), notes)
     html += fragment("answer", [each for each in tables if each is not table], [], [], [])
-    command = State(Base("", source.text, "-", tuple(overrides))).command("design", "--top", str(_MOST))
-    return {"html": html, "command": command, "bases": bases}
+    return {"html": html, "command": state.command("design", "--top", str(_MOST)), "bases": bases}
 
 
 _ANSWERS: Mapping[str, Callable[[State, Job], Answer]] = {

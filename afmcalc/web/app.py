@@ -86,7 +86,7 @@ class Page:
     """What is served: one clutch and those that a design gave, changed by forms; it keeps nothing else."""
 
     def __init__(self, base: Base, requirements: str, units: str, target: str, save: Callable[[Any], Any]) -> None:
-        """Serve a clutch, and requirements to search around it; ``target``: what ``save`` writes, if anything."""
+        """Serve a clutch, and a search around it; ``target``: what ``save`` writes, if anything."""
         self._bases, self._front, self._made = {0: base}, dict[int, Base](), 1
         self._requirements, self._target, self._save = requirements, target, save
         self._live = Worker(units, _SLOWEST, newest=False)

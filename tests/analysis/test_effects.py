@@ -101,6 +101,15 @@ def test_splines_against_a_solution_of_the_pack_disc_by_disc(spec, mu, ratio):
         assert (getattr(held.torque_low, end), getattr(held.torque_high, end)) == pytest.approx(both, rel=1e-9)
 
 
+@pytest.mark.parametrize("friction", [0.394, 0.403, 0.405, 0.406, 0.408, 0.411])
+def test_a_pack_no_pair_of_which_is_pressed_as_at_rest(friction):
+    """The force on the first pair is where the search for it begins, give or take rounding."""
+    splines = [f"friction_group.{key}={value}" for key, value in (SPLINES | {"spline_friction": 0.05}).items()]
+    clutch = base(*splines, "z=7", "z1=6", "friction.mean=", f"f_max={friction}")
+    expected = pressed(clutch, chain(0.05, 0.1, 2e3, back=True), friction, friction, (0.075, 0.125))
+    assert one(clutch, "spline-friction")[1].torque_high.max == pytest.approx(expected, rel=1e-9)
+
+
 def test_what_locks_and_what_is_used_up():
     clutch = base(*(f"friction_group.{key}={value}" for key, value in (SPLINES | {"spline_friction": 1.0}).items()))
     for own, code, value in (

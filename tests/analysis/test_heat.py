@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.check import check
 from afmcalc.analysis.heat import heat
-from afmcalc.analysis.requirements import requirement_rows
 from afmcalc.analysis.simulate import history
 from afmcalc.drive.heat import Body, course_of, largest_rise, most_in_disc
 from afmcalc.engines import build
@@ -187,9 +186,12 @@ def test_a_material_is_held_against_the_faces():
     told = codes(found)["temperature-exceeded"]
     assert not verdict.passed
     assert (told.level, told.value, told.limit) == ("error", pytest.approx(537 + 273.15, abs=1), 260 + 273.15)
-    (row,) = [each for each in verdict.limits if each.unit == "K"]
-    assert (row.verdict, row.limit) == ("fail", 204 + 273.15)
-    assert row.utilisation == pytest.approx((told.value - 293.15) / 184)
+    rows = [each for each in verdict.checks if each.value == told.value]
+    assert [(row.level, row.passed, row.limit) for row in rows] == [
+        ("warning", False, 477.15),
+        ("error", False, 533.15),
+    ]
+    assert rows[0].utilisation == pytest.approx((told.value - 293.15) / 184)
     (row,) = verdict.requirements
     assert row.passed
     result, _ = heat(own)
@@ -200,8 +202,8 @@ def test_a_material_is_held_against_the_faces():
     held = 13726.6 / 14726.6 * power * area * 0.25 / (6 * 480)
     assert row.value == result.temperature.max == pytest.approx(293.15 + held, abs=0.2)
     for most, passed in ((530, False), (545, True)):
-        rows, _ = requirement_rows(Answers(hot_faces(face_temperature=f"{most} degC")))
-        assert [(each.requirement, each.passed) for each in rows][1] == ("face_temperature", passed)
+        rows = check(hot_faces(face_temperature=f"{most} degC"))[0].requirements
+        assert (rows[1].path, rows[1].passed) == ("requirements.face_temperature", passed)
         assert rows[1].utilisation == pytest.approx((told.value - 293.15) / (most - 20))
 
 

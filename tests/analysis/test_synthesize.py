@@ -65,10 +65,10 @@ def test_small_balls_are_judged_by_hertz_unless_a_force_is_given(given, judged):
     """187 N allowed, share 3.08, 6.1 GPa; 0.115 of the flat 5 kN; both where both are given."""
     own = small_balls(given)
     verdict, found = check(own)
-    on_ball = [each for each in verdict.limits if each.name.startswith("contact force on one ball")]
+    on_ball = [each for each in verdict.checks if each.name.startswith("contact force on one ball")]
     rows = {"Hertz" in each.name: each for each in on_ball}
     assert {hertz: each.utilisation for hertz, each in rows.items()} == pytest.approx(judged, rel=2e-3)
-    assert all(each.verdict == ("fail" if hertz else "pass") for hertz, each in rows.items())
+    assert all(each.grade == ("fail" if hertz else "pass") for hertz, each in rows.items())
     assert ("contact-assumed" in codes(found)) == ("contact" not in given)
     assert True not in rows or rows[True].limit == pytest.approx(187, abs=0.5)
     result, _ = synthesize(own)
@@ -77,7 +77,7 @@ def test_small_balls_are_judged_by_hertz_unless_a_force_is_given(given, judged):
     for most, passed in ((6.0e9, False), (6.2e9, True)):
         required = own.spec.model_copy(update={"requirements": Required(contact_pressure=most)})
         (row,) = check(build(required))[0].requirements
-        assert (row.requirement, row.passed) == ("contact_pressure", passed)
+        assert (row.path, row.passed) == ("requirements.contact_pressure", passed)
         assert row.value == result.contact_pressure
 
 

@@ -37,7 +37,7 @@ WAIT = 300.0
 def commands(chosen: list[str], example: str | None) -> Iterator[list[str]]:
     """Command lines asked for: each command on each example."""
     for path in sorted((ROOT / "configs").glob("*.toml")):
-        searches = "\n[wanted]" in path.read_text(encoding="utf-8")
+        searches = "\n[search]" in path.read_text(encoding="utf-8")
         for command in ("design",) if searches else EVERY:
             words = command.split()
             if (not chosen or words[0] in chosen) and example in (None, path.stem):

@@ -129,7 +129,7 @@ CONTRADICTING = {
     "x.json": [["torque", "--format", "table"], ["plot", "torque"]],
     "x.pdf": [["torque"]],
     "x.toml": [["torque"]],
-    "x.md": [["report"], ["design", "example:requirements", "--pick", "1"]],
+    "x.md": [["report"]],
 }
 
 

@@ -11,8 +11,8 @@ from afmcalc import progress
 from afmcalc.errors import AfmcalcError
 
 LONG = """tolerance example:tolerance --set tolerance.samples=2000 --set tolerance.sobol_base=64
-design example:requirements --set search.pairs=8
-plot pareto example:requirements --set search.pairs=8
+design example:requirements --set search.friction_group.pairs=8
+plot pareto example:requirements --set search.friction_group.pairs=8
 simulate example:drive --set drive.event.duration=0.004 --sweep drive.shaft_stiffness=1000,2000
 check example:tolerance --set tolerance.samples=2000 --set tolerance.sobol_base=64 --set requirements.exceedance=0.5
 life example:drive --set drive.event.duration=0.004""".splitlines()

@@ -57,9 +57,9 @@ MODULES = (
 )
 DISC_LAWS = {"closing_spring", "control_spring", "balance"}
 """Laws that give an object, no quantity."""
-KEYS = {name for names in NAMES.values() for name in names.values()} | {"closing_disc", "control_disc"}
-FROM_OUTSIDE = {"balls_listed", "risen_load"}
-"""What an analysis gives: the list of balls, a load that has risen."""
+KEYS = {name for names in NAMES.values() for name in names.values()} | {"closing_disc", "control_disc", "balls_listed"}
+FROM_OUTSIDE = {"risen_load"}
+"""What an analysis gives: a load that has risen."""
 ALTERNATIVES = {
     *("mean_radius", "gain", "bypass_pairs", "closing_force", "polar_section_modulus", "ball_diameter_standard"),
     *("friction_mean", "friction_driving_mean", "friction_driven_mean"),

@@ -130,7 +130,7 @@ def test_a_check_names_what_is_missing(key, given, code, value):
     assert found.value == pytest.approx(value)
     assert not result.passed
     if code != "parts-collide":
-        assert any(row.verdict == "fail" and row.value == pytest.approx(value) for row in result.limits)
+        assert any(row.grade == "fail" and row.value == pytest.approx(value) for row in result.checks)
 
 
 def test_a_space_that_is_none():

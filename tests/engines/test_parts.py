@@ -37,11 +37,11 @@ def test_check_judges_the_stress_of_a_coil(afmcalc):
     part = coil(wire_diameter=4e-3, coil_diameter=20e-3, turns=6, free_length=75e-3)
     run = afmcalc("check", DEFAULT, "--set", part, "--json")
     stress, limit = 8 * 2000 * 0.02 / (math.pi * 0.004**3), 0.56 * (1980 - 740 * math.log10(4)) * 1e6
-    rows = {row["symbol"]: row for row in run.json["result"]["limits"] if row["name"].startswith("closing spring")}
-    assert (run.code, rows["τ_2 ≤ [τ]"]["verdict"]) == (1, "fail")
+    rows = {row["symbol"]: row for row in run.json["result"]["checks"] if row["name"].startswith("closing spring")}
+    assert (run.code, rows["τ_2 ≤ [τ]"]["passed"]) == (1, False)
     assert rows["τ_2 ≤ [τ]"]["utilisation"] == pytest.approx(stress / limit)
     solid = stress * rate(4e-3, 20e-3, 6) * (75e-3 - 8 * 4e-3) / 2000
-    assert (rows["τ_c ≤ [τ]"]["value"], rows["τ_c ≤ [τ]"]["verdict"]) == (pytest.approx(solid), "warning")
+    assert (rows["τ_c ≤ [τ]"]["value"], rows["τ_c ≤ [τ]"]["level"]) == (pytest.approx(solid), "warning")
     levels = {each["code"]: each["level"] for each in run.json["findings"]}
     assert (levels["coil-overstressed"], levels["coil-stress-solid"]) == ("error", "warning")
     assert afmcalc("check", DEFAULT, "--set", coil()).code == 0

@@ -11,7 +11,7 @@ from afmcalc.equations.indirect import sleeve_stiffness
 from afmcalc.equations.overload import actuation_factor
 
 UNITS = pint.UnitRegistry()
-MODULES = {"drive", "effects", "heat", "sleeve", "springs", "synthesis"}
+MODULES = {"drive", "effects", "heat", "sleeve", "springs"}
 OWN = sorted(name for name in equations() if name.partition(".")[0] in MODULES)
 """Those that are not wired; of the laws tests/engines/test_laws.py says it."""
 
@@ -98,7 +98,7 @@ def test_printed_m9_m10_and_m11_fail():
         printed_m11(*of)
 
 
-POWERS = {"life.cycles", "life.damage", "life.cycles_of_band", "synthesis.least_contact_force_cubic"}
+POWERS = {"life.cycles", "life.damage", "life.cycles_of_band"}
 
 
 @given(st.lists(st.floats(0.05, 3), min_size=10, max_size=10))

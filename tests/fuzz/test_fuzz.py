@@ -43,7 +43,11 @@ def judge(run: Run, case, afmcalc) -> None:
     assert not CONTROL.search(run.out + run.err)
     if run.code == 2:
         assert "error: " in run.err or run.err.startswith("Usage")
-        assert not run.out or case.arguments[0] in ("design", "check")  # that nothing was found, what is wrong as JSON
+        assert not run.out or case.arguments[0] in (
+            "design",
+            "check",
+            "solve",
+        )  # that nothing was found, what is wrong as JSON
     assert run.err.count("\n") <= 75  # the help, where nothing is asked
     assert max(map(len, run.err.split("\n"))) <= 400
     # JSON is strict, and the spec in it gives the same result again

@@ -38,10 +38,6 @@ def setting_of_the_control_spring():
     yield "(14)", CONTROL - (F * (1 + z * C * fset) - 2 * z * F * R * fset * fk / d)
     gain = 2 * R * fk / d + (CONTROL - F) / (z * F * fset)
     yield "(5)", gain - C
-    yield (
-        "κ of (5)",
-        indirect.gain_threshold(R, fk, d) + indirect.net_gain_for_control_force(CONTROL, F, z, fset) - gain,
-    )
     yield "(2), (13): F_p,min = z F_п1 C f_min", indirect.release_force(nominal, C, R) - z * F * C * fset
     yield "(3), (8)", indirect.key_friction_force(nominal, fk, d) - 2 * nominal * fk / d
     yield "S = 0 at T_н", indirect.stop_reaction_seated(CONTROL, F, nominal, KAPPA, R)

@@ -1,10 +1,10 @@
-"""Control unit, contact, friction surface (S21 (16)–(24); textbooks), curved walls (handbook, chapter 12), inverses."""
+"""Control unit, contact, friction surface (S21 (16)–(24); textbooks), curved walls (handbook, chapter 12), best accuracy."""
 
 import pytest
 import sympy as sp
 from proofs.symbols import *
 
-from afmcalc.equations import accuracy, control_unit, curved_wall, direct, indirect, pack, pressure, synthesis
+from afmcalc.equations import accuracy, control_unit, curved_wall, direct, indirect, pack, pressure
 
 ALPHA = positive("alpha")
 BALL, GAP, EDGE = positive("r_b s y")
@@ -130,68 +130,6 @@ def wall_of_a_curved_pocket():
     yield "and around", sp.diff(around, XI) - tangent * shrink
     yield "so the contact rises to the face until it undercuts", sp.diff(depth, XI) + shrink
     yield Refutation("not at the radius of the ball", sp.diff(along, XI))
-
-
-def inverses_of_the_accuracy():
-    """Gain and pairs for a wanted K_т put back into F11 (14) give it."""
-    ends = f1min, f2min, f1max, f2max
-    gain = synthesis.gain_for_accuracy_factor(z1, z2, K, *ends)
-    yield "K_т(C) = K", accuracy.accuracy_factor_of_path(z1, z2, gain, *ends) - K
-    pairs = synthesis.controlled_pairs_for_accuracy_factor(C, K, fmin, fmax)
-    yield "K_т(z_2) = K, one material", accuracy.accuracy_factor_of_path(z1, pairs, C, fmin, fmin, fmax, fmax) - K
-
-
-def inverses_of_the_torque():
-    """Gain, pairs and radius for a wanted torque put back into F11 (12) give it."""
-    gain = synthesis.gain_for_torque(T, F, R, z1, z2, f1, f2)
-    yield "T(C) = T", direct.torque(F, R, z1, z2, gain, f1, f2) - T
-    pairs = synthesis.controlled_pairs_for_torque(T, F, R, z1, C, f1, f2)
-    yield "T(z_2) = T", direct.torque(F, R, z1, pairs, C, f1, f2) - T
-    radius = synthesis.mean_radius_for_torque(T, F, z1, z2, C, f1, f2)
-    yield "T(R) = T", direct.torque(F, radius, z1, z2, C, f1, f2) - T
-
-
-def inverses_of_indirect_accuracy_in_numbers():
-    """The same in fractions, for springs and settings of some clutches: the very gain and pairs that gave K_т."""
-    tenth = sp.Rational(1, 10)
-    for ends, springs, pairs, net in (
-        ((1, 1, 8), (20, 10), 8, 4), ((1, 3, 8), (20, 10), 8, 4), ((2, 5, 7), (3, 11), 5, 13), ((1, 2, 9), (7, 1), 3, 2)
-    ):  # fmt: skip
-        low, at_set, high = (tenth * end for end in ends)
-        factor = accuracy_as_set(low, at_set, high, *springs, pairs, tenth * net)
-        linear = synthesis.net_loop_gain_linear(low, at_set, high, *springs, factor)
-        constant = synthesis.net_loop_gain_constant(low, high, *springs, factor)
-        loop = exact(
-            synthesis.net_loop_gain_for_accuracy_factor(low, at_set, high, springs[0], factor, linear, constant)
-        )
-        yield "κ", synthesis.net_gain_for_accuracy_factor(loop, pairs) - tenth * net
-        yield "z", synthesis.pairs_for_accuracy_factor_indirect(loop, tenth * net) - pairs
-        ratio = synthesis.stiffness_ratio_for_accuracy_factor(low, at_set, high, pairs, tenth * net, factor)
-        yield "c_2/c_1", ratio - sp.Rational(springs[1], springs[0])
-
-
-@pytest.mark.slow
-def inverses_of_indirect_accuracy():
-    """Net gain, pairs and stiffness ratio for a wanted K_т put back into S21 (15) mended give it."""
-    ends = fmin, fset, fmax
-
-    def loop_gain(at_set):
-        linear = synthesis.net_loop_gain_linear(fmin, at_set, fmax, c1, c2, K)
-        constant = synthesis.net_loop_gain_constant(fmin, fmax, c1, c2, K)
-        return exact(synthesis.net_loop_gain_for_accuracy_factor(fmin, at_set, fmax, c1, K, linear, constant))
-
-    net = synthesis.net_gain_for_accuracy_factor(loop_gain(fset), z)
-    yield "K_т(κ) = K", accuracy_as_set(*ends, c1, c2, z, net) - K
-    pairs = synthesis.pairs_for_accuracy_factor_indirect(loop_gain(fset), q)
-    yield "K_т(z) = K", accuracy_as_set(*ends, c1, c2, pairs, q) - K
-    loop = loop_gain(fmin)
-    printed = (c1 + c2) * (fmax - K * fmin) / (c1 * fmax * fmin * (K - 1))
-    above, below = positive("g h")
-    difference = (loop - printed).subs(fmax, K * fmin + below).subs(K, 1 + above)
-    yield "set at f_min: (15) solved for zκ, 1 < K_т < f_max/f_min", rooted(difference)
-    ratio = synthesis.stiffness_ratio_for_accuracy_factor(*ends, z, q, K)
-    yield "K_т(c_2) = K", accuracy_as_set(*ends, c1, ratio * c1, z, q) - K
-    yield "K_т(c_1) = K", accuracy_as_set(*ends, c2 / ratio, c2, z, q) - K
 
 
 def best_attainable_accuracy():

@@ -15,7 +15,6 @@ from afmcalc.spec.source import Source
 DEFAULT = (CONFIGS / "default.toml").read_text(encoding="utf-8")
 KEYS = "\n".join(f"key{number} = 1" for number in range(MOST_KEYS + 1))
 NINES = "9" * 5000
-DESIGN = ["design", CONFIGS / "requirements.toml", "--set"]
 
 
 @pytest.mark.parametrize(
@@ -78,10 +77,6 @@ def test_an_endless_file_is_not_read_to_its_end(afmcalc):
         (["accuracy", "--sweep", "C=0:1:500", "--sweep", "z=2:501:500"], "asks for 250,000 points; at most 200,000 are swept\n"),
         (["solve", f"{'K' * 100_000}=2"], "is no target"),
         (["torque", "--friction", NINES], "write a coefficient such as 0.3"),
-        ([*DESIGN, "search.gain={start=0, stop=1, step=1e-300}"], "1e+300 values; at most 1,000,000 here\n"),
-        ([*DESIGN, "search.pairs={start=2, stop=10000000}"], "9,999,999 values; at most 1,000,000 here\n"),
-        ([*DESIGN, "search.ball_diameters={start=1, stop=2, count=10000000}"], "10,000,000 values; at most 10,000 here\n"),
-        ([*DESIGN, "search.pairs={start=2, stop=1000000}"], "candidates; at most 10,000,000,000 are searched"),
     ],
 )  # fmt: skip
 def test_arguments_beyond_a_limit(arguments, says, afmcalc):

@@ -99,7 +99,7 @@ def test_what_a_name_is_read_as_is_said():
 
 def test_of_several_materials_a_clutch_has_the_worst_in_everything():
     faces = {"mean_radius": None, "inner_radius": "80 mm", "outer_radius": "120 mm"}
-    given = NO_RANGE | {f"friction_group.{key}": value for key, value in faces.items()} | {"friction.unknown": True}
+    given = NO_RANGE | {f"friction_group.{key}": value for key, value in faces.items()}
     several = ["cork-dry", "sintered-dry", "wood-dry"]
     spec = read_spec(CONFIGS / "default.toml", given | {"friction.material": several})
     assert spec.friction.range == (0.15, 0.325, 0.5)
@@ -126,8 +126,6 @@ def test_materials_that_contradict_each_other(afmcalc):
         assert (run.code, run.out) == (2, "")
         assert "friction.material" in run.err
         assert says in run.err
-    run = afmcalc("torque", *removed, "--set=friction.material=cork-dry", "--set=friction.unknown=true")
-    assert (run.code, "friction.unknown" in run.err) == (2, True)
 
 
 DISCS = """name,outer_diameter_mm,inner_diameter_mm,thickness_mm,reduced_thickness_mm,free_height_mm,source

@@ -13,7 +13,7 @@ def test_a_removed_key_says_what_to_do(path):
     assert path not in keys()
     block, name = path.split(".")
     data = resolved(read_spec())
-    data[block][name] = 1
+    data.setdefault(block, {})[name] = 1
     for refused in (lambda: make_spec(data), lambda: read_spec(None, [f"{path}=1"])):
         with pytest.raises(AfmcalcError, match="unknown key.* since 0.4: .*leave the key out"):
             refused()

@@ -1,7 +1,6 @@
 """The spec: examples, round trips, every rule."""
 
 import json
-import math
 import tomllib
 
 import pytest
@@ -17,7 +16,6 @@ from afmcalc.spec import Spec, make_spec, read_spec, resolved, to_toml
 from afmcalc.spec.edit import put
 from afmcalc.spec.fields import keys_below
 from afmcalc.spec.parse import parse
-from afmcalc.spec.requirements import Requirements, make_requirements
 from afmcalc.spec.source import Source
 
 EXAMPLES = sorted(path for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)
@@ -87,24 +85,23 @@ def test_bad_input_names_file_key_value_and_what_is_allowed(changes, path, value
 
 
 def fields_of_each_unit():
-    """Three keys of each unit of a spec and of requirements."""
-    for make, model in ((make_spec, Spec), (make_requirements, Requirements)):
-        by_unit = {}
-        for key in keys_below(model).values():
-            by_unit.setdefault(key.unit, []).append(key.path)
-        for unit, paths in by_unit.items():
-            yield from ((make, unit, path) for path in {paths[0], paths[len(paths) // 2], paths[-1]} if unit)
+    """Three keys of each unit of a spec."""
+    by_unit = {}
+    for key in keys_below(Spec).values():
+        by_unit.setdefault(key.unit, []).append(key.path)
+    for unit, paths in by_unit.items():
+        yield from ((unit, path) for path in {paths[0], paths[len(paths) // 2], paths[-1]} if unit)
 
 
 def test_a_wrong_dimension_is_refused_in_every_unit():
-    def problems(make, path, value):
+    def problems(path, value):
         with pytest.raises(SpecError) as told:
-            make(at(path, value))
+            make_spec(at(path, value))
         return {each.message for each in told.value.problems if each.path == path}
 
-    for make, unit, path in fields_of_each_unit():
+    for unit, path in fields_of_each_unit():
         for wrong in {"kg": "N", "N*m": "J", "J": "N*m"}.get(unit, "kg"), "mm^4":
-            assert problems(make, path, f"3 {wrong}") - problems(make, path, 3), (path, wrong)
+            assert problems(path, f"3 {wrong}") - problems(path, 3), (path, wrong)
 
 
 def test_a_title_block_takes_text_and_a_revision_and_a_date_without_quotes():
@@ -130,30 +127,6 @@ def test_a_table_is_not_shadowed_by_a_key_of_its_name():
     spec = read_spec(CONFIGS / "default.toml", ('tolerance={fields={friction={distribution="uniform"}}}', *drawing))
     assert list(spec.tolerance.fields) == ["friction"]
     assert spec.drawing.model_dump(exclude_none=True) == {"tolerance": "H7", "material": "20", "hardness": "58…62 HRC"}
-
-
-def wanted(**changes):
-    data = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
-    for path, value in changes.items():
-        put(data, path.replace("__", "."), value)
-    return make_requirements(data)
-
-
-def test_a_shaft_yields_at_the_torque_that_reaches_it():
-    """That of the clutch times the dynamic factor, where no event is simulated that has the peaks itself."""
-    shaft = {"shaft__diameter": "40 mm", "shaft__yield_strength": "300 MPa"}
-    static = wanted(**shaft).shaft_torque
-    assert static == pytest.approx(300e6 / math.sqrt(3) * math.pi * 0.04**3 / 16)
-    assert wanted(**shaft, drive__dynamic_factor=2).shaft_torque == pytest.approx(static / 2)
-    drive = tomllib.loads((CONFIGS / "drive.toml").read_text(encoding="utf-8"))["drive"] | {"dynamic_factor": 2}
-    assert wanted(**shaft, drive=drive).shaft_torque == pytest.approx(static)
-
-
-def test_a_wanted_contact_pressure_never_raises_that_of_the_material():
-    steel = dict(ball_modulus=206e9, ball_poisson=0.3, wall_modulus=206e9, wall_poisson=0.3, allowable_pressure=3e9)  # noqa: C408
-    for pressure, least in ((None, 3e9), (2e9, 2e9), (4e9, 3e9)):
-        assert wanted(fixed__contact=steel, wanted__contact_pressure=pressure).bearing.allowable_pressure == least
-    assert wanted(wanted__contact_pressure=5e9).bearing.allowable_pressure == 4.2e9  # hardened steel, ISO 76
 
 
 @pytest.mark.parametrize(("fields", "settings_", "says"), REFUSED["tolerance"])

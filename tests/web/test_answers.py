@@ -152,8 +152,8 @@ def test_no_key_of_a_form_names_a_file(site, tmp_path):
             assert site.tab("accuracy", fields) == told == site.post("save", {"base": 0, "fields": fields}).json
             assert str(file) not in str(told)
     for file in (tmp_path / "there", tmp_path / "gone", "/dev/zero"):
-        asking = f'[catalogues]\nmaterials = "{file}"\n[wanted]\nnominal_torque = "100 N*m"\n'
-        assert site.tab("design", {}, requirements=asking)["errors"]["requirements"].startswith("catalogues: no file")
+        asking = f'[catalogues]\nmaterials = "{file}"\n'
+        assert site.tab("design", {}, requirements=asking)["errors"]["requirements"].startswith("catalogues: only")
 
 
 def test_a_form_has_every_key_that_names_no_file(sites):
@@ -254,14 +254,14 @@ def test_a_tab_has_options(sites):
     swept = site.tab("accuracy", {}, sweep=" C=0:1:3 ")
     assert (swept["command"].endswith("--sweep C=0:1:3"), swept["html"].count("<svg")) == (True, 1)
     for name, option, text in (
-        ("accuracy", "sweep", "nonsense=1:2"), ("accuracy", "sweep", "C=0:1:2000000000"), ("design", "requirements", "[wanted"),
+        ("accuracy", "sweep", "nonsense=1:2"), ("accuracy", "sweep", "C=0:1:2000000000"), ("design", "requirements", "[search"),
     ):  # fmt: skip
         assert site.tab(name, {}, **{option: text})["errors"].keys() == {option}
 
 
-FEWER = {"gain": [0.5, 0.7], "pairs": 8, "mean_radius": 0.1}
-WANTED = (CONFIGS / "requirements.toml").read_text(encoding="utf-8")
-FEW = re.sub(r"(?m)^(gain|pairs|mean_radius) = .*", lambda key: f"{key[1]} = {FEWER[key[1]]}", WANTED)
+FEW = """objectives = ["closing_force", "accuracy_factor"]
+search = {"control_unit.gain" = [0.5, 0.7], "friction_group.pairs" = [8, 10], "adjustment.nominal_torque" = "200 N*m"}
+"""
 
 
 def test_a_point_of_the_front_loads(afmcalc, tmp_path):
@@ -272,10 +272,12 @@ def test_a_point_of_the_front_loads(afmcalc, tmp_path):
     bases = [int(number) for number in tags(front["html"], "data-base")]
     assert bases == [*range(1, 1 + len(bases))]
     assert bases
-    (tmp_path / "wanted.toml").write_text(FEW, encoding="utf-8")
+    (tmp_path / "wanted.toml").write_text(
+        FEW + (tmp_path / "clutch.toml").read_text(encoding="utf-8"), encoding="utf-8"
+    )
     for number, base in enumerate(bases, 1):
         picked = tmp_path / f"{number}.toml"
-        assert afmcalc("design", tmp_path / "wanted.toml", "--pick", number, "-o", picked).code == 0
+        assert afmcalc("design", tmp_path / "wanted.toml", "--pick", number, "--save", picked).code == 0
         live = site.live({}, base=base)
         is_shown(cells(live["fragments"]["numbers"]), afmcalc("torque", picked, "--json").json["result"])
         shell, _, text = live["command"].partition("\n")

@@ -14,8 +14,13 @@ from pages import CONFIGS, finished, web
 from serving import proc, until
 
 pytestmark = web
-LONG = (CONFIGS / "conveyor.toml").read_text(encoding="utf-8")
-"""Requirements whose search takes some ten seconds."""
+LONG = """[search]
+control_unit.gain = "0.1:1.2:1000"
+friction_group.pairs = [4, 6, 8, 10]
+friction_group.mean_radius = "60 mm:140 mm:400"
+adjustment.nominal_torque = "200 N*m"
+"""
+"""A search that takes some ten seconds."""
 
 
 class Process:
@@ -152,7 +157,7 @@ def test_the_process_itself(monkeypatch, tmp_path):
 
     limits, texts = [], (CONFIGS / "default.toml").read_text(encoding="utf-8")
     state = [["clutch", texts, "clutch.toml", [], ""], {"control_unit.gain": "0.7"}]
-    few = "[wanted]\nnominal_torque = '100 N*m'\n[search]\ngain = 0.5\npairs = 8\nmean_radius = 0.1\n"
+    few = "[search]\ncontrol_unit.gain = 0.5\nfriction_group.pairs = 8\n"
     job = {"name": "live", "state": state, "pinned": None, "options": {"requirements": few}, "first": 1}
     jobs = [job, job | {"pinned": state}, job | {"name": "design"}, job | {"name": "no such"}]
     monkeypatch.setattr(resource, "setrlimit", lambda of, ends: limits.append((of, *ends)))

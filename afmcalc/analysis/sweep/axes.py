@@ -13,7 +13,7 @@ from ...messages import did_you_mean
 from ...spec import Spec
 from ...spec.edit import respecified, value_at
 from ...spec.fields import Key
-from ...spec.keys import ALIASES, elsewhere, keys, names, path_of
+from ...spec.keys import ALIASES, elsewhere, is_whole, keys, names, path_of
 from ...spec.models import FrictionRange
 from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.removed import instead_of
@@ -26,11 +26,11 @@ _RANGE = re.compile(r"\.\.|…|\d\s*(?:-|–|to)\s*\d")
 """How a range is written elsewhere."""
 
 
-def find_key(name: str) -> Key:
-    """Return the numeric spec key that ``name`` (a path, a key's name or a symbol) means.
+def find_key(name: str, spec: Spec, option: str = "--sweep") -> Key:
+    """Return the numeric key of a spec that ``name`` (a path, a key's name or a symbol) means, given to an option.
 
     Raises:
-        AfmcalcError: no such key, or a key that is no number.
+        AfmcalcError: no such key, a key that is no number, or one of other variants.
     """
     path, known = path_of(name), keys()
     if path is None:
@@ -43,7 +43,16 @@ def find_key(name: str) -> Key:
             symbols=symbols,
         )
     if known[path].unit is None:
-        raise AfmcalcError("{name!r} is not a number and cannot be swept", name=name)
+        raise AfmcalcError("{name!r} is not a number", name=name)
+    if (only := variants_of(path)) and spec.variant not in only:
+        raise AfmcalcError(
+            "{option} {name:.80}: {path} is only for {only}, not {variant!r}",
+            option=option,
+            name=name,
+            path=path,
+            only=", ".join(only),
+            variant=spec.variant,
+        )
     return known[path]
 
 
@@ -55,15 +64,7 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     """
     name, separator, given = text.partition("=")
     name = name.strip()
-    key = find_key("C" if name == "zC" else name)
-    if (only := variants_of(key.path)) and spec.variant not in only:
-        raise AfmcalcError(
-            "--sweep {text:.80}: {path} is only for {only}, not {variant!r}",
-            text=text,
-            path=key.path,
-            only=", ".join(only),
-            variant=spec.variant,
-        )
+    key = find_key("C" if name == "zC" else name, spec)
     scale = 1 / (spec.friction_group.pairs - spec.bypass_pairs) if name == "zC" else 1.0
     if not separator:
         return Axis(name, key, default_range(key, spec) / scale, scale)
@@ -140,7 +141,7 @@ def default_range(key: Key, spec: Spec) -> Floats:
     if key.path == "control_unit.wall_angle":
         high = min(high, 1.5)
     least, most = key.about.limits
-    low, high = (_feasible(spec, key.path, current, end) for end in (max(low, least), min(high, most)))
+    low, high = (feasible(spec, key.path, current, end) for end in (max(low, least), min(high, most)))
     return _whole(math.ceil(low), math.floor(high)) if key.about.whole else np.linspace(low, high, 26)
 
 
@@ -151,12 +152,12 @@ def _whole(low: int, high: int) -> Floats:
     return np.unique(np.rint(np.linspace(low, high, _MOST_COUNTED)))
 
 
-def _feasible(spec: Spec, path: str, current: float, end: float) -> float:
-    """Draw an end of a default range in to where the spec is valid and the clutch can be built."""
+def feasible(spec: Spec, path: str, current: float, end: float) -> float:
+    """Draw an end of a range in to where the spec is valid and the clutch can be built."""
 
     def builds(value: float) -> bool:
         try:
-            build(respecified(spec, {path: value}))
+            build(respecified(spec, {path: round(value) if is_whole(path) else value}))
         except SpecError:
             return False
         return True

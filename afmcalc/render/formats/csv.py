@@ -66,9 +66,9 @@ def _findings(output: Output, laid_out: Document) -> list[Column]:
     names = ("level", "code", "value", "limit", "path", "message")
     rows = [{name: getattr(finding, name) for name in names} for finding in ranked(output.findings)]
     for table in laid_out.tables:
-        paths = "level", *(column.path for column in table.columns)
+        paths = [column.path for column in table.columns]
         entries = zip(*(column.values for column in table.columns), strict=True)
-        rows += [dict(zip(paths, (table.path, *entry), strict=True)) for entry in entries]
+        rows += [dict(zip(paths, entry, strict=True)) | {"level": table.path} for entry in entries]
     every = dict.fromkeys([*names, *chain(*rows)])
     return [Column(name, "", name, "", [row.get(name) for row in rows]) for name in every]
 

@@ -9,31 +9,21 @@ from ..units import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, stated
 
 if TYPE_CHECKING:
-    from ...analysis.design.rows import DesignResult, DesignRow
+    from ...analysis.design import DesignResult, DesignRow
     from ...analysis.figures import ParetoFigure, ToleranceFigure
-
-_SAMPLING = {
-    "exact": term("Exact"),
-    "monte-carlo": term("Monte Carlo"),
-    "quasi-monte-carlo": term("Quasi-Monte Carlo"),
-}
 
 
 def tolerance(figure: "ToleranceFigure") -> Sheet:
     """Histogram of the torque, with quantiles, the nominal torques and the limit marked."""
-    edges, densities = figure.study.histogram.edges, figure.study.histogram.densities
-    x = [edge for edge in edges for _ in range(2)]
-    y = [0.0, *(density for density in densities for _ in range(2)), 0.0]
+    result, bars = figure.result, figure.result.histogram
+    x = [bars[0].low, *(end for bar in bars for end in (bar.low, bar.high)), bars[-1].high]
+    y = [0.0, *(bar.density for bar in bars for _ in range(2)), 0.0]
     label = translate("quantiles: torque not exceeded with this probability")
     guides = [
         Guide("" if number else label, row.torque, across=False, tag=_percent(row.probability), style=0)
-        for number, row in enumerate(figure.study.result.quantiles)
+        for number, row in enumerate(result.quantiles)
     ]
-    nominal, machine, limit = (
-        figure.nominal_torque,
-        figure.study.result.machine_torque,
-        figure.study.result.torque_limit,
-    )
+    nominal, machine, limit = figure.nominal_torque, result.machine_torque, result.torque_limit
     torques = [
         ("T_н", translate("clutch's nominal torque"), nominal),
         ("T_н.маш", translate("machine's nominal torque"), None if math.isclose(machine, nominal) else machine),
@@ -44,7 +34,7 @@ def tolerance(figure: "ToleranceFigure") -> Sheet:
         Guide(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
         for style, (symbol, about, value) in enumerate(marked, 1)
     ]
-    ends = [*edges, *(guide.value for guide in guides)]
+    ends = [*x, *(guide.value for guide in guides)]
     room = 0.03 * (max(ends) - min(ends))
     chart = Chart(
         ChartAxis(translate("slip torque"), "T", "N*m"),
@@ -52,18 +42,14 @@ def tolerance(figure: "ToleranceFigure") -> Sheet:
         [Line(translate("density of the slip torque"), x, y)],
         guides=guides,
         areas=[Area("", x, [0.0] * len(x), y)],
-        bounds=(min(ends) - room, max(ends) + room, 0.0, 1.05 * max(densities)),
+        bounds=(min(ends) - room, max(ends) + room, 0.0, 1.05 * max(y)),
     )
     return Sheet(translate("Slip torque over tolerances and scatter"), [chart], _study_caption(figure), figure.name)
 
 
 def _study_caption(figure: "ToleranceFigure") -> str:
-    result = figure.study.result
-    method = term(_SAMPLING[result.method])
-    how = told(
-        "{method}, {samples:.0f} samples, seed {seed}." if result.samples else "{method}: only friction scatters.",
-        method=method, samples=result.samples, seed=figure.seed,
-    )  # fmt: skip
+    result = figure.result
+    how = told("{samples:.0f} samples, seed {seed}.", samples=result.samples, seed=figure.seed)
     listed = "; ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)
     risks = [_risk("T < T_н.маш", result.probability_below_machine, result.samples)]
     if result.probability_above_limit is not None:
@@ -71,7 +57,7 @@ def _study_caption(figure: "ToleranceFigure") -> str:
     return " ".join(
         (
             how,
-            told("The bars hold the middle {share}.", share=_percent(figure.share)),
+            told("The bars hold the middle {share}.", share=_percent(0.999)),
             told("Quantiles in N·m: {listed}.", listed=listed),
             told("Robust accuracy factor K_т,r = {factor}.", factor=display(result.accuracy_factor_robust, "1")),
             ", ".join(risks) + ".",
@@ -79,9 +65,9 @@ def _study_caption(figure: "ToleranceFigure") -> str:
     )
 
 
-def _risk(event: str, probability: float, samples: int | None) -> str:
+def _risk(event: str, probability: float, samples: int) -> str:
     """A sample in which it never happens says only that it is rare."""
-    if samples and not probability:
+    if not probability:
         return f"P({event}) < {_percent(1 / samples)}"
     return f"P({event}) = {_percent(probability)}"
 
@@ -90,16 +76,6 @@ def _percent(probability: float) -> str:
     return f"{localized(f'{100 * probability:.4g}')} %"
 
 
-_OBJECTIVES = {
-    "closing_force": term("closing force"),
-    "accuracy_factor": term("accuracy factor"),
-    "pairs": term("friction pairs"),
-    "ball_diameter": term("standard ball"),
-    "travel": term("travel of the sleeve"),
-    "control_force": term("control-spring force"),
-    "closing_deflection": term("deflection of the closing spring"),
-    "control_deflection": term("deflection of the control spring"),
-}
 _INK = 4
 """The style in the colour of the text."""
 _COLOURED = (0, 1, 2, 3, 5, 6)
@@ -110,9 +86,10 @@ _MOST_PAIRS = 9
 def pareto(figure: "ParetoFigure") -> Sheet:
     """The Pareto front of a design: the first objective against the others, each clutch with its number."""
     result = figure.result
-    rest = [name for name in dict.fromkeys(result.objectives) if name != "pairs"]
+    names = dict.fromkeys(name.removeprefix("-") for name in result.objectives)
+    rest = [name for name in names if name != "pairs"]
     # friction pairs along x of two, else last: there they name the points, where they are few enough
-    if "pairs" in result.objectives:
+    if "pairs" in names:
         rest = ["pairs", *rest] if len(rest) == 1 else [*rest, "pairs"]
     x, *others = rest
     few = len({row.pairs for row in result.front}) <= _MOST_PAIRS
@@ -141,9 +118,9 @@ def _front(result: "DesignResult", x: str, y: str, by_pairs: bool) -> Chart:
         furthest = max(alike, key=lambda number: lines[number].x[-1] or 0.0)
         lines[furthest] = lines[furthest]._replace(tag=f"z = {z}")
     for row in result.front:
-        if row.number == result.knee:
-            knee = _points(told("knee: no. {number}", number=str(row.number)), [row], x, y)
-            lines.append(knee._replace(style=_INK, marker=0, filled=True))
+        if row.mark:
+            marked = _points(told("compromise: no. {number}", number=str(row.number)), [row], x, y)
+            lines.append(marked._replace(style=_INK, marker=0, filled=True))
     along, up = (_ends([row.objective(name) for row in result.front]) for name in (x, y))
     return Chart(_objective(result, x), _objective(result, y), lines, bounds=(*along, *up))
 
@@ -154,7 +131,7 @@ def _points(label: str, rows: "list[DesignRow]", x: str, y: str) -> Line:
 
 
 def _objective(result: "DesignResult", name: str) -> ChartAxis:
-    return axis_of(result.front[0], name, quantity=translate(_OBJECTIVES[name]))
+    return axis_of(result.front[0], name)
 
 
 def _ends(values: list[float]) -> tuple[float, float]:
@@ -164,7 +141,8 @@ def _ends(values: list[float]) -> tuple[float, float]:
 
 
 def _front_caption(result: "DesignResult") -> str:
-    names = [_objective(result, name).symbol for name in result.objectives]
+    objectives = [name.removeprefix("-") for name in result.objectives]
+    names = [_objective(result, name).symbol for name in objectives]
     listed = told("{names} and {last}", names=", ".join(names[:-1]), last=names[-1])
     counts = sorted(Counter(row.variant for row in result.front).items())
     if len(counts) == 1:
@@ -177,6 +155,6 @@ def _front_caption(result: "DesignResult") -> str:
         feasible=result.feasible, candidates=result.candidates, front=len(result.front), listed=listed,
         variants=variants,
     )  # fmt: skip
-    lacking = any(getattr(row, name) is None for row in result.front for name in result.objectives)
+    lacking = any(getattr(row, name) is None for row in result.front for name in objectives)
     free = translate("What a variant does not have costs nothing: it lies at 0.")
     return f"{caption} {free}" if lacking else caption

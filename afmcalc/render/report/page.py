@@ -16,7 +16,7 @@ from markupsafe import Markup
 from ...analysis.dossier import Dossier
 from ...analysis.explain.explain import Meaning
 from ...findings import Finding
-from ...messages import localized, named, printable, spoken, term, translate
+from ...messages import localized, named, percent, printable, spoken, term, translate
 from ...messages import told as message
 from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
@@ -28,7 +28,6 @@ from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
-from ..verdict import verdict
 from .chapters import Chapter, chapters, explained, peaks
 from .frame import frame
 from .markup import MISPRINT, cell, cited, css_string, drawing, marks, name_of, symbol
@@ -108,10 +107,15 @@ def template(name: str, folder: Path | None = None) -> Template:
         "term": term,
         "translate": translate,
         "worded": worded,
-        "three": lambda value: localized(f"{value:.3g}"),
+        "three": _three,
     }
     environment.globals.update(told=told, _=message, frame=frame)
     return environment.get_template(name)
+
+
+def _three(share: float) -> str:
+    """Share of a limit in three digits, in more where it would be shown as the whole."""
+    return localized(next((text for digits in range(3, 10) if float(text := f"{share:.{digits}g}") != 1), "1"))
 
 
 def render(subject: Subject) -> str:
@@ -136,7 +140,8 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
         form = form._replace(sections=SHORT, appendices=(), always=())
     drawn = _section(dossier, short) | {chapter.topic.name: chapter.sheets for chapter in parts}
     # what is said of the papers has an appendix of its own
-    findings, required, limits = ranked(dossier.findings), dossier.check.requirements, dossier.check.limits
+    findings, rows = ranked(dossier.findings), dossier.check.checks
+    required, held = ([row for row in rows if row.is_requirement is asked] for asked in (True, False))
     remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
     mended = _mended(parts, remarks, chain(*drawn.values()))
     has = {
@@ -149,7 +154,7 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
     order = chain(*((chapter.topic.name for chapter in parts) if name == "calculation" else [name] for name in labels))
     tables = _numbered((name, counts.get(name, 0)) for name in order)
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
-    judged, most = verdict(dossier.check, dossier.findings), max(_LEAST, _MOST - len(required))
+    most = max(_LEAST, _MOST - len(required))
     changed = _changed(subject.overrides)
     title = dict(subject.title)
     groups: dict[str, list[_SpecLine]] = {}
@@ -162,9 +167,10 @@ def _page(subject: Subject, latin: Mapping[str, str]) -> str:
         entries=_entries(subject, form),
         people=[(who, title[who]) for who in form.people if title[who] or who in form.signed],
         overridden=[name_of(path) if path in keys() else path for path in changed],
-        verdict=judged,
+        sentence=translate(dossier.check.verdict.sentence),
         groups=groups,
-        limits=sorted(limits, key=lambda limit: -limit.utilisation)[:most] if short else limits,
+        count=len(held),
+        limits=sorted(held, key=lambda row: -(row.utilisation or 0.0))[:most] if short else held,
         peaks=loads,
         chapters=parts,
         figures=_figures(drawn),
@@ -239,12 +245,13 @@ def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterab
 
 def _next(dossier: Dossier) -> list[str]:
     """What is to be done next, the gravest first."""
-    rows = [row for row in dossier.check.requirements if not row.passed]
-    used = [(row.utilisation, row.name) for row in rows if row.passed is False and row.utilisation is not None]
-    used += [(limit.utilisation, limit.name) for limit in dossier.check.limits if limit.verdict != "pass"]
+    rows = sorted(dossier.check.checks, key=lambda row: -(row.utilisation or 0.0))
     lines = [
-        message("Bring “{name}” to its limit: {used:.1%} of it is used.", name=worded(name), used=share)
-        for share, name in sorted(used, reverse=True)
+        message(
+            "Bring “{name}” to its limit: {used} of it is used.", name=worded(row.name), used=percent(row.utilisation)
+        )
+        for row in rows
+        if row.passed is False and row.utilisation is not None
     ]
     lines += [
         message("Give what it takes to judge “{name}”.", name=worded(row.name)) for row in rows if row.passed is None
@@ -295,7 +302,7 @@ def _symbols(
             meanings.setdefault(shown, f"{text}, {unit}" if unit not in ("", "–") else text)
     # what stands in no formula and no table, but in a check, a note or a meaning
     known = {native(key.symbol): name_of(path) for path, key in keys().items() if key.symbol}
-    notes = (*(limit.symbol for limit in dossier.check.limits), *(finding.message for finding in dossier.findings))
+    notes = (*(row.symbol for row in dossier.check.checks), *(finding.message for finding in dossier.findings))
     said = native(" ".join(map(translate, (*notes, *meanings.values()))))
     # in a ratio, a symbol may be another quantity
     alone = [each for each in known if "_" in each and not any(each in other for other in meanings)]

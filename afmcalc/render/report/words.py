@@ -41,13 +41,6 @@ REPORT: Mapping[str, str] = {
     "side/protected": "protected",
     "side/unprotected": "unprotected",
     # tables
-    "grade/pass": "pass",
-    "grade/note": "note",
-    "grade/warning": "warning",
-    "grade/fail": "fail",
-    "grade/held": "held",
-    "grade/missed": "missed",
-    "grade/open": "not judged",
     "level/info": "note",
     "level/warning": "warning",
     "level/error": "error",

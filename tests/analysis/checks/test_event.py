@@ -35,7 +35,7 @@ PRESS = {
 
 
 def row_of(result, name):
-    (row,) = (row for row in result.limits if str(row.name) == name)
+    (row,) = (row for row in result.checks if str(row.name) == name)
     return row
 
 
@@ -49,7 +49,7 @@ def test_an_event_is_held_against_balls_and_pockets():
     edge = made.ball_diameter_standard * math.sin(made.wall_angle) - 0.002
     travel = event.travel_max.max
     row = row_of(result, "travel in the event, the ball in its pocket")
-    assert (row.value, row.limit, row.verdict) == (travel, pytest.approx(edge, rel=1e-9), "fail")
+    assert (row.value, row.limit, row.grade) == (travel, pytest.approx(edge, rel=1e-9), "fail")
     assert travel > edge > made.travel_max
     assert "event-ball-leaves-pocket" in {each.code for each in found}
     # farthest off the walls bear S(x)/κ; as the ball leaves its seat no more than the peak at the clutch
@@ -83,7 +83,7 @@ def test_disc_springs_are_held_where_the_sleeve_swings():
     result, found = check(clutch, answers=answers)
     assert all(rule.beyond <= 0 for _, rule in checks_of_spec(clutch.spec, clutch.spring_demands()))
     row = row_of(result, "closing spring: travel by which the spring is let go")
-    assert (row.value, row.verdict) == (answers.of(SimulateResult).travel_max.max, "fail")
+    assert (row.value, row.grade) == (answers.of(SimulateResult).travel_max.max, "fail")
     assert "event-spring" in {each.code for each in found}
 
 
@@ -95,13 +95,13 @@ def test_a_temperature_is_judged_as_far_as_slips_end(afmcalc):
     own = ["check", CONFIGS / "drive.toml", "--json", *light]
     off = ["--set", "drive.cut_off=0.3", "--set", "drive.speed=", "--set", "requirements.peak_torque="]
     ended = afmcalc(*own, "--set", motor, *off).json["result"]
-    (row,) = ended["requirements"]
-    assert (row["requirement"], row["passed"]) == ("temperature", True)
+    (row,) = (row for row in ended["checks"] if row["code"] == "requirement-missed")
+    assert (row["path"], row["passed"]) == ("requirements.temperature", True)
     assert row["value"] > 293
     endless = ["--set", "drive.motor_torque=150", "--set", "requirements.peak_torque="]
     for limit, passed in ((477.0, None), (293.2, False)):
         left = afmcalc(*own, *endless, "--set", f"requirements.temperature={limit}").json
-        (row,) = left["result"]["requirements"]
+        (row,) = (row for row in left["result"]["checks"] if row["code"] == "requirement-missed")
         assert (row["passed"], row["value"] > 293.3) == (passed, True), "of the frictions at which it ends"
 
 

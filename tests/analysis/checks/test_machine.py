@@ -1,4 +1,4 @@
-"""The plate of a motor and the diameter of a shaft, in a spec and in requirements, against numbers worked out by hand."""
+"""The plate of a motor and the diameter of a shaft, in a spec, against numbers worked out by hand."""
 
 import math
 import tomllib
@@ -7,18 +7,13 @@ import pytest
 from conftest import CONFIGS
 
 from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.design.design import design
-from afmcalc.analysis.design.pick import with_picked
 from afmcalc.analysis.life import life
 from afmcalc.drive.train import train_of
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, resolved
-from afmcalc.spec.requirements import make_requirements
 
 DEFAULT = tomllib.loads((CONFIGS / "default.toml").read_text(encoding="utf-8"))
-WANTED = tomllib.loads((CONFIGS / "machine.toml").read_text(encoding="utf-8"))
-del WANTED["envelope"]  # the space is another question
 # the base clutch by hand: T(f) = F R z f/(1 + z_2 C f), F 2 kN, R 100 mm, z 8, z_2 C 3.5; margin 1.25
 LOW, HIGH = (1600 * f / (1 + 3.5 * f) for f in (0.1, 0.8))
 PLATE = {"power": "3 kW", "speed": "1430 rpm", "ratio": 5, "efficiency": 0.9}
@@ -32,7 +27,7 @@ DRIVE = {
 def checked(**blocks):
     answers = Answers(build(make_spec(DEFAULT | blocks)))
     result, findings = answers.ask("check")
-    rows, found = {row.name: row for row in result.limits}, {each.code: each for each in findings}
+    rows, found = {row.name: row for row in result.checks}, {each.code: each for each in findings}
     return answers, rows, result.requirements, found
 
 
@@ -43,7 +38,7 @@ def test_the_torque_of_a_plate():
     assert torque.motor_torque == pytest.approx(9550 * 3 / 1430, rel=1e-4)
     assert torque.torque_asked_for == pytest.approx(RATED, rel=1e-12)
     assert torque.starting_torque is None
-    assert (required.requirement, required.passed) == ("machine_torque", True)
+    assert (required.value, required.passed) == (answers.clutch.quantities["machine_torque"], True)
     assert (required.value, required.limit) == (pytest.approx(LOW / 1.25), pytest.approx(RATED))
     assert limits["torque that the machine asks for"].utilisation == pytest.approx(RATED / LOW)
     assert findings["service-factor-assumed"].value == 1
@@ -57,19 +52,12 @@ def test_the_torque_of_a_plate():
 
 
 def test_a_direct_start_slips_or_not():
-    """By the friction at hand, or whatever it is."""
-    for start, said in (
-        (LOW - 0.01, None),
-        (LOW + 0.01, "friction"),
-        (HIGH - 0.01, "friction"),
-        (HIGH + 0.01, "whatever"),
-    ):
+    for start, said in ((LOW - 0.01, False), (LOW + 0.01, True)):
         _, limits, _, findings = checked(machine=PLATE | {"starting_torque_ratio": start / RATED})
         row = limits["torque of a direct start"]
         assert (row.value, row.limit) == (pytest.approx(start), pytest.approx(LOW))
-        assert row.verdict == ("note" if said else "pass")
-        assert ("slips-at-start" in findings) == (said is not None)
-        assert said is None or said in findings["slips-at-start"].message
+        assert row.grade == ("note" if said else "pass")
+        assert ("slips-at-start" in findings) == said
 
 
 def test_a_shaft_by_its_diameter_lives_as_one_by_its_modulus(afmcalc):
@@ -93,7 +81,7 @@ def test_a_shaft_yields_by_von_mises():
     for factor, verdict in ((1 - 1e-6, "fail"), (1 + 1e-6, "pass")):
         shaft = {"diameter": diameter * factor, "yield_strength": "400 MPa"}
         _, limits, _, findings = checked(shaft=shaft, fatigue=None)
-        assert limits[name].verdict == verdict
+        assert limits[name].grade == verdict
         assert ("shaft-yields" in findings) == (verdict == "fail")
         assert name not in checked(shaft={"diameter": diameter}, fatigue=None)[1]
 
@@ -103,37 +91,8 @@ def test_a_shaft_is_held_against_the_peak_of_the_event():
     answers, limits, _, _ = checked(shaft={"diameter": 0.04, "yield_strength": 4e8}, fatigue=None, drive=DRIVE)
     peak = answers.ask("simulate")[0].peak_torque.max
     assert peak > HIGH
-    assert limits["largest stress of the shaft, by von Mises"].value == pytest.approx(16 * peak / (math.pi * 0.04**3))
-
-
-FEW = {"outer_radius": {"start": 0.06, "stop": 0.09, "count": 4}, "gain": [0.0, 0.4, 0.8], "ball_circle_radius": 0.03}
-SMALL = {"search": WANTED["search"] | FEW}
-
-
-def test_a_design_from_a_plate_is_that_for_its_torque():
-    """The same front as with the torque written; its clutches carry both blocks and pass."""
-    machine = 5500 / (965 * math.pi / 30) * 1.25
-    plain = {name: block for name, block in WANTED.items() if name != "machine"} | SMALL
-    by_hand = design(make_requirements(plain | {"wanted": WANTED["wanted"] | {"machine_torque": machine}}))[0]
-    need = make_requirements(WANTED | SMALL)
-    result, findings = design(need)
-    assert result == by_hand
-    assert not findings
-    assert result.front
-    for number in (1, len(result.front)):
-        spec = with_picked(need, result, number)[1]
-        assert (spec.machine, spec.shaft) == (need.machine, need.shaft)
-        assert Answers(build(spec)).ask("check")[0].passed
-    assumed = {name: value for name, value in WANTED["machine"].items() if name != "service_factor"}
-    (said,) = design(make_requirements(WANTED | SMALL | {"machine": assumed}))[1]
-    assert said.code == "service-factor-assumed"
-
-
-def test_a_search_says_that_the_shaft_is_not_held_against_peaks():
-    """Until the peak torque that it bears is required: π d³/16 σ_т/√3 of the shaft of the example."""
-    drive, bears = {"drive": DRIVE}, 355e6 / math.sqrt(3) * math.pi * 0.04**3 / 16
-    (said,) = design(make_requirements(WANTED | SMALL | drive))[1]
-    assert (said.code, said.value) == ("shaft-not-at-peaks", pytest.approx(bears))
+    own = limits["largest stress of the shaft in the event, by von Mises"]
+    assert own.value == pytest.approx(16 * peak / (math.pi * 0.04**3))
 
 
 @pytest.mark.parametrize(("power", "asked"), [("11", True), ("499", True), ("500", False), ("'11 W'", False)])

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from afmcalc import load
 from afmcalc.analysis.accuracy import accuracy
 from afmcalc.engines import build
 from afmcalc.engines.evaluate import evaluate
@@ -22,6 +23,22 @@ def test_sweep_is_the_single_calculations(afmcalc):
         assert sweep[1]["torque_max"][index] == torque["torque"]["max"]
 
 
+def test_any_quantity_is_a_column(afmcalc):
+    """In JSON, table and CSV; one that is none, or no number, is refused."""
+    asked = ["accuracy", "example:indirect", "--sweep", "R=0.08,0.1", "--columns", "travel_max,normal_force_at_f_max"]
+    (entry,) = afmcalc(*asked, "--json").json["result"]["sweep"]
+    for index, radius in enumerate((0.08, 0.1)):
+        clutch = load("example:indirect", {"R": radius})
+        own = clutch["travel_max"], clutch.at("f_max").normal_force
+        assert (entry["travel_max"][index], entry["normal_force_at_f_max"][index]) == own
+    assert "N(f_max)" in afmcalc(*asked).out
+    assert "travel_max [m],normal_force_at_f_max [N]" in afmcalc(*asked, "--format", "csv").out
+    for wrong, says in (("travle_max", "did you mean 'travel_max'"), ("torque", "f_max"), ("is_locked", "--columns")):
+        run = afmcalc("accuracy", "example:indirect", "--sweep", "R", "--columns", wrong)
+        assert (run.code, says in run.err) == (2, True), run.err
+    assert "--sweep" in afmcalc("accuracy", "--columns", "gain").err
+
+
 NAMES = ["C", "z", "z1", "R", "F", "f_min", "f_max", "beta", "friction.mean", "drive.dynamic_factor", "alpha=0:0.5:5"]
 
 
@@ -30,6 +47,16 @@ def test_every_sweep_has_a_sensible_range(name, afmcalc):
     (entry,) = afmcalc("accuracy", "--sweep", name, "--json").json["result"]["sweep"]
     assert len(entry["values"]) == len(entry["accuracy_factor"]) >= 3
     assert min(entry["accuracy_factor"]) >= 1
+
+
+def test_a_sweep_of_a_stiffness_beside_disc_springs(afmcalc):
+    """A straight control spring against a closing spring of discs, behind curved walls."""
+    disc = "closing_spring.disc={outer_diameter=0.1,inner_diameter=0.051,thickness=0.005,free_height=0.00775,series=8}"
+    walls = ["--set", "control_unit.pocket=", "--set", "gain_slope=200"]
+    asked = ["accuracy", "example:constant-torque", "--set", disc, *walls, "--json"]
+    sweep = afmcalc(*asked, "--sweep", "c2=2e5,3e5").json["result"]["sweep"][0]
+    single = [afmcalc(*asked, "--set", f"c2={value}").json["result"]["accuracy_factor"] for value in (2e5, 3e5)]
+    assert sweep["accuracy_factor"] == pytest.approx(single, rel=1e-12)
 
 
 BAD = ["", "x", "n", "variant", "C=", "C=1:2", "C=1:2:1", "C=1:2:x", "C=a,b", "C=-1:1:5", "z=1.5,2", "f_min=0.5:0.9:5",

@@ -24,8 +24,8 @@ from afmcalc.spec.keys import keys
 
 SMALL = ["--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"]
 STUDY = ["tolerance", CONFIGS / "tolerance.toml", *SMALL]
-FRONT = ["design", CONFIGS / "requirements.toml", "--set", "search.pairs=[8, 10]"]
-FRONT += ["--set", "search.gain=[0.4, 0.5, 0.6]"]
+FRONT = ["design", CONFIGS / "requirements.toml", "--set", "search.friction_group.pairs=[8, 10]"]
+FRONT += ["--set", "search.control_unit.gain=[0.4, 0.5, 0.6]"]
 
 
 class Row(Result):
@@ -81,7 +81,7 @@ def test_estimates_of_a_study_carry_their_errors(answered):
     found = answered(*STUDY, "--json").json["result"]
     table = answered(*STUDY).out
     assert estimate(found["mean"], found["mean_standard_error"], "N*m") in table
-    assert all(estimate(row["torque"], row["standard_error"], "N*m") in table for row in found["quantiles"])
+    assert all(estimate(row["torque"], row["torque_standard_error"], "N*m") in table for row in found["quantiles"])
     rows = list(csv.DictReader(io.StringIO(answered(*STUDY, "--format", "csv").out)))
     cells = {(row["quantity"], row["of"]): row for row in rows}
     assert len(cells) == len(rows)

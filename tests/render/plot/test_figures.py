@@ -25,7 +25,6 @@ from afmcalc.render.plot.inline import svg_of
 from afmcalc.render.plot.schemes import SCHEMES
 from afmcalc.render.symbols import mathtext
 from afmcalc.spec import read_spec
-from afmcalc.spec.requirements import read_requirements
 
 LONG = "Предохранительная муфта привода ленточного конвейера, исполнение W, " * 3 + r"_x $y_1$"
 SPOKEN = {"ru": language("ru"), "en": ENGLISH}
@@ -48,7 +47,7 @@ def sheet(kind, subject, *changes):
         return SCHEMES[subject]()
     path = CONFIGS / f"{subject}.toml"
     if kind == "pareto":
-        of = read_requirements(path, changes)
+        of = read_spec(path, changes)
     else:
         of = subject if kind == "paper" else Answers(build(read_spec(path, changes)))
     return sheet_of(kind, gathered(kind, Request([of])))

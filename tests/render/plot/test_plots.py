@@ -65,13 +65,13 @@ def test_overload_of_eight_driving_pairs_is_s22s():
 
 
 def test_a_front_a_study_and_springs_are_their_commands(answered):
-    few = ["search.pairs=[8, 10]", "search.gain=[0.4, 0.5, 0.6]"]
+    few = ["search.friction_group.pairs=[8, 10]", "search.control_unit.gain=[0.4, 0.5, 0.6]"]
     front = answered("design", WISHES, *(part for each in few for part in ("--set", each)), "--json").json["result"]
     (panel,) = sheet("pareto", "requirements", *few).panels
     shown = {name: (x, y) for line in panel.lines for name, x, y in zip(line.names, line.x, line.y, strict=True)}
     wanted = {str(row["number"]): [row[name] for name in front["objectives"][:2]] for row in front["front"]}
     assert {name: list(place) for name, place in shown.items()} == wanted
-    assert [line.names for line in panel.lines if line.filled] == [[str(front["knee"])]]
+    assert [line.names for line in panel.lines if line.filled] == [[str(front["compromise"])]]
     assert sorted(line.tag for line in panel.lines if line.tag) == ["z = 10", "z = 8"]
     small = ["tolerance.samples=2000", "tolerance.sobol_base=64"]
     asked = ["tolerance", CONFIGS / "tolerance.toml", *(part for each in small for part in ("--set", each))]
@@ -218,10 +218,10 @@ plot overload example:default example:default -o x.svg | one SPEC
 plot paper -o x.svg | one NAME
 plot paper S22-9 -o x.svg | S22-4
 plot tolerance example:default -o x.svg | tolerance
-plot pareto -o x.svg | one REQUIREMENTS
-plot pareto example:default -o x.svg | requirements
+plot pareto -o x.svg | one SPEC
+plot pareto example:default -o x.svg | required by design
 plot pareto example:requirements --set objectives=["pairs"] -o x.svg | two
-plot pareto example:requirements --set wanted.accuracy_factor=1 -o x.svg | accuracy factor
+plot pareto example:requirements --set requirements.accuracy_factor=1 -o x.svg | accuracy factor
 accuracy --plot | --sweep
 accuracy --sweep C --plot --json | --format json
 """

@@ -1,1 +1,0 @@
-"""From requirements to the Pareto front of everything that meets them."""

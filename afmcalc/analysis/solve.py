@@ -1,0 +1,333 @@
+"""From a wanted value of a quantity back to one key of the spec: sampled over its range, roots by SciPy."""
+
+import math
+from collections.abc import Callable
+from contextlib import suppress
+from functools import cache
+from typing import Any, ClassVar
+
+import numpy as np
+
+from ..engines import Clutch, build
+from ..engines.checks import REQUIRED
+from ..engines.evaluate import evaluate
+from ..engines.selection import NAMES
+from ..equations.arrays import Floats
+from ..equations.terms import CASES, TERMS, term_of
+from ..errors import AfmcalcError, CalculationError, SpecError
+from ..findings import Finding, finding
+from ..messages import did_you_mean, measured, plain, say
+from ..progress import tell, unwatched
+from ..result import Answer, Result, described
+from ..spec.edit import replaced, respecified, value_at
+from ..spec.fields import Key
+from ..spec.keys import is_whole, keys, path_of
+from ..spec.quantity import asked_unit, parse_quantity
+from ..units import ENGINEER
+from .answers import Answers
+from .asking import Asking, answer, asked
+from .check import lacks, simulating, told
+from .clutch_findings import clutch_findings
+from .sweep.axes import feasible, find_key
+
+Function = Callable[[Floats], Floats]
+SAMPLES, ROWS = 400, 40
+"""Values looked at: of a quantity, and of what is calculated for one clutch at a time."""
+REACH, REACH_OF_EVENTS = 100.0, 5.0
+"""How far from the present value they go where the key has no bound, and where an event is simulated for each."""
+_SAME = 1e-12
+"""Relative difference that rounding can make."""
+_JUMP = 1e-2
+"""Part of the change across its bracket that a quantity may miss at a root; where it misses more, it jumps."""
+
+
+class Root(Result):
+    """A value of the key, and what it gives."""
+
+    value: float = described("value", unit_in="unit")
+    unit: str = described("unit", is_unit=True)
+    reached: float = described("value reached", unit_in="target_unit")
+    target_unit: str = described("unit", is_unit=True)
+
+
+class SolveResult(Asking, Answer):
+    """Values of one key that give a quantity its wanted value, and the clutch with one of them."""
+
+    rows_with_values: ClassVar[bool] = True
+
+    parameter: str = described("parameter solved for")
+    path: str = described("spec path")
+    unit: str = described("SI unit of the parameter", is_unit=True)
+    value: float = described("value found, the nearest to the present one", unit_in="unit")
+    target: str = described("wanted quantity")
+    target_unit: str = described("SI unit of the target", is_unit=True)
+    wanted: float = described("wanted value", unit_in="shown_unit")
+    reached: float = described("value reached", unit_in="shown_unit")
+    low: float = described("smallest value looked at", unit_in="unit", details=True)
+    high: float = described("largest value looked at", unit_in="unit", details=True)
+    roots: list[Root] = described("values found")
+    gain: float = asked()
+    closing_force: float = asked()
+    nominal_torque: float = asked()
+    torque_max: float = asked()
+    scatter: float = asked()
+    accuracy_factor: float = asked()
+
+    @property
+    def shown_unit(self) -> str:
+        """Unit of the target: a temperature is shown by another scale than a difference of two."""
+        return unit_of(self.target)
+
+
+def is_quantity(name: str) -> bool:
+    """Whether a name is that of a numeric quantity, or of one in a case."""
+    inner, _, case = name.rpartition("_at_")
+    return TERMS[name].unit != "" if name in TERMS else case in CASES and is_quantity(inner)
+
+
+def unit_of(target: str) -> str:
+    """Return the SI unit of a target; that of a temperature says that it is one."""
+    return (keys()[f"requirements.{target}"].unit or "1") if target in REQUIRED else term_of(target).unit
+
+
+def quantity_at(path: str) -> str:
+    """Return the quantity that a key gives, as set: closing_force of closing_spring.force."""
+    block, _, key = path.rpartition(".")
+    return NAMES.get(block, {}).get(key, key).removesuffix("_made").removesuffix("_wanted")
+
+
+@cache
+def targets() -> dict[str, str]:
+    """Names and symbols of targets → their names; of quantities with the same symbol the one of the shortest name."""
+    names = sorted(filter(is_quantity, TERMS), key=len, reverse=True)
+    called = {plain(keys()[f"requirements.{name}"].symbol or name): name for name in REQUIRED}
+    called |= {plain(TERMS[name].symbol): name for name in names}
+    return called | {plain(name): name for name in (*names, *REQUIRED)}
+
+
+def parse_target(text: str) -> tuple[str, float, list[Finding]]:
+    """Read ``NAME=VALUE``, the value in SI or with a unit; a number that is rarely meant in SI is asked after.
+
+    Raises:
+        AfmcalcError: no such target, or no such value.
+    """
+    given, _, value = (part.strip() for part in text.partition("="))
+    path = path_of(given)
+    name = targets().get(plain(given)) or (quantity_at(path) if path else given)
+    if not (name in REQUIRED or is_quantity(name)):
+        raise AfmcalcError(
+            "{text!r:.80} is no target{hint}; write NAME=VALUE, NAME a quantity by its name in JSON or its symbol, "
+            "or one of {known}",
+            text=text, hint=did_you_mean(given, targets().values()), known=", ".join(REQUIRED),
+        )  # fmt: skip
+    if not value:
+        raise AfmcalcError("{text:.80}: write {name}=VALUE", text=text, name=given)
+    number: float | str = value
+    with suppress(ValueError):
+        number = float(value)
+    try:
+        wanted, question = parse_quantity(number, unit_of(name)), asked_unit(number, unit_of(name), name)
+    except ValueError as error:
+        raise AfmcalcError("{text:.80}: {why}", text=text, why=error) from None
+    return name, wanted, [question] if question else []
+
+
+def solve(
+    clutch: Clutch, name: str, target: str, wanted: float, *, beyond_limit: bool = False
+) -> tuple[SolveResult, Clutch, list[Finding]]:
+    """Find every value of a key at which a target is as wanted; the clutch has the one nearest to the present value.
+
+    The key is given by path, name or symbol, the target as ``parse_target`` returns it; ``beyond_limit`` goes past the
+    gain limit of the variant. Without a root the result has the value that comes nearest, and the last finding,
+    ``not-attainable``, says so.
+
+    Raises:
+        CalculationError: the target does not depend on the key, or no value of it gives a number.
+        AfmcalcError: no such key, or a target that the clutch does not have.
+    """
+    key, arrays = find_key(name, clutch.spec, "--for"), _in_arrays(clutch, target)
+    whole, now, shown, place = is_whole(key.path), _present(clutch, key), _shown(unit_of(target)), _shown(key.unit)
+
+    def quantity(at: Floats) -> Floats:
+        return evaluate(clutch.spec, {key.path: at}, {target: _asked(target)})[target]
+
+    values = quantity if arrays else _row_values(clutch, key.path, target)
+    reach = REACH if arrays or not simulating(clutch) else REACH_OF_EVENTS
+    at = _samples(clutch, key, now, SAMPLES if arrays else ROWS, reach)
+    if clutch.spec.kind.gain_limit is not None and not beyond_limit:
+        at = _within_gain_limit(clutch, key.path, at)
+    low, high = float(at[0]), float(at[-1])
+    about: dict[str, Any] = {"target": target, "name": name, "low": place(low), "high": place(high), "count": at.size}
+    if arrays and not whole:
+        at = _with_extremes(values, wanted, at)
+    roots, jumps = _roots(values, wanted, at, whole=whole)
+    at = np.unique([*at, *jumps])
+    value = values(at)
+    at, value = at[np.isfinite(value)], value[np.isfinite(value)]
+    if not at.size:
+        raise CalculationError("{target}: no value of {name} gives a number", target=target, name=name)
+    if at.size > 1 and np.allclose(value, value[0], _SAME, 0):
+        raise CalculationError(
+            "{target} does not depend on {name} here: it is {level} for every value",
+            target=target, name=name, level=shown(value[0]),
+        )  # fmt: skip
+    nearest = float(at[np.argmin(np.abs(value - wanted))])
+    reached = {root: float(values(np.array([root]))[0]) for root in roots or [nearest]}
+
+    def distance(root: float) -> tuple[bool, float]:
+        """Of whole numbers those that meet a requirement come first, then the nearest."""
+        gap = reached[root] - wanted
+        return whole and target in REQUIRED and (gap < 0 if REQUIRED[target].least else gap > 0), abs(root - now)
+
+    chosen = min(reached, key=distance)
+    solved = build(respecified(clutch.spec, {key.path: int(chosen) if whole else chosen}))
+    units = {"unit": key.unit or "1", "target_unit": unit_of(target).removesuffix(" abs")}
+    result = answer(
+        SolveResult, solved.quantities, parameter=name, path=key.path, value=chosen, target=target, wanted=wanted,
+        reached=reached[chosen], low=low, high=high, roots=[Root(value=x, reached=reached[x], **units) for x in roots],
+        **units,
+    )  # fmt: skip
+    gone = replaced(clutch.spec, [key.path])
+    remarks = [finding("solve-replaces", "info", path=path, by=by) for path, by in gone.items()]
+    on = np.abs(value - wanted) <= _SAME * abs(wanted)
+    if (on[1:] & on[:-1]).any() and not whole:
+        remarks.append(finding("solve-range", "info", path=key.path, **about))
+    if not arrays:
+        remarks.append(finding("solve-looked", "info", path=key.path, **about))
+    if not roots:
+        about |= {"required": shown(wanted), "best": shown(reached[nearest]), "place": place(nearest)}
+        remarks.append(finding("not-attainable", "error", value=reached[nearest], limit=wanted, path=key.path, **about))
+    return result, solved, [*clutch_findings(solved.spec, solved.quantities), *remarks]
+
+
+def _shown(unit: str | None) -> Callable[[float], str]:
+    return lambda value: measured(float(value), ENGINEER["K abs"] if unit == "K abs" else unit or "1")
+
+
+def _present(clutch: Clutch, key: Key) -> float:
+    """Value of a key, or of the quantity that it gives; 0 of one that may be left out for it."""
+    value = value_at(clutch.spec, key.path)
+    if value is None:
+        value = clutch.quantities.get(quantity_at(key.path), 0.0)
+        try:
+            build(respecified(clutch.spec, {key.path: value}))
+        except SpecError:
+            raise AfmcalcError(
+                "{path} is not in the spec: give it a value to start from, with --set", path=key.path
+            ) from None
+    return float(value)
+
+
+def _in_arrays(clutch: Clutch, target: str) -> bool:
+    """Whether a target is a quantity, not asked of one clutch at a time; refuse one that the clutch does not have."""
+    if target in REQUIRED and (REQUIRED[target].needs or _asked(target) not in clutch.quantities):
+        _judged_value(clutch, target)
+        return False
+    try:
+        with suppress(ArithmeticError):  # there may be a number at other values of the key
+            clutch.quantities[_asked(target)]
+    except LookupError as error:
+        raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
+    return True
+
+
+def _asked(target: str) -> str:
+    """Return the quantity that is asked: of a requirement the one it judges."""
+    return REQUIRED[target].value if target in REQUIRED else target
+
+
+def _judged_value(clutch: Clutch, target: str) -> float:
+    """Value that a requirement judges; infinite where nothing limits it, or it may be more."""
+    check = REQUIRED[target]
+    known = told(Answers(clutch), check.needs)
+    if (value := check.value_of(known)) is None:
+        needs = lacks(clutch, check)
+        raise AfmcalcError("{name} cannot be solved for: it needs {needs}", name=target, needs=needs)
+    return math.inf if check.value in (known.get("open") or ()) else float(value)
+
+
+def _row_values(clutch: Clutch, path: str, target: str) -> Function:
+    known: dict[float, float] = {}
+
+    def value(at: float) -> float:
+        if at not in known:
+            tell(say("solving"), len(known), ROWS + 12)
+            with suppress(AfmcalcError), unwatched():
+                known[at] = _judged_value(build(respecified(clutch.spec, {path: at})), target)
+        return known.setdefault(at, math.nan)
+
+    return lambda at: np.array([value(each) for each in at.tolist()])
+
+
+def _samples(clutch: Clutch, key: Key, now: float, count: int, reach: float) -> Floats:
+    """Values to look at, where there is a clutch: logarithmic over decades, of a whole key one by one."""
+    assert key.about is not None
+    (low, high), scale = key.about.limits, now or 1.0
+    reach = reach if now else reach**3
+    if key.about.whole:
+        low = max(low, 0.0)
+        high = min(high, max(low + count - 1, 2 * now))
+        low, high = (round(feasible(clutch.spec, key.path, now, end)) for end in (low, high))
+        return np.unique(np.rint(np.linspace(low, high, count)))
+    if key.about.gt is not None or reach < REACH:
+        low = max(low, scale / reach)
+    low, high = (feasible(clutch.spec, key.path, now, end) for end in (low, min(high, reach * scale)))
+    start = max(low, min(scale, high) / reach)
+    if high <= 20 * low:
+        return np.linspace(low, high, count)
+    return np.unique([low, *np.geomspace(start, high, count)])
+
+
+def _within_gain_limit(clutch: Clutch, path: str, at: Floats) -> Floats:
+    """Keep what is within the gain limit, and add where it is reached."""
+
+    def excess(at: Floats) -> Floats:
+        gains = evaluate(clutch.spec, {path: at}, {"gain": "gain", "gain_limit": "gain_limit"})
+        return gains["gain"] / gains["gain_limit"] - 1
+
+    at = at if is_whole(path) else np.unique([*at, *_roots(excess, 0.0, at, whole=False)[0]])
+    within = at[excess(at) <= 1e-9]
+    if not within.size:
+        raise CalculationError("no value of {path} keeps the gain limit (--beyond-limit goes past it)", path=path)
+    return within
+
+
+def _roots(function: Function, wanted: float, at: Floats, *, whole: bool) -> tuple[list[float], list[float]]:
+    """Return where a function has the wanted value, and both sides of where it jumps over it.
+
+    Of whole numbers those on either side of the value count; of a range over which the function keeps it, both ends.
+    """
+    from scipy.optimize import brentq
+
+    gap = function(at) - wanted
+    most = 10 * np.max(np.abs(gap), where=np.isfinite(gap), initial=1e-300)
+    side, gap = np.where(np.abs(gap) <= _SAME * abs(wanted), 0.0, np.sign(gap)), np.clip(gap, -most, most)
+
+    def miss(x: float) -> float:
+        return float(np.clip(function(np.array([x]))[0] - wanted, -most, most))
+
+    on, jumps = np.flatnonzero(side == 0), list[float]()
+    roots = {float(at[i]) for i in on if whole or not {i - 1, i + 1} <= {*on}}
+    for i in np.flatnonzero(side[:-1] * side[1:] < 0):
+        if whole:
+            roots |= {float(at[i]), float(at[i + 1])}
+            continue
+        with suppress(ValueError):  # no number somewhere between
+            root = float(brentq(miss, at[i], at[i + 1], xtol=1e-300, rtol=1e-12))
+            if abs(miss(root)) <= _JUMP * abs(gap[i + 1] - gap[i]):
+                roots.add(root)
+            else:
+                jumps += np.clip([root * (1 - 2e-9), root * (1 + 2e-9)], at[i], at[i + 1]).tolist()
+    return sorted(roots), jumps
+
+
+def _with_extremes(function: Function, wanted: float, at: Floats) -> Floats:
+    """Add values around each extreme that may reach the wanted value, and around the one nearest to it."""
+    for _ in range(5):
+        gap = function(at) - wanted
+        size, side = np.abs(gap), np.sign(gap)
+        left, inner, right = size[:-2], size[1:-1], size[2:]
+        lowest = (inner > 0) & (inner <= np.minimum(left, right)) & (np.abs(side[:-2] + side[1:-1] + side[2:]) == 3)
+        middle = 1 + np.flatnonzero(lowest & ((2 * inner < np.maximum(left, right)) | (inner == np.nanmin(size))))
+        at = np.unique([*at, *(x for i in middle[:20] for x in np.linspace(at[i - 1], at[i + 1], 33))])
+    return at

@@ -1,1 +1,0 @@
-"""From a wanted quantity back to one parameter."""

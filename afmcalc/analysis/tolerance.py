@@ -1,0 +1,421 @@
+"""Torque, life and peaks when making and service scatter: a random sample, its quantiles, risks and Sobol indices."""
+
+import math
+from collections import ChainMap
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import product
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..drive.peaks import peaks_of
+from ..drive.result import dynamic_factor
+from ..engines import Clutch, build
+from ..engines.evaluate import BLOCK
+from ..equations import life as law
+from ..equations.arrays import Values, finite
+from ..errors import CalculationError
+from ..findings import Finding, finding
+from ..messages import say
+from ..progress import counted
+from ..spec import Spec
+from ..spec.edit import value_at, with_key, with_values
+from ..spec.keys import scatter_at
+from ..spec.tolerance import FRICTION, Distribution, Kind, Tolerance, percentage
+from .clutch_findings import clutch_findings
+from .registry import ANALYSES
+from .tolerance_result import Bar, IndexRow, InputRow, QuantileRow, ToleranceResult
+
+__all__ = ["ToleranceResult", "tolerance"]
+
+Array: TypeAlias = NDArray[np.float64]
+Sample: TypeAlias = Mapping[str, Array]
+"""Path of what scatters → its values."""
+Quantile: TypeAlias = Callable[[Array], Array]
+"""Probability → value not exceeded with it, truncation included."""
+
+BATCHES = 32
+"""Parts of a sample whose spread is the standard error."""
+EVENTS = 64
+"""Events simulated over the friction."""
+SLIPS = 5_000_000
+"""Slips whose damage is calculated: those of as many clutches as that allows."""
+ROBUST = (0.995, 0.005)
+"""Probabilities whose quantiles stand for the largest and smallest torque."""
+CENTRAL = (0.0005, 0.9995)
+"""Probabilities between whose quantiles the histogram lies: a long tail would leave its bars no width."""
+_BARS, _LEAST_MASS = 60, 1e-3
+_UNSURE, _HEAVY = 0.025, 10.0
+"""Relative standard error of the standard deviation, and kurtosis, beyond which that error is too small itself."""
+_ONLY_SETTING = ("adjustment.", *(f"friction.{end}" for end in ("min", "mean", "max", "driving.", "driven.")))
+"""Keys that act on a clutch through its setting alone."""
+_CONTROL_FORCE = "control_spring.force"
+
+
+def _distribution(kind: Kind, center: float, spread: float, low: float, high: float) -> Any:
+    from scipy import stats
+
+    match kind:
+        case "normal":
+            return stats.norm(center, spread)
+        case "uniform":
+            return stats.uniform(low, high - low)
+        case "triangular":
+            return stats.triang((center - low) / (high - low), low, high - low)
+        case "lognormal":
+            variance = math.log1p((spread / center) ** 2)
+            return stats.lognorm(variance**0.5, scale=center * math.exp(-variance / 2))
+
+
+def input_of(spec: Spec, path: str, given: Distribution) -> tuple[InputRow, Quantile]:
+    """Return how a number scatters: as given, else by the range of friction or the value of the key.
+
+    Raises:
+        CalculationError: a number that the spec does not have, or a distribution beyond what the number may be.
+    """
+    about, kind, bounded = scatter_at(path), given.distribution, given.distribution in ("uniform", "triangular")
+    assert about is not None
+    least, most = about.limits
+    center: Any
+    low: Any
+    high: Any
+    center, low, high = (end if end is None else float(end) for end in (given.center, given.min, given.max))
+    if path in FRICTION:
+        friction = value_at(spec, path).range
+        center = friction.mean if center is None else center
+        if bounded and given.spread is None:
+            low, high = friction.min if low is None else low, friction.max if high is None else high
+    elif value_at(spec, path.rpartition(".")[0]) is None:
+        raise CalculationError("tolerance.fields.{path}: the spec has no such table to scatter in", path=path)
+    center = value_at(spec, path) if center is None else center
+    if center is None and (low is None or high is None):
+        raise CalculationError("tolerance.fields.{path}: the spec has no {path} to scatter; give center", path=path)
+    center = (low + high) / 2 if center is None else center
+    if given.spread is None:
+        spread = (high - low) / 2
+    else:
+        share = percentage(given.spread)
+        spread = float(given.spread) if share is None else abs(center) * share
+        if bounded:
+            low, high = center - spread, center + spread
+    row = InputRow(path=path, distribution=kind, center=center, spread=spread, unit=about.unit, min=low, max=high)
+    low, high = least if low is None else low, most if high is None else high
+    if bounded and not least <= low <= high <= most:
+        raise CalculationError(
+            "tolerance.fields.{path}: it would scatter from {low:g} to {high:g}, beyond what it may be, "
+            "{least:g} to {most:g}",
+            path=path, low=low, high=high, least=least, most=most,
+        )  # fmt: skip
+    if kind == "triangular" and not low <= center <= high:
+        raise CalculationError(
+            "tolerance.fields.{path}: the peak {center:g} is not between min {low:g} and max {high:g}",
+            path=path, center=center, low=low, high=high,
+        )  # fmt: skip
+    if kind == "lognormal" and not center > 0:
+        raise CalculationError("tolerance.fields.{path}: a lognormal center must be greater than 0", path=path)
+    distribution = _distribution(kind, center, spread, low, high) if spread else None
+    below, above = distribution.cdf((low, high)) if distribution else (0.0, float(low <= center <= high))
+    if not above - below > _LEAST_MASS:
+        raise CalculationError(
+            "tolerance.fields.{path}: the limits {low:g} to {high:g} leave nothing of the distribution",
+            path=path, low=low, high=high,
+        )  # fmt: skip
+
+    def quantile(probability: Array) -> Array:
+        if distribution is None:
+            return np.full(probability.shape, center)
+        inside = np.clip(below + probability * (above - below), 1e-300, 1 - 2**-53)
+        return np.clip(distribution.ppf(inside), low, high)
+
+    return row, quantile
+
+
+def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
+    """Return the spec of the samples: as-made the springs of the nominal clutch, each-adjusted those a sample needs.
+
+    Raises:
+        SpecError: a field scatters that this clutch does not have, or that could have no effect.
+    """
+    spec, as_made, unlike = clutch.spec, given.setting == "as-made", clutch.spec.friction.unlike
+    for path in given.fields:
+        if path in FRICTION and (path == "friction") == unlike:
+            use = say("friction.driving and friction.driven") if unlike else "friction"
+            message = say("this clutch has {use} instead", use=use)
+        elif as_made and path.startswith(_ONLY_SETTING):
+            message = say(
+                'acts through the setting alone, which "as-made" holds: give tolerance.setting = "each-adjusted"'
+            )
+        elif not as_made and path == _CONTROL_FORCE:
+            message = say('follows from the setting of each clutch: give tolerance.setting = "as-made"')
+        else:
+            continue
+        raise spec.refused(f"tolerance.fields.{path}", message)
+    if spec.fatigue is not None and spec.drive.dynamic_factor is None:
+        # the life of every sample takes that of the nominal clutch
+        from .simulate import simulate
+
+        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec.drive, lambda: simulate(clutch)[0])})
+    if as_made:
+        spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
+    if spec.kind.travels:
+        spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
+    if "gain_slope" in clutch.quantities:
+        # pockets are cut once, for the nominal clutch
+        spec = with_key(spec, "control_unit.gain_slope", float(clutch.gain_slope))
+    return spec
+
+
+@dataclass(frozen=True)
+class Model:
+    """A clutch and the numbers of it that scatter."""
+
+    spec: Spec
+    inputs: Mapping[str, Quantile]
+    correlation: float = 0.0
+    """Of the normal scores of f_1 and f_2."""
+
+    @property
+    def groups(self) -> dict[str, list[int]]:
+        """Name → places of the inputs that scatter independently of all others: one, or both correlated frictions."""
+        frictions = " + ".join(path for path in self.inputs if path in FRICTION)
+        groups: dict[str, list[int]] = {}
+        for place, path in enumerate(self.inputs):
+            name = frictions if self.correlation and path in FRICTION else path
+            groups.setdefault(name, []).append(place)
+        return groups
+
+    def sample(self, probabilities: Array) -> Sample:
+        """Return values from independent probabilities, a row for each input; f_1 and f_2 by a Gaussian copula."""
+        from scipy.special import ndtr, ndtri
+
+        rows = list(probabilities)
+        for first, *others in self.groups.values():
+            for second in others:
+                one, two = ndtri(rows[first]), ndtri(rows[second])
+                rows[second] = ndtr(self.correlation * one + (1 - self.correlation**2) ** 0.5 * two)
+        return {path: quantile(row) for (path, quantile), row in zip(self.inputs.items(), rows, strict=True)}
+
+    def over(self, sample: Sample, output: Callable[[Clutch, Sample], Values], block: int = BLOCK) -> Array:
+        """Return what ``output`` gives of the clutches of a sample, calculated in blocks."""
+        size, parts = next(iter(sample.values())).size, []
+        with np.errstate(all="ignore"):
+            for start in counted(say("sampling"), range(0, size, block)):
+                part = {path: values[start : start + block] for path, values in sample.items()}
+                keys = {path: values for path, values in part.items() if path not in FRICTION}
+                clutch = build(with_values(self.spec, keys))
+                parts.append(np.broadcast_to(output(clutch, part), min(block, size - start)))
+        return np.concatenate(parts)
+
+
+def _at(clutch: Clutch, sample: Sample) -> tuple[Values, Values]:
+    """f_1 and f_2 of a sample, twice the same with one material; the mean where none scatters."""
+    names = FRICTION[1:] if clutch.spec.friction.unlike else FRICTION[:1] * 2
+    first, second = (sample.get(name, own.mean) for name, own in zip(names, clutch.spec.friction.groups, strict=True))
+    return first, second
+
+
+def _torque(clutch: Clutch, sample: Sample) -> Values:
+    """Slip torque, N·m; NaN where feedback does not overcome the friction at the key, or the faces have no width."""
+    group, possible = clutch.spec.friction_group, np.array(True)
+    if group.inner_radius is not None and group.outer_radius is not None:
+        possible = possible & (group.inner_radius < group.outer_radius)
+    if clutch.spec.kind.travels:
+        possible = possible & (clutch["net_gain"] > 0)
+    return np.where(possible, clutch.torque(*_at(clutch, sample)), np.nan)
+
+
+def lives(model: Model, sample: Sample) -> tuple[Array, Array]:
+    """Return slips to failure of the shaft of each clutch, protected and unprotected side (Miner).
+
+    Friction varies from slip to slip, each does the damage 1/N(T): the mean of it by the trapezoidal rule over the
+    normal scores of the friction. All torques of the unprotected side are k_д times those of the protected one.
+    """
+    from scipy.special import ndtr
+
+    frictions = replace(model, inputs={path: own for path, own in model.inputs.items() if path in FRICTION})
+    scores = np.linspace(-8, 8, 65 if len(frictions.inputs) < 2 else 33)
+    nodes = np.array([*product(scores, repeat=len(frictions.inputs))])
+    shares = np.exp(-(nodes**2).sum(axis=1) / 2)[:, None]
+    slips = {path: values[:, None] for path, values in frictions.sample(ndtr(nodes.T)).items()}
+    sample = {path: values[: SLIPS // len(nodes)] for path, values in sample.items()}
+
+    def damage(clutch: Clutch, _: Sample) -> Values:
+        own = clutch.quantities
+        stress = own.at(torque=clutch.torque(*_at(clutch, slips)))["shear_stress"]
+        return (shares * own.at(damaging_stress=stress)["damage"]).sum(axis=0) / shares.sum()
+
+    protected = law.cycles_of_mean_damage(model.over(sample, damage, max(BLOCK // len(nodes), 1)))
+    keys = ("drive.dynamic_factor", "fatigue.exponent")
+    factor, exponent = (sample.get(path, value_at(model.spec, path)) for path in keys)
+    return protected, protected / factor**exponent
+
+
+def peaks(model: Model, clutch: Clutch, sample: Sample, torque: Array) -> Array:
+    """Return the peak torque in the shaft, N·m, of each sample, from events of the nominal clutch over the friction.
+
+    Interpolated in the friction; by what a sample has more torque there, it goes on with the slope of peak over torque.
+    Unless the spec gives a load, it is the machine's torque of the nominal clutch.
+    """
+    load = clutch.spec.drive.load_torque
+    given = {path: float(np.median(values)) for path, values in sample.items() if path not in FRICTION}
+    given["drive.load_torque"] = float(clutch.running_torque) if load is None else load
+    nominal, share, sampled = build(with_values(model.spec, given)), np.linspace(0, 1, EVENTS), _at(clutch, sample)
+    lows = [min(own.min, np.min(values)) for own, values in zip(clutch.friction, sampled, strict=True)]
+    widths = [max(own.max, np.max(f)) - low for own, f, low in zip(clutch.friction, sampled, lows, strict=True)]
+    path = [low + share * width for low, width in zip(lows, widths, strict=True)]
+    peak, own = peaks_of(nominal, *path).shaft, nominal.torque(*path)
+    places = [(values - low) / (width or 1.0) for values, low, width in zip(sampled, lows, widths, strict=True)]
+    with np.errstate(all="ignore"):
+        # a clutch that sticks passes no more with more torque, one that slips no more than in proportion to it
+        slope = np.fmin(np.fmax(np.gradient(peak) / np.gradient(own), 0.0), peak / own)
+    at_sample = partial(np.interp, (places[0] + places[1]) / 2, share)
+    return at_sample(peak) + at_sample(slope) * (torque - at_sample(own))
+
+
+def sobol_rows(model: Model, base: int, random: np.random.Generator) -> list[IndexRow]:
+    """Return first-order and total Sobol indices of the torque, by a base sample of a power of two."""
+    from scipy.stats import sobol_indices
+
+    size = BATCHES << max(math.ceil(math.log2(base / BATCHES)), 1)
+    one, other = random.random((2, len(model.inputs), size))
+    places = np.arange(len(model.inputs))[:, None]
+    mixed = [np.where(np.isin(places, group), other, one) for group in model.groups.values()]
+    torques = np.array([model.over(model.sample(drawn), _torque) for drawn in (one, other, *mixed)])
+    kept = np.isfinite(torques).all(axis=0)
+    # rows with a sample that is no clutch count nothing: all else is proportional to the rows that remain
+    torques = np.where(kept, torques, torques[:2, kept].mean() if kept.any() else 0.0)
+
+    def indices(batches: int) -> Array:
+        first, second, *others = torques.reshape(-1, batches, size // batches)
+        # one row more, which is none of them: of a single one SciPy gives no list
+        found = sobol_indices(func={"f_A": first, "f_B": second, "f_AB": np.array([*others, first])}, n=size // batches)
+        orders = [order.reshape(batches, -1) for order in (found.first_order, found.total_order)]
+        return np.nan_to_num(orders)[:, :, :-1]
+
+    with np.errstate(all="ignore"):
+        values, errors = indices(1)[:, 0], np.std(indices(BATCHES), axis=1, ddof=1) / BATCHES**0.5
+    names = "first_order", "total", "first_order_standard_error", "total_standard_error"
+    columns = np.concatenate([values, errors]).T.tolist()
+    rows = zip(model.groups, columns, strict=True)
+    return [IndexRow(path=path, **dict(zip(names, column, strict=True))) for path, column in rows]
+
+
+def estimate(name: str, figure: Callable[[Array], Any], values: Array, least: float = 0.0) -> dict[str, Any]:
+    """Return a figure of a sample and its standard error, from its spread over batches, as fields of the result.
+
+    Raises:
+        OverflowError: it is beyond the range of numbers.
+    """
+    spread = np.std([figure(batch) for batch in np.array_split(values, BATCHES)], ddof=1)
+    value, error = float(figure(values)), max(float(spread) / BATCHES**0.5, least)
+    return {name: finite(value), f"{name}_standard_error": finite(error)}
+
+
+def _share(name: str, counts: NDArray[np.bool_]) -> dict[str, Any]:
+    """Estimate a probability; where every sample or none counts, the spread is 0, but the error is not."""
+    return estimate(name, np.mean, counts.astype(float), least=1 / counts.size)
+
+
+def histogram(torques: Array) -> list[Bar]:
+    """Return bars of equal width, the fewer the smaller the sample (2·∛n, at most 60)."""
+    low, high = np.quantile(torques, CENTRAL)
+    if high - low <= 1e-9 * abs(high):
+        return []
+    counts, edges = np.histogram(torques, min(_BARS, round(2 * torques.size ** (1 / 3))), (low, high))
+    densities = counts / (torques.size * np.diff(edges))
+    bars = zip(edges.tolist(), edges[1:].tolist(), densities.tolist(), strict=False)
+    return [Bar(low=start, high=end, density=density) for start, end, density in bars]
+
+
+def tolerance(clutch: Clutch) -> tuple[ToleranceResult, list[Finding]]:
+    """Calculate the distribution of torque, life and peaks by the [tolerance] block of the spec.
+
+    Raises:
+        SpecError: no [tolerance] block, or a field that the clutch does not have.
+        CalculationError: hardly any sample is a clutch.
+    """
+    given, machine = _block(clutch.spec), float(clutch.machine_torque)
+    spec, random = with_setting(clutch, given), np.random.default_rng(given.seed)
+    inputs = {path: input_of(spec, path, field) for path, field in given.fields.items()}
+    quantile_of = {path: quantile for path, (_, quantile) in inputs.items()}
+    model = Model(spec, quantile_of, given.friction_correlation or 0.0)
+    sample = model.sample(random.random((len(inputs), given.samples)))
+    torque = model.over(sample, _torque)
+    possible = ~np.isnan(torque)
+    if possible.sum() < 2 * BATCHES:
+        raise CalculationError(
+            "tolerance: hardly a sample is a clutch (feedback must overcome the key's friction, faces have a width)"
+        )
+    fields = {} if possible.all() else _share("probability_no_clutch", ~possible)
+    torque, sample = torque[possible], {path: values[possible] for path, values in sample.items()}
+    quantities, deviation = {"torque": torque}, partial(np.std, ddof=1)
+    fields |= estimate("mean", np.mean, torque) | estimate("standard_deviation", deviation, torque)
+    fields |= estimate("accuracy_factor_robust", lambda own: np.divide(*np.quantile(own, ROBUST)), torque)
+    fields |= _share("probability_below_machine", torque < machine)
+    if given.torque_limit is not None:
+        fields |= _share("probability_above_limit", torque > given.torque_limit)
+    if spec.fatigue is not None:
+        for name, cycles in zip(("life_protected", "life_unprotected"), lives(model, sample), strict=True):
+            quantities[name] = cycles
+            fields |= estimate(name, lambda own: 1 / np.mean(1 / own), cycles)
+    if ANALYSES["simulate"].applies(clutch):
+        quantities["peak_torque"] = peak = peaks(model, clutch, sample, torque)
+        fields |= estimate("peak_torque_mean", np.mean, peak) | estimate("peak_torque_deviation", deviation, peak)
+        if spec.requirements is not None and spec.requirements.peak_torque is not None:
+            fields |= _share("probability_peak_above", peak > spec.requirements.peak_torque)
+    quantiles = []
+    for p in given.quantiles:
+        rows = (estimate(name, partial(np.quantile, q=p), values) for name, values in quantities.items())
+        quantiles.append(QuantileRow(probability=p, **dict(ChainMap(*rows))))
+    result = ToleranceResult(
+        setting=given.setting,
+        samples=given.samples,
+        torque_limit=given.torque_limit,
+        machine_torque=machine,
+        inputs=[row for row, _ in inputs.values()],
+        sobol=sobol_rows(model, given.sobol_base, random),
+        quantiles=quantiles,
+        histogram=histogram(torque),
+        **fields,
+    )
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *_findings(given, result, torque)]
+
+
+def _block(spec: Spec) -> Tolerance:
+    """The [tolerance] block; a torque that the requirements limit is the limit whose exceedance is asked for."""
+    given = spec.tolerance
+    if given is None:
+        message = say(
+            'required by tolerance, for example [tolerance.fields] "closing_spring.force" = '
+            '{{ distribution = "normal", spread = "5 %" }}'
+        )
+        raise spec.refused("tolerance", message)
+    if given.torque_limit is None and spec.requirements is not None:
+        return given.model_copy(update={"torque_limit": spec.requirements.torque_max})
+    return given
+
+
+def _findings(given: Tolerance, result: ToleranceResult, torque: Array) -> Iterator[Finding]:
+    """Remarks in the order of the [tolerance] block, then on the figures."""
+    paths = given.fields.keys()
+    if not paths <= set(FRICTION):
+        yield finding(given.setting, "info", path="tolerance.setting")
+    if not paths & set(FRICTION):
+        yield finding("friction-fixed", "info", path="tolerance.fields")
+    if {"friction.driving", "friction.driven"} <= paths and given.friction_correlation is None:
+        yield finding("friction-independent", "info", path="tolerance.friction_correlation")
+    if result.life_protected is not None:
+        yield finding("miner", "info", path="fatigue")
+    if result.peak_torque_mean is not None:
+        yield finding("peaks-interpolated", "info", value=EVENTS, path="drive.event")
+    if result.probability_no_clutch:
+        yield finding("no-clutch", "warning", value=result.probability_no_clutch, limit=0.0, path="tolerance.fields")
+    deviation, error = result.standard_deviation, result.standard_deviation_standard_error
+    if error > _UNSURE * deviation and np.mean((torque - result.mean) ** 4) > _HEAVY * deviation**4:
+        yield finding("heavy-tails", "warning", value=error / deviation, limit=_UNSURE, path="tolerance.samples")
+    least = math.ceil(BATCHES / min(min(p, 1 - p) for p in given.quantiles))
+    if result.samples < least:
+        yield finding("few-samples", "warning", value=result.samples, limit=least, path="tolerance.samples")

@@ -1,1 +1,0 @@
-"""The torque when making and service scatter."""

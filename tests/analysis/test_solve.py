@@ -1,0 +1,222 @@
+"""Solving: every root that a dense scan finds, what comes nearest where there is none, whole keys, events, the file."""
+
+import random
+from contextlib import suppress
+
+import numpy as np
+import pytest
+from random_clutches import random_clutches
+
+from afmcalc import errors, load
+from afmcalc.analysis.solve import parse_target, solve
+from afmcalc.engines import build
+from afmcalc.equations.terms import TERMS
+from afmcalc.spec import make_spec, read_spec
+from afmcalc.spec.edit import respecified, value_at, with_key
+from afmcalc.spec.keys import ALIASES, is_whole
+
+KEYS = ("C", "F", "z", "z1", "R", "c1", "c2", "gain_slope", "f_max", "f1", "d", "T_n", "alpha", "beta")
+AIMS = ("accuracy_factor", "accuracy_factor_peak", "nominal_torque", "torque_max", "torque_min", "scatter", "closing_force",
+        "travel_max", "control_force", "torque_at_f_mean", "normal_force_at_f_max", "torque_at_setting", "reduced_gain")  # fmt: skip
+
+
+def scan(spec, path, target, low, high):
+    """The quantity at so many values between two; NaN where the gain is above its limit."""
+    whole = is_whole(path)
+    at = (
+        np.arange(low, high + 1)
+        if whole
+        else np.union1d(np.linspace(low, high, 4001), np.geomspace(max(low, high / 1e6), high, 4001))
+    )
+    with np.errstate(all="ignore"):
+        many = build(with_key(spec, path, at)).quantities
+        value = np.broadcast_to(np.asarray(many[target], float), at.shape)
+        if spec.kind.gain_limit:
+            value = np.where(many["gain"] <= np.asarray(many["gain_limit"]) * (1 + 1e-9), value, np.nan)
+    return at, value
+
+
+def questions(seed):
+    """Random clutches, a key that each has, a target that depends on it, and a value that it may have."""
+    rnd = random.Random(seed)
+    for data in random_clutches(10**6, seed):
+        with suppress(errors.AfmcalcError):
+            clutch = build(spec := make_spec(data))
+            name = rnd.choice([key for key in KEYS if value_at(spec, ALIASES[key]) is not None])
+            target, path = rnd.choice(AIMS), ALIASES[name]
+            if target not in clutch.quantities or (spec.kind.gain_limit and clutch.gain > clutch.gain_limit):
+                continue
+            now = value_at(spec, path)
+            near = round(0.8 * now) if is_whole(path) else 0.8 * now
+            here, there = (float(build(respecified(spec, {path: at})).quantities[target]) for at in (now, near))
+            if abs(there - here) > 1e-9 * here:
+                yield spec, name, target, rnd.choice([here * rnd.choice([0.3, 0.9, 1.1, 4]), there])
+
+
+def judge(spec, name, target, wanted):
+    """Hold an answer to the scan between the ends that solve looked at; say which kind of answer it is."""
+    path = ALIASES[name]
+    result, solved, findings = solve(build(spec), name, target, wanted)
+    at, value = scan(spec, path, target, result.low, result.high)
+    roots, gap = [root.value for root in result.roots], value - wanted
+    best = np.nanmin(np.abs(gap))
+    if not roots:
+        assert findings[-1].code == "not-attainable"
+        assert abs(result.reached - wanted) <= best + 1e-6 * wanted
+        assert best > 1e-9 * wanted
+        return "none"
+    assert result.value in roots
+    assert build(make_spec(solved.spec.model_dump(exclude_none=True))).quantities[target] == pytest.approx(
+        result.reached, rel=1e-9
+    )
+    crossed = np.flatnonzero(
+        (gap[:-1] * gap[1:] < 0) & (np.minimum(np.abs(gap[:-1]), np.abs(gap[1:])) > 1e-10 * wanted)
+    )
+    if is_whole(path):
+        on = {*at[np.abs(gap) <= 1e-12 * wanted]}
+        assert {*roots} == {*at[crossed], *at[crossed + 1], *on}
+        return "whole"
+    assert all(root.reached == pytest.approx(wanted, rel=1e-8) for root in result.roots)
+    now = value_at(spec, path)
+    assert abs(result.value - now) == min(abs(root - now) for root in roots), "the nearest"
+    for low, high in zip(at[crossed], at[crossed + 1], strict=True):
+        fine = scan(spec, path, target, low, high)[1]
+        jumps = np.max(np.abs(np.diff(fine))) > 0.5 * abs(fine[-1] - fine[0])
+        assert jumps or any(low * (1 - 1e-9) <= root <= high * (1 + 1e-9) for root in roots), f"a root at {low}"
+    return "several" if len(roots) > 1 else "one"
+
+
+def test_both_sides_of_an_optimum():
+    """S22: by the published torque K_т,act is best at zC = 1/f_max; beside it two gains give what is wanted, however near."""
+    clutch = build(read_spec("example:all-driving", {"C": 0.3}))
+    best, _, _ = solve(clutch, "C", "accuracy_factor_actual", 1.0)
+    assert best.value == pytest.approx(1 / 0.8 / 4, rel=1e-4)
+    for above in (1e-8, 1e-3, 0.1):
+        result, _, _ = solve(clutch, "C", "accuracy_factor_actual", best.reached * (1 + above))
+        first, second = (root.value for root in result.roots)
+        assert first < 1 / 0.8 / 4 < second
+        assert result.value == min((first, second), key=lambda gain: abs(gain - 0.3))
+
+
+@pytest.mark.parametrize("count", [8, pytest.param(40, marks=pytest.mark.slow)])
+def test_all_that_a_dense_scan_finds(count):
+    seen = {}
+    for _, question in zip(range(count), questions(3), strict=False):
+        try:
+            kind = judge(*question)
+        except AssertionError as wrong:
+            raise AssertionError(f"{question}: {wrong}") from wrong
+        seen[kind] = seen.get(kind, 0) + 1
+    assert {"one", "none", "whole"} <= {*seen}, seen
+
+
+# T = F R z f/(1 + z_2 C f), z = 8 with one bypass pair, R = 0.1, F = 2000, C = 0.5, f = 0.1 ... 0.8
+CLOSED = [
+    ("C", "accuracy_factor=2", "example:default", 15 / 14),  # 8 (1 + 0.7 C)/(1 + 5.6 C) = 2
+    ("F", "T_н=250 N*m", "example:default", 250 * 1.35 / 0.08),
+    ("control_unit.gain", "gain_limit=1.25", "example:default", None),
+    ("F", "torque_at_f_max=500", "example:default", 500 * 3.8 / 0.64),
+    ("F", "closing_spring.force=3 kN", "example:default", 3000),
+    ("R", "ΔT=300", "example:default", 0.1 * 300 / (1280 / 3.8 - 160 / 1.35)),
+]
+
+
+@pytest.mark.parametrize(("name", "target", "spec", "value"), CLOSED)
+def test_by_hand(name, target, spec, value):
+    clutch = build(read_spec(spec))
+    if value is None:
+        with pytest.raises(errors.CalculationError, match="does not depend"):
+            solve(clutch, name, *parse_target(target)[:2])
+        return
+    assert solve(clutch, name, *parse_target(target)[:2])[0].value == pytest.approx(value, rel=1e-12)
+
+
+def test_nothing_attains_it():
+    """Within C = 1/(z_1 f_1max) the best K_т is 8 (1 + 7·1.25·0.1)/(1 + 7·1.25·0.8) = 1.875; past it there is an answer."""
+    result, _, findings = solve(build(read_spec("example:default")), "C", "accuracy_factor", 1.0)
+    assert (result.roots, result.value, findings[-1].code) == ([], 1.25, "not-attainable")
+    assert result.reached == findings[-1].value == pytest.approx(1.875)
+    with pytest.raises(errors.CalculationError, match="the nearest is 1.875, at C = 1.25"):
+        load("example:default").solve("C", "accuracy_factor", 1.0)
+    past = load("example:default").solve("C", "accuracy_factor", 1.5, beyond_limit=True)
+    assert past.value == pytest.approx(6.5 / 2.8)  # 8 (1 + 0.7 C) = 1.5 (1 + 5.6 C)
+
+
+def test_a_whole_key_has_whole_values(afmcalc):
+    """T_max = 2000·0.1·z·0.8/(1 + 0.4 (z − 1)) of 4 and 5 pairs; at most 300 N·m is met by 4."""
+    result = afmcalc("solve", "torque_max=300", "--for", "z", "--json").json["result"]
+    assert [(root["value"], root["reached"]) for root in result["roots"]] == [
+        (z, pytest.approx(160 * z / (1 + 0.4 * (z - 1)))) for z in (4, 5)
+    ]
+    assert result["value"] == 4
+    least = afmcalc("solve", "nominal_torque=80", "--for", "z", "--json").json
+    assert (least["result"]["value"], least["spec"]["friction_group"]["pairs"]) == (5, 5)
+
+
+def test_a_range_of_values_is_said_to_be_one():
+    """Above C_1* the largest torque is that of the setting, whatever c_1 up to 1240 N/mm."""
+    overrides = {"control_unit.pocket": None, "control_unit.gain_slope": 900}
+    result, _, findings = solve(build(read_spec("example:constant-torque", overrides)), "c1", "torque_max", 160.0)
+    assert [root.reached for root in result.roots] == pytest.approx([160, 160])
+    assert result.roots[1].value == pytest.approx(1.24e6, rel=0.03)
+    assert "solve-range" in [each.code for each in findings]
+
+
+LIFE = ["drive.dynamic_factor=2", "drive.event="]
+
+
+def test_force_for_a_life():
+    """N = N_0 (τ_limb/τ_eq)^m of τ_eq = k_д (T_min + T_max)/2 W; above N_0 a life has no number."""
+    spec = read_spec("example:drive", LIFE)
+    result, _, _ = solve(build(spec), "F", "cycles", 1e6)
+    per_force = sum(0.1 * 8 * f / (1 + 7 * 0.5 * f) for f in (0.1, 0.8)) / 2
+    assert result.value == pytest.approx(400e6 * (1e7 / 1e6) ** (1 / 6) * 15e-6 / 2 / per_force, rel=1e-6)
+    none, _, _ = solve(build(spec), "F", "cycles", 1e8)
+    assert (none.roots, none.reached) == ([], pytest.approx(1e7, rel=1e-6))
+
+
+@pytest.mark.slow
+def test_a_peak_of_an_event():
+    spec = read_spec("example:drive", ["drive.event.duration=0.05"])
+    result, solved, _ = solve(build(spec), "F", "peak_torque", 450.0)
+    assert load(solved.spec.model_dump(exclude_none=True)).simulate().judged_peak == pytest.approx(450, rel=1e-6)
+    assert 0.2 * 2000 < result.value < 2000
+
+
+def test_the_file_has_the_value_found(afmcalc, tmp_path):
+    file = tmp_path / "solved.toml"
+    run = afmcalc("solve", "accuracy_factor=2", "--for", "C", "--save", file, "--json")
+    assert read_spec(file).control_unit.gain == pytest.approx(run.json["result"]["value"])
+    assert load(file)["accuracy_factor"] == pytest.approx(2)
+    assert afmcalc("solve", "accuracy_factor=2", "--save", file).code == 2, "it exists"
+    none = afmcalc("solve", "accuracy_factor=1", "--save", tmp_path / "none.toml", "--json")
+    assert (none.code, none.json["result"]["roots"], (tmp_path / "none.toml").exists()) == (2, [], False)
+
+
+def test_a_force_replaces_the_torque_it_was_set_for(afmcalc):
+    run = afmcalc("solve", "--for", "F", "nominal_torque=250", "--set", "F=", "--set", "T_n=100", "--json").json
+    assert "nominal_torque" not in run["spec"]["adjustment"]
+    assert "solve-replaces" in [finding["code"] for finding in run["findings"]]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        "--for x accuracy_factor=2", "--for name accuracy_factor=2", "--for c1 accuracy_factor=2", "torque=100",
+        "--for z1 accuracy_factor=2 example:indirect", "--for R reduced_gain=8", "acuracy_factor=2", "accuracy_factor",
+        "nominal_torque=2J", "travel_max=1mm", "accuracy_factor=nan", "peak_torque=100", "is_broken=1", "torque_at_x=1",
+    ],
+)  # fmt: skip
+def test_what_cannot_be_asked(arguments, afmcalc):
+    run = afmcalc("solve", *arguments.split())
+    assert (run.code, run.out) == (2, "")
+
+
+def test_every_quantity_can_be_wanted():
+    """By its name and its symbol; what a clutch lacks says what it needs."""
+    clutch = build(read_spec("example:indirect"))
+    for name in TERMS:
+        if TERMS[name].unit:
+            assert parse_target(f"{name}=1")[0] == name
+    with pytest.raises(errors.AfmcalcError, match="mean_pressure needs inner_radius, outer_radius"):
+        solve(clutch, "F", "mean_pressure", 1e6)
