@@ -198,7 +198,9 @@ FINDINGS: Mapping[str, str] = {
     "pockets-overlap": "{balls} pockets cut into each other: each is {value:.5g mm} wide at the face, their centres "
     "are {limit:.5g mm} apart",
     # layout
-    "parts-collide": "{first} and {second} overlap by {value:.4g mm}",
+    "parts-collide": "{first} and {second} are in each other's way by {value:.4g mm}",
+    "odd-pairs": "{value:.0f} pairs cannot be built so: discs that take turns between two plates of one half of the "
+    "clutch make an even number",
     "housing-too-wide": "the housing around the discs is {value:.5g mm} wide: there is room for {limit:.5g mm}",
     "clutch-too-long": "the clutch is {value:.5g mm} long at least: there is room for {limit:.5g mm}",
     "layout-without": "not in the layout: {name}; give {path}",

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from .analysis.life import LifeResult
     from .analysis.overload import OverloadResult
     from .analysis.solve import SolveResult
-    from .analysis.springs.springs import SpringsResult
-    from .analysis.sweep.grid import Axis
+    from .analysis.springs import SpringsResult
+    from .analysis.sweep import Axis
     from .analysis.synthesize import SynthesisResult
     from .analysis.tolerance_result import ToleranceResult
     from .analysis.torque import Pair, TorqueResult

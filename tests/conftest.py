@@ -34,6 +34,11 @@ S21 = Path(__file__).parent / "data" / "s21-fig2.toml"
 """The clutch of S21 fig. 2 with a closing spring of 2 kN, whose figures are the paper's or worked out by hand."""
 
 
+def slow(*cases: Any) -> list[Any]:
+    """Cases of a test that run where slow tests do; a tuple has several arguments."""
+    return [pytest.param(*(each if isinstance(each, tuple) else (each,)), marks=pytest.mark.slow) for each in cases]
+
+
 @dataclass(frozen=True)
 class Run:
     """What a run of the program left."""

@@ -128,8 +128,5 @@ def _around(rnd: random.Random, spec: dict[str, Any]) -> None:
         spec["machine"] = {"power": rnd.uniform(1e3, 5e4), "speed": rnd.uniform(50, 300)}
         if rnd.random() < 0.6:
             spec["machine"] |= {
-                "ratio": rnd.uniform(1, 5),
-                "efficiency": 0.9,
-                "service_factor": 1.5,
-                "starting_torque_ratio": 2.2,
-            }
+                "ratio": rnd.uniform(1, 5), "efficiency": 0.9, "service_factor": 1.5, "starting_torque_ratio": 2.2,
+            }  # fmt: skip

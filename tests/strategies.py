@@ -17,15 +17,13 @@ CHARACTERS = st.one_of(*(st.integers(*ends) for ends in ((0, 127), (0, 0xD7FF), 
 def p5(*overrides: str, **blocks: Any) -> Any:
     """The clutch of P5 (S21 fig. 2) with C = 1, F_п1 = 2 kN, its mean friction 0.3, with other values of some keys."""
     base = {
-        "variant": "indirect",
-        "friction": {"min": 0.1, "mean": 0.3, "max": 0.8},
-        "friction_group": {"pairs": 8, "mean_radius": 0.1},
-        "closing_spring": {"force": 2e3, "stiffness": 20e3},
+        "variant": "indirect", "friction": {"min": 0.1, "mean": 0.3, "max": 0.8},
+        "friction_group": {"pairs": 8, "mean_radius": 0.1}, "closing_spring": {"force": 2e3, "stiffness": 20e3},
         "control_spring": {"stiffness": 10e3},
         "control_unit": {"gain": 1.0, "ball_circle_radius": 0.05, "hub_diameter": 0.05, "key_friction": 0.15},
         "adjustment": {"margin": 1.25},
         "fatigue": {"endurance_limit": 400e6, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7},
-    }
+    }  # fmt: skip
     return read_spec(base | blocks, overrides)
 
 

@@ -1,31 +1,25 @@
 """What the source keeps to: imports go one way, those in functions too; what is said is a template in one place."""
 
 import ast
+import inspect
 import string
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
+from importlib import import_module
+from importlib.util import resolve_name
 
 import pytest
 from sources import FILES, called, calls, nodes
 
 from afmcalc.engines.checks import CHECKS
+from afmcalc.engines.parts import RULES
 from afmcalc.findings import FINDINGS
 from afmcalc.units import per_si
 
 LINE = [
-    "equations",
-    "ground",
-    "variants",
-    "spec",
-    "engines",
-    "drive",
-    "papers",
-    "analysis",
-    "render",
-    "web",
-    "cli",
+    "equations", "ground", "variants", "spec", "engines", "drive", "papers", "analysis", "render", "web", "cli",
     "door",
-]
+]  # fmt: skip
 """A room imports from itself and from rooms to its left."""
 
 GROUND = {"errors", "findings", "messages", "progress", "result", "units"}
@@ -144,9 +138,23 @@ def test_every_finding_has_a_sentence_and_gives_it_what_it_names():
         assert all(fits(code, given) for code in codes(call.args[0])), f"{where}:{call.lineno}"
     everything = (node for module in FILES if module != "findings" for node in nodes(module))
     strings = {node.value for node in everything if isinstance(node, ast.Constant)}
-    assert set(FINDINGS) <= strings | {check.code for check in CHECKS}, "a sentence that nothing says"
+    assert set(FINDINGS) <= strings | {check.code for check in (*CHECKS, *RULES)}, "a sentence that nothing says"
     assert {check.code for check in CHECKS} <= set(FINDINGS)
     for sentence in FINDINGS.values():
         for _, _, wanted, _ in string.Formatter().parse(sentence):
             _, _, unit = (wanted or "").partition(" ")
             assert not unit or per_si(unit.removesuffix("…")), sentence
+
+
+def test_rendering_knows_of_the_analyses_the_classes_of_their_results():
+    """It lays out, and does not calculate."""
+    for module in (module for module in FILES if module.startswith("render")):
+        assert not [each for each in imported(module) if room(each) in ("equations", "engines", "cli")], module
+        for node in (node for node in nodes(module) if isinstance(node, ast.ImportFrom) and node.level):
+            path = resolve_name("." * node.level + (node.module or ""), package_of(module))
+            for alias in node.names if path.startswith("afmcalc.analysis") else ():
+                assert inspect.isclass(getattr(import_module(path), alias.name)), (module, alias.name)
+
+
+def package_of(module: str) -> str:
+    return f"afmcalc.{module}" if FILES[module].stem == "__init__" else f"afmcalc.{module}".rpartition(".")[0]

@@ -6,6 +6,7 @@ import re
 
 import pytest
 from babel.messages.pofile import read_po
+from conftest import slow
 from sources import REFUSED
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
@@ -19,21 +20,34 @@ WALK = {
     "law": [[each, f"example:{name}"] for name in ("default", "indirect") for each in ABOUT],
     "drive": [[each, "example:drive", *SHORT] for each in ("simulate", "life")],
     "effects": [["effects", "example:drive", *SHORT]],
-    "searches": [["springs", "example:conventional", "--kind", "disc"], ["tolerance", "example:tolerance", "--set", "tolerance.samples=1000"],
-                 ["compare", "--variants"], ["accuracy", "--sweep", "C=0.2:1:3"], ["solve", "accuracy_factor=1.01"],
-                 ["check", "--set", "requirements.peak_torque=1", "--set", "requirements.cycles=1e9", "--set", "C=3"]],
+    "searches": [
+        ["springs", "example:conventional", "--kind", "disc"],
+        ["tolerance", "example:tolerance", "--set", "tolerance.samples=1000"],
+        ["compare", "--variants"],
+        ["accuracy", "--sweep", "C=0.2:1:3"],
+        ["solve", "accuracy_factor=1.01"],
+        ["check", "--set", "requirements.peak_torque=1", "--set", "requirements.cycles=1e9", "--set", "C=3"],
+    ],
     "papers": [["equations"], ["equations", "--misprints"], ["reproduce"], ["examples"], ["materials"]],
-    "steps": [["explain", name, f"example:{example}"] for name, example in zip(EXPLAINED, itertools.cycle(("default", "indirect")))]
-    + [["explain", "torque", "example:default", "--format", "markdown"], ["accuracy", "--format", "markdown", "--sweep", "C=0,1"]],
+    "steps": [
+        ["explain", name, f"example:{example}"]
+        for name, example in zip(EXPLAINED, itertools.cycle(("default", "indirect")))
+    ]
+    + [
+        ["explain", "torque", "example:default", "--format", "markdown"],
+        ["accuracy", "--format", "markdown", "--sweep", "C=0,1"],
+    ],
+}
+SLOW = {
     "plots": [["plot", name, "example:default"] for name, each in PLOTS.items() if each.takes == "clutch" and name != "springs"],
     "figures": [["plot", "paper", name] for name in FIGURES],
+    "design": [["design", "example:requirements"], ["springs", "example:indirect"]],
+    "report of a drive": [["report", "example:drive", *SHORT], ["heat", "example:drive", *SHORT]],
     "help": [["--help"], *([name, "--help"] for name in COMMANDS)],
     "spec": [*(["init", "-", "--kind", kind] for kind in ("clutch", "tolerance", "drive")), *(["schema", name] for name in ANALYSES)],
     "mistakes": [["check", "--set", each] for each in REFUSED["mistakes"]] + [each.split() for each in REFUSED["arguments"]],
     "report": [["report", "example:conventional"]],
 }  # fmt: skip
-SLOW = {"design": [["design", "example:requirements"], ["springs", "example:indirect"]],
-        "report of a drive": [["report", "example:drive", *SHORT], ["heat", "example:drive", *SHORT]]}  # fmt: skip
 
 PROSE = re.compile(r"[a-z]{3,}[,;:]? [a-z]{3,}|^[A-Z][a-z]+$")
 UNIT = re.compile("^(mm|kN|MPa|kJ|kg|rpm)$|^[A-Za-z]*([·/²³⁻¹]+[A-Za-z]*)+$")
@@ -89,7 +103,7 @@ def shown_by(run) -> str:
     return re.sub(no_text, " ", html.unescape(text))
 
 
-@pytest.mark.parametrize("part", [*WALK, *(pytest.param(each, marks=pytest.mark.slow) for each in SLOW)])
+@pytest.mark.parametrize("part", [*WALK, *slow(*SLOW)])
 def test_nothing_that_is_shown_is_english(part, known, noting, afmcalc, undrawn):
     """All that is looked up is there, and what is shown has no English words and no text as the catalogue has it."""
     sentences = [text for text in known if PROSE.search(text) and "{" not in text and len(text) > 17]

@@ -3,7 +3,7 @@
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.variants import BREAKAWAY_LIMIT, VARIANTS, Variant
+from afmcalc.variants import VARIANTS, Variant
 
 SPEC = """variant = "two-bypass"
 friction = {min = 0.1, mean = 0.3, max = 0.8}
@@ -22,8 +22,7 @@ def torque(f: float, gain: float = 0.4, pairs: int = 8) -> float:
 @pytest.fixture
 def told(monkeypatch, afmcalc):
     """Ask about a clutch of a fifth variant, which is this one record."""
-    about, bypass = "two pairs bypass the control unit, whatever the spec says", lambda pairs, driving: 2
-    record = Variant("two-bypass", "direct", about, bypass=bypass, needs=("control_unit",), gain_limit=BREAKAWAY_LIMIT)
+    record = Variant("two-bypass", lambda pairs, driving: 2, needs=("control_unit",), gain_limit="breakaway")
     monkeypatch.setitem(VARIANTS, record.name, record)
     return lambda *arguments: afmcalc(*arguments, "-", "--json", stdin=SPEC)
 

@@ -22,18 +22,9 @@ Key = tuple[str, str]
 FAILURES = (ENOENT, EACCES, EPERM, EISDIR, ENOTDIR, ENOSPC, EROFS, ENAMETOOLONG, ELOOP, EBADF, EIO, EPIPE)
 """Why files cannot be read or written, as the system says it."""
 SAYING = [
-    "say",
-    "say_many",
-    "told",
-    "message",
-    "translate",
-    "term",
-    "heard",
-    "wrong",
-    "AfmcalcError",
-    "FileError",
+    "say", "say_many", "told", "message", "translate", "term", "heard", "wrong", "AfmcalcError", "FileError",
     "CalculationError",
-]
+]  # fmt: skip
 
 
 @cache
@@ -70,6 +61,7 @@ def _tables() -> Iterator[Key]:
     from afmcalc.analysis.check import Grade
     from afmcalc.analysis.registry import ANALYSES, PLOTS
     from afmcalc.engines.checks import CHECKS
+    from afmcalc.engines.parts import RULES
     from afmcalc.findings import FINDINGS
     from afmcalc.render.report import words
     from afmcalc.spec.quantity import EXAMPLES
@@ -77,7 +69,7 @@ def _tables() -> Iterator[Key]:
 
     tables = (FINDINGS.values(), words.REPORT.values(), map(os.strerror, FAILURES))
     abouts = (kind for kind, _ in EXAMPLES.values()), (plot.about for plot in PLOTS.values())
-    checks = (text for check in CHECKS for text in (check.name, check.symbol))
+    checks = (text for check in (*CHECKS, *RULES) for text in (check.name, check.symbol))
     sections = [each.section for each in ANALYSES.values() if each.section]
     titles = (text for each in sections for text in (each.title, each.about, each.conclusion) if isinstance(text, str))
     yield from (("", text) for table in (*tables, *abouts, checks, get_args(Grade), titles) for text in table)

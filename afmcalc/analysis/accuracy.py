@@ -4,14 +4,14 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from pydantic import SerializeAsAny
 
+from ..engines import Clutch
 from ..engines.elasticity import Elasticity, elasticities
 from ..engines.quantities import Quantities
-from ..engines.selection import Wired
 from ..findings import Finding, finding
 from ..result import Answer, Series, described, quantity
 from .asking import Asking, answer, asked, asked_by, with_columns
 from .clutch_findings import clutch_findings
-from .sweep.grid import Axis, replaced, series
+from .sweep import Axis, replaced, series
 
 _ROUNDING = 1e-8
 """An elasticity below it is none."""
@@ -51,7 +51,7 @@ class AccuracyResult(Asking, Answer):
 
 
 def accuracy(
-    clutch: Wired, sweeps: Sequence[Axis] = (), columns: Sequence[str] = ()
+    clutch: Clutch, sweeps: Sequence[Axis] = (), columns: Sequence[str] = ()
 ) -> tuple[AccuracyResult, list[Finding]]:
     """Calculate the accuracy of a clutch, and over the grid of ``sweeps``, there with ``columns`` of quantities."""
     spec, own = clutch.spec, clutch.quantities

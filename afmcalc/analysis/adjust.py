@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterator
 from typing import Literal
 
+from ..engines import Clutch
 from ..engines.quantities import Quantities
-from ..engines.selection import Wired
 from ..findings import Finding, finding
 from ..messages import term
 from ..result import Answer, Triple, described, quantity
@@ -43,7 +43,7 @@ class AdjustResult(Asking, Answer):
     pairs_threshold: float | None = asked(optional=True)
 
 
-def adjust(clutch: Wired) -> tuple[AdjustResult, list[Finding]]:
+def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     """Set the clutch by both methods for its nominal torque and compare the scatter bands."""
     spec, own = clutch.spec, clutch.quantities
     nominal = float(own["nominal_torque"])
@@ -81,7 +81,7 @@ def adjust(clutch: Wired) -> tuple[AdjustResult, list[Finding]]:
     return result, [*findings, *_re_made(clutch, *clutches.values())]
 
 
-def _re_made(clutch: Wired, first: Quantities, second: Quantities) -> Iterator[Finding]:
+def _re_made(clutch: Clutch, first: Quantities, second: Quantities) -> Iterator[Finding]:
     """Say what the clutches compared have that the clutch as made has not."""
     control, unit = clutch.spec.control_spring, clutch.spec.control_unit
     if control is not None and control.force is not None:

@@ -7,14 +7,14 @@ from typing import Any, ClassVar, Literal
 from ..drive.result import SimulateResult
 from ..engines import Clutch
 from ..engines.checks import Beside, Check, Known, Part, checks_of, failures
-from ..engines.parts import checks_of_spec
+from ..engines.parts import checks_of_springs
 from ..engines.selection import by_rule
 from ..errors import SpecError
 from ..findings import Finding, Level, finding
 from ..messages import joined, percent, say, term, translate
 from ..result import Answer, Result, Sentence, described, quantity
 from .answers import Answers
-from .clutch_findings import clutch_findings, demands_on_springs
+from .clutch_findings import clutch_findings
 from .heat import heat_values
 from .life import UNLIMITED
 from .registry import ANALYSES
@@ -199,7 +199,16 @@ def lacks(clutch: Clutch, check: Check) -> str:
     """Say what a check that is not known needs: quantities that are not given, or a part."""
     own = clutch.quantities
     missing = own.missing(check.value) if check.needs is None or check.value in own.laws.laws else ()
-    return ", ".join(missing) or f"`{check.needs}`"
+    return ", ".join(missing) or term(_BLOCKS.get(check.needs, f"`{check.needs}`"))
+
+
+_BLOCKS: Mapping[Part | None, str] = {
+    "simulate": term("[drive] with an event"),
+    "heat": term("[drive] with an event and [heat]"),
+    "tolerance": term("[tolerance]"),
+    "effects": term("heat.lining"),
+}
+"""Part → what a spec must have that it can be calculated."""
 
 
 def told(answers: Answers, part: Part | None) -> Known:
@@ -266,13 +275,12 @@ def _spring_rows(answers: Answers, without: Collection[str]) -> Iterator[CheckRo
     if ANALYSES["simulate"].applies(clutch) and "simulate" not in without:
         travels = answers.of(SimulateResult).travel_max
         travel = 0.0 if travels is None else max(vars(travels).values())
-    demands, apply = demands_on_springs(clutch.spec, clutch.quantities, travel), answers.clutch.quantities.apply
-    for path, each in checks_of_spec(clutch.spec, demands, apply):
+    for path, each in checks_of_springs(clutch, travel, answers.clutch.quantities.apply):
         rule, used = each.rule, each.utilisation
         if math.isfinite(used):
             spring = term("closing spring") if path.startswith("closing") else term("control spring")
             yield CheckRow(
-                code=rule.code, name=say("{spring}: {what}", spring=spring, what=term(rule.what)), symbol=rule.symbol,
+                code=rule.code, name=say("{spring}: {what}", spring=spring, what=term(rule.name)), symbol=rule.symbol,
                 value=each.value, limit=each.limit, unit=rule.unit, least=rule.least, utilisation=used,
                 passed=used <= 1 + 1e-9, level=rule.level, path=path, needs="springs",
             )  # fmt: skip

@@ -1,16 +1,13 @@
 """What a designer should know of a clutch, whatever is asked: the limits of its law, its setting, its springs."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
+from ..engines import Clutch
 from ..engines.checks import failures_of
 from ..engines.quantities import Quantities
 from ..findings import Finding, finding
 from ..messages import term
 from ..spec.models import Friction, Spec
-
-if TYPE_CHECKING:
-    from ..engines.springs import SpringDemand
 
 
 def clutch_findings(spec: Spec, clutch: Quantities) -> list[Finding]:
@@ -20,18 +17,8 @@ def clutch_findings(spec: Spec, clutch: Quantities) -> list[Finding]:
     if spec.spring_parts:
         from ..engines.parts import part_findings
 
-        found += part_findings(spec, demands_on_springs(spec, clutch))
+        found += part_findings(Clutch(spec, clutch))
     return found
-
-
-def demands_on_springs(spec: Spec, clutch: Quantities, travel: float = 0.0) -> "list[SpringDemand]":
-    """Return force as set and stroke of each spring; ``travel`` counts where it exceeds that of the law."""
-    from ..engines.springs import spring_demands
-
-    control = None
-    if spec.kind.travels:
-        control, travel = float(clutch["control_force"]), max(travel, float(clutch["travel_max"]))
-    return spring_demands(spec, float(clutch["closing_force"]), control, travel)
 
 
 def _remarks(spec: Spec, clutch: Quantities) -> Iterator[Finding]:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ..engines.selection import Wired
+from ..engines import Clutch
 from ..equations.arrays import Floats
 from ..errors import AfmcalcError, CalculationError, given
 from ..result import Result, described, quantity
@@ -17,8 +17,7 @@ from .asking import asked_by
 from .life import LifeResult, LifeSweep, band_axis, life_sweep
 from .overload import OverloadSweep, refuse
 from .registry import StressRule
-from .sweep.axes import current_value, find_key, parse_axis
-from .sweep.grid import Axis, S, series
+from .sweep import Axis, S, current_value, find_key, parse_axis, series
 
 POINTS = 201
 """Points of a curve: enough for a line without corners on paper."""
@@ -99,7 +98,7 @@ class OverloadCurve(ClutchCurve):
     )
 
 
-def torque_curve(clutch: Wired) -> TorqueCurve:
+def torque_curve(clutch: Clutch) -> TorqueCurve:
     """Calculate the torque from f_min to f_max, as set and by both adjustment methods for the same nominal torque."""
     own, path = clutch.quantities, _path(clutch)
     there = own.at(**path)
@@ -120,7 +119,7 @@ def torque_curve(clutch: Wired) -> TorqueCurve:
     )
 
 
-def accuracy_curve(clutch: Wired, sweep: str | None) -> AccuracyCurve:
+def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
     """Calculate K_т over the gain, or over the key asked for.
 
     A range that is given is taken as it is; one of our own is refined, and reaches the clutch as it is.
@@ -148,7 +147,7 @@ def accuracy_curve(clutch: Wired, sweep: str | None) -> AccuracyCurve:
     )
 
 
-def overload_curve(clutch: Wired) -> OverloadCurve:
+def overload_curve(clutch: Clutch) -> OverloadCurve:
     """Calculate the trip from f_min to f_max, and the accuracy over the reduced gain.
 
     The gain goes from 0 to the recommended limit 5, or as far as the clutch lies beyond it.
@@ -214,28 +213,25 @@ def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
     )
 
 
-def _of(clutch: Wired) -> dict[str, Any]:
+def _of(clutch: Clutch) -> dict[str, Any]:
     """Name and variant of a clutch."""
     return {"name": clutch.spec.name, "variant": clutch.spec.variant}
 
 
-def _over(axis: Axis, kind: type[S], clutch: Wired) -> S:
+def _over(axis: Axis, kind: type[S], clutch: Clutch) -> S:
     """Sweep over one axis what the series asks."""
     return given(series(kind, clutch.spec, [axis], asked_by(kind, clutch.quantities)))[0]
 
 
-def _path(clutch: Wired) -> dict[str, Floats]:
+def _path(clutch: Clutch) -> dict[str, Floats]:
     """Frictions by name, those of unlike materials moving together, from their smallest to their largest values.
 
     Raises:
         CalculationError: they do not move.
     """
-    own, groups = clutch.quantities, clutch.spec.friction.groups
-    if not any(group.max > group.min for group in groups):
+    if not any(group.max > group.min for group in clutch.spec.friction.groups):
         raise CalculationError("the friction does not wander (min = max): there is no curve over it")
-    shares = np.linspace(0.0, 1.0, POINTS)
+    first, second = clutch.path(np.linspace(0.0, 1.0, POINTS))
     if not clutch.spec.friction.unlike:
-        return {"friction": own["friction_min"] + shares * (own["friction_max"] - own["friction_min"])}
-    at = [0.0, own["bend_of_path"], 1.0]
-    names = ("friction_driving", "friction_driven")
-    return {name: np.interp(shares, at, [own[f"{name}_{end}"] for end in ("min", "mean", "max")]) for name in names}
+        return {"friction": first}
+    return {"friction_driving": first, "friction_driven": second}

@@ -11,6 +11,7 @@ from pydantic import ConfigDict, PrivateAttr, SerializeAsAny, create_model
 
 from ..engines import Clutch, build
 from ..engines.checks import CHECKS, REQUIRED
+from ..engines.parts import spring_demands
 from ..engines.selection import NAMES
 from ..equations.terms import TERMS, term_of
 from ..errors import AfmcalcError, CalculationError
@@ -25,8 +26,7 @@ from ..spec.search import SPRINGS
 from ..units import ENGINEER
 from .check import check, simulating
 from .design_grid import Nearest, Part, Row, Survey, candidate, holding, name_of, parts_of_search, unbeaten, wired
-from .springs.candidates import label_of
-from .springs.springs import part_of, ranked, springs
+from .springs import label_of, part_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
 _TOLD = ("closing_force", "control_force", "accuracy_factor", "torque_max", "travel_max", "ball_diameter_standard")
@@ -206,7 +206,7 @@ class _Judge:
         if self.kind is None:
             yield plain
             return
-        demands = build(plain).spring_demands()
+        demands = spring_demands(build(plain))
         for options in product(*(ranked(demand, self.kind, _STACKS) for demand in demands)):
             springs = {}
             for demand, option in zip(demands, options, strict=True):

@@ -140,7 +140,7 @@ def gathered(name: str, request: Request) -> Any:
 
             return effects_curve(subject.clutch)
         case "springs":
-            from .springs.springs import springs_curve
+            from .springs import springs_curve
 
             return springs_curve(subject.clutch)
         case "tolerance":

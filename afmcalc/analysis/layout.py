@@ -82,6 +82,8 @@ def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) ->
     for first, second, missing in overlaps(parts):
         if missing > TOUCHES:
             yield finding("parts-collide", "error", value=float(missing), first=term(first), second=term(second))
+    if clutch.spec.friction_group.pairs % 2:
+        yield finding("odd-pairs", "warning", value=clutch.spec.friction_group.pairs, path="friction_group.pairs")
     known = {"outer_diameter": result.outer_diameter, "length": result.length}
     yield from failures_of(clutch.spec, known, "layout")
     absent = {part.name for part in parts} - {row.part for row in result.parts}

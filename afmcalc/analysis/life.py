@@ -6,28 +6,28 @@ rules by amplitude take this cycle for each slip, and give the life at the mean 
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
+
+import numpy as np
 
 from ..drive.result import SimulateResult, dynamic_factor
-from ..engines import build
+from ..engines import Clutch, build
 from ..engines.checks import failures_of
 from ..engines.quantities import Quantities
-from ..engines.selection import Wired, by_rule
+from ..engines.selection import by_rule
 from ..equations.arrays import Floats, Values, mean_along, spread
 from ..errors import AfmcalcError, given
 from ..findings import Finding, finding
 from ..messages import say, term
 from ..result import Answer, Result, Series, described, quantity
+from ..spec.fields import Key
 from ..spec.models import Method, Spec
 from .adjust import METHODS
 from .answers import Answers
 from .asking import Asking, answer, asked
 from .clutch_findings import clutch_findings
 from .registry import StressRule
-from .sweep.grid import Axis, replaced, series
-
-if TYPE_CHECKING:
-    from ..engines import Clutch
+from .sweep import Axis, parse_axis, parse_values, replaced, series
 
 Setting = Literal["as-set", Method]
 UNLIMITED = "unlimited"
@@ -85,7 +85,7 @@ class LifeResult(Asking, Answer):
 
 
 def life(
-    clutch: Wired, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = (), answers: Answers | None = None
+    clutch: Clutch, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = (), answers: Answers | None = None
 ) -> tuple[LifeResult, list[Finding]]:
     """Calculate the cycles to failure: of the band as one cycle (the paper), or of slips from 0 to T(f) and back.
 
@@ -94,8 +94,6 @@ def life(
     Raises:
         SpecError: no [fatigue] block, or one that lacks what the model needs.
     """
-    import numpy as np
-
     spec = clutch.spec
     _require(spec, model)
     underrated: list[Finding] = []
@@ -166,8 +164,6 @@ def lives_of(load: Quantities) -> Values:
     Raises:
         OverflowError: they are too few for a number; 0 cycles mean a break only.
     """
-    import numpy as np
-
     cycles = np.asarray(load["cycles"], float)
     if ((cycles == 0) & ~np.asarray(load["is_broken"], bool)).any():
         raise OverflowError
@@ -185,14 +181,12 @@ def _is_unlimited(load: Quantities) -> bool:
     return stress is not None and stress <= load["endurance_limit"]
 
 
-def life_sweep(clutch: Wired, model: StressRule, axes: Sequence[Axis], factor: float) -> list[LifeSweep]:
+def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: float) -> list[LifeSweep]:
     """Calculate the life over spec keys, or over the band dT above the T_min of the spec.
 
     ``factor`` is that of the clutch as it is: where neither dT nor the part alone is swept, the event of every point
     gives its own.
     """
-    import numpy as np
-
     if any(axis.name == "dT" for axis in axes):
         if len(axes) > 1:
             raise AfmcalcError("dT is swept alone: it takes the place of what the clutch gives")
@@ -212,13 +206,13 @@ def life_sweep(clutch: Wired, model: StressRule, axes: Sequence[Axis], factor: f
     of_part = all(axis.key.path.startswith(("fatigue.", "shaft.")) for axis in axes)
     same_event = drive.event is None or of_part
 
-    def factor_of(point: "Clutch") -> Values:
+    def factor_of(point: Clutch) -> Values:
         from .simulate import dynamic_factors
 
         own = point.spec.drive.dynamic_factor
         return own if own is not None else factor if same_event else dynamic_factors(point)
 
-    def unprotected(point: "Clutch") -> Values:
+    def unprotected(point: Clutch) -> Values:
         return lives_of(by_rule(point, model).at(dynamic_factor=factor_of(point)).at("unprotected"))
 
     outputs = {
@@ -236,8 +230,6 @@ def _with_band(own: Quantities, load: Quantities, band: Floats, *, each_slip: bo
     Slips keep the course of the torque over friction, stretched; the paper's forecast keeps T_cp, and has nothing to
     say of a band so narrow that T_max stays below it.
     """
-    import numpy as np
-
     least, width = own["torque_min"], own["scatter"]
     if not each_slip:
         most, low = least + band, load["torque_low"]
@@ -249,23 +241,16 @@ def _with_band(own: Quantities, load: Quantities, band: Floats, *, each_slip: bo
     return load.at(torque_high=least + most * (band / width), mean_damage=mean_along(damage))
 
 
-def parse_axes(texts: Iterable[str], clutch: Wired, *, band: bool = False) -> list[Axis]:
+def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> list[Axis]:
     """Read the axes of a sweep; ``band`` takes dT for the scatter band, of which a life can be told."""
-    from .sweep.axes import parse_axis
-
     return [
         band_axis(text, clutch) if band and text.partition("=")[0].strip() == "dT" else parse_axis(text, clutch.spec)
         for text in texts
     ]
 
 
-def band_axis(text: str, clutch: Wired) -> Axis:
+def band_axis(text: str, clutch: Clutch) -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
-    import numpy as np
-
-    from ..spec.fields import Key
-    from .sweep.axes import parse_values
-
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
     band = float(clutch.quantities["scatter"])
     _, separator, values_given = text.partition("=")

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from ..engines import Clutch
 from ..engines.quantities import Quantities
-from ..engines.selection import Wired
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
@@ -11,7 +11,7 @@ from ..result import Answer, Series, Triple, described, quantity
 from .asking import Asking, answer, asked, asked_by
 from .clutch_findings import clutch_findings
 from .registry import ANALYSES
-from .sweep.grid import Axis, replaced, series
+from .sweep import Axis, replaced, series
 from .torque import Pair, outside_range, pairs_asked
 
 SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -82,7 +82,7 @@ class OverloadResult(Asking, Answer):
 
 
 def overload(
-    clutch: Wired, sweeps: Sequence[Axis] = (), friction: Iterable[Pair] = ()
+    clutch: Clutch, sweeps: Sequence[Axis] = (), friction: Iterable[Pair] = ()
 ) -> tuple[OverloadResult, list[Finding]]:
     """Calculate the overload of an all-driving or differentiated clutch of one material.
 
@@ -116,7 +116,7 @@ def _loads(trip: Quantities) -> Iterator[Quantities]:
         yield trip.at(risen_load=share * rise)
 
 
-def refuse(clutch: Wired) -> None:
+def refuse(clutch: Clutch) -> None:
     """Refuse a variant S22 does not treat."""
     if not ANALYSES["overload"].applies(clutch):
         unlike, variant = clutch.spec.friction.unlike, clutch.spec.variant

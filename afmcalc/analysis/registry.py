@@ -281,7 +281,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "springs", "analysis.springs.springs", "SpringsResult", "drive",
+            "springs", "analysis.springs", "SpringsResult", "drive",
             section=Section(
                 "Springs",
                 "The springs named, as set and in service; η is the largest share used of range or stress allowed.",

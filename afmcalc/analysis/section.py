@@ -103,6 +103,13 @@ def section(answers: Answers) -> ClutchSection:
     clutch, sizes, assumed = _completed(answers)
     spec, laid_out, travel = clutch.spec, parts_of(sizes), float(sizes.travel)
     boxes = {part.name: [_box(ring) for ring in part.boxes if ring.extends] for part in laid_out}
+    if len(boxes["housing"]) < 2:
+        size = sizes.outer_radius + sizes.wall
+        raise CalculationError(
+            "plot section: the bore, {bore:.4g mm} wide, is no narrower than the housing, {housing:.4g mm}",
+            bore=2 * sizes.bore_radius,
+            housing=2 * float(size),
+        )
     balls = {part.name: boxes["balls"] if part.pockets else [] for part in laid_out}
     parts = {
         row.part: DrawnPart(

@@ -15,7 +15,7 @@ from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import Train, train_of
 from ..engines import Clutch
 from ..engines.checks import Beside, failures_of
-from ..engines.parts import checks_of_spec
+from ..engines.parts import checks_of_springs
 from ..equations import control_unit
 from ..equations import drive as law
 from ..equations.arrays import Floats, Values
@@ -29,7 +29,7 @@ from ..spec.edit import with_values
 from .clutch_findings import clutch_findings
 from .effects import with_pairs
 from .registry import ANALYSES
-from .sweep.grid import Axis, replaced, series
+from .sweep import Axis, replaced, series
 from .synthesize import synthesize
 from .torque import Pair, friction_fields, outside_range, pairs_asked
 from .wall import wall_of
@@ -192,13 +192,13 @@ def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
     own, rules = clutch.spec, {}
     if not own.spring_parts or not own.kind.travels:
         return
-    for path, each in checks_of_spec(own, clutch.spring_demands()):
+    for path, each in checks_of_springs(clutch):
         rules[path, each.rule] = each.beyond > _ROUNDING
-    for path, each in checks_of_spec(own, clutch.spring_demands(travel)):
+    for path, each in checks_of_springs(clutch, travel):
         if each.beyond > _ROUNDING and not rules.get((path, each.rule)):
             yield finding(
                 "event-spring", each.rule.level, value=each.value, limit=each.limit, path=path, travel=travel,
-                what=term(each.rule.what),
+                what=term(each.rule.name),
             )  # fmt: skip
 
 

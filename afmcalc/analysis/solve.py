@@ -28,7 +28,7 @@ from .answers import Answers
 from .asking import Asking, answer, asked
 from .check import lacks, simulating, told
 from .clutch_findings import clutch_findings
-from .sweep.axes import feasible, find_key
+from .sweep import feasible, find_key
 
 Function = Callable[[Floats], Floats]
 SAMPLES, ROWS = 400, 40

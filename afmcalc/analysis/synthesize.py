@@ -5,9 +5,10 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
+from ..engines import Clutch
 from ..engines.checks import failures_of
 from ..engines.quantities import Quantities
-from ..engines.selection import Wired, quantities_of
+from ..engines.selection import quantities_of
 from ..equations.arrays import next_listed
 from ..findings import Finding, finding
 from ..messages import say
@@ -58,17 +59,12 @@ class SynthesisResult(Asking, Answer):
     )
 
     @property
-    def contact_path(self) -> str:
-        """Key of the spec that the allowable force is from, or would be."""
-        return "control_unit.allowable_contact_force" if self.contact_basis == "given" else "control_unit.contact"
-
-    @property
     def ball_diameter(self) -> float:
         """The ball chosen, or the smallest where none is."""
         return 2 * self.ball_radius if self.ball_diameter_standard is None else self.ball_diameter_standard
 
 
-def synthesize(clutch: Wired, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
+def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
     """Design the control unit of a clutch, with ``balls`` to choose from, m, ascending; None: those of the spec.
 
     Raises:
@@ -125,7 +121,7 @@ def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[s
     }
 
 
-def _unit(clutch: Wired) -> ControlUnit:
+def _unit(clutch: Clutch) -> ControlUnit:
     """Return the control unit; refuse a clutch without what synthesis needs."""
     spec, unit = clutch.spec, clutch.spec.control_unit
     if unit is None:

@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 from typing import TypeVar
 
+from ..engines import Clutch
 from ..engines.quantities import Quantities
-from ..engines.selection import Wired
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..result import Answer, Triple, described, quantity
@@ -83,7 +83,7 @@ Pair = tuple[float, float | None]
 T = TypeVar("T")
 
 
-def torque(clutch: Wired, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
+def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
     """Calculate torque and forces over the friction range, and at pairs (f, None) or (f_1, f_2) asked for."""
     spec, own = clutch.spec, clutch.quantities
     points = pairs_asked(clutch, friction)
@@ -110,7 +110,7 @@ def _point(clutch: Quantities, friction: float, friction_driven: float | None, *
     return answer(FrictionPoint, there, friction=None)
 
 
-def pairs_asked(clutch: Wired, friction: Iterable[Pair]) -> list[Pair]:
+def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
     """Return the frictions asked for.
 
     Raises:
@@ -124,14 +124,14 @@ def pairs_asked(clutch: Wired, friction: Iterable[Pair]) -> list[Pair]:
     return points
 
 
-def friction_fields(clutch: Wired, friction: T, friction_driven: T | None) -> dict[str, T]:
+def friction_fields(clutch: Clutch, friction: T, friction_driven: T | None) -> dict[str, T]:
     """Return frictions as result fields: ``friction``, or one per group with unlike materials."""
     if not clutch.spec.friction.unlike:
         return {"friction": friction}
     return {"friction_driving": friction, "friction_driven": friction if friction_driven is None else friction_driven}
 
 
-def outside_range(clutch: Wired, friction: float, friction_driven: float | None) -> list[Finding]:
+def outside_range(clutch: Clutch, friction: float, friction_driven: float | None) -> list[Finding]:
     """Say where a friction asked for lies outside the range of the spec."""
     pair = (friction, friction if friction_driven is None else friction_driven)
     findings = [

@@ -4,7 +4,7 @@ import math
 from bisect import bisect_left
 from typing import NamedTuple
 
-from ..engines.selection import Wired
+from ..engines import Clutch
 from ..equations import curved_wall as law
 from ..result import Result, quantity
 
@@ -111,7 +111,7 @@ class Wall(NamedTuple):
         return max(map(abs, crosses)) / math.hypot(along, around)
 
 
-def wall_of(clutch: Wired, face_gap: float, ball_radius: float = 0.0) -> Wall:
+def wall_of(clutch: Clutch, face_gap: float, ball_radius: float = 0.0) -> Wall:
     """Return the wall of a clutch's pockets, for a ball."""
     own = clutch.quantities
     steepening = float(own["path_steepening"]) if "path_steepening" in own else 0.0

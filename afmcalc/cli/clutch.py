@@ -12,8 +12,8 @@ from .help import completing
 from .options import Common, SpecArgument, with_common
 
 if TYPE_CHECKING:
-    from ..analysis.sweep.grid import Axis
-    from ..engines.selection import Wired
+    from ..analysis.sweep import Axis
+    from ..engines import Clutch
     from ..render.layout import SweepDrawing
 
 SweepOption = Annotated[
@@ -57,7 +57,7 @@ def torque(
 
     points = [friction_of(text) for text in friction or ()]
     with with_details(details) if details else nullcontext():
-        common.calculate(common.wired(spec), friction=points)
+        common.calculate(common.clutch(spec), friction=points)
 
 
 @with_common
@@ -83,7 +83,7 @@ def accuracy(
     curve = curve_of(plot, sweep, common)
     if columns and not sweep:
         raise AfmcalcError("--columns are those of a sweep: give --sweep NAME with them")
-    clutch = common.wired(spec)
+    clutch = common.clutch(spec)
     names = [name.strip() for text in columns or () for name in text.split(",")]
     common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch), columns=names)
 
@@ -96,7 +96,7 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
     afmcalc adjust clutch.toml
     afmcalc adjust clutch.toml --set beta=1.1 --json
     """  # noqa: D301
-    common.calculate(common.wired(spec))
+    common.calculate(common.clutch(spec))
 
 
 @with_common
@@ -119,7 +119,7 @@ def overload(
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
-    clutch = common.wired(spec)
+    clutch = common.clutch(spec)
     points = [friction_of(text) for text in friction or ()]
     common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch), friction=points)
 
@@ -174,7 +174,7 @@ def life(
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
-    clutch = common.wired(spec)
+    clutch = common.clutch(spec)
     common.calculate(clutch, curve, model=model, sweeps=axes_of(sweep, clutch, band=True))
 
 
@@ -200,7 +200,7 @@ def compare(
     common.emit(result, findings, resolved(clutches[0].spec))
 
 
-def axes_of(sweep: list[str] | None, clutch: "Wired", *, band: bool = False) -> "list[Axis]":
+def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
     """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
     if not sweep:
         return []

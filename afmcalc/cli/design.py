@@ -1,7 +1,5 @@
 """Commands that go from what is wanted to a clutch."""
 
-import os
-from dataclasses import replace
 from typing import Annotated
 
 from typer import Argument, Option
@@ -55,6 +53,7 @@ def solve(
     """  # noqa: D301
     from ..analysis.solve import parse_target
     from ..spec import resolved
+    from ..spec.edit import value_at
 
     if spec is not None and "=" in spec and "=" not in target:
         target, spec = spec, target
@@ -67,9 +66,7 @@ def solve(
     if not result.roots:
         raise AfmcalcError(findings[-1].message)
     if save:
-        about = say("{path} found by afmcalc solve.", path=result.path)
-        wrote = say("wrote the spec with the value found to {output}", output=save)
-        replace(common, output=save).write_spec(resolved(solved.spec), about, wrote)
+        common.save_spec(clutch.spec, {result.path: value_at(solved.spec, result.path)}, solved.spec, save)
 
 
 @with_common
@@ -149,14 +146,7 @@ def design(
     if nothing:
         raise AfmcalcError(nothing[0].message)
     if save and chosen:
-        import json
-
-        from ..spec.saved import saved
-
-        folder = os.path.dirname(os.path.abspath(save))
-        as_json = f"{json.dumps(resolved(chosen), indent=2, ensure_ascii=False)}\n"
-        text = as_json if is_json_spec(save) else saved(given, row.changes, chosen, folder)
-        common.save(text.encode(), save)
+        common.save_spec(given, row.changes, chosen, save)
 
 
 _IN_TABLES = 40

@@ -1,6 +1,6 @@
 """Commands about the drive around a clutch: its events, what a trip does to the parts, and the springs."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Option
 
@@ -14,6 +14,7 @@ from .options import Common, SpecArgument, with_common
 if TYPE_CHECKING:
     from ..analysis.torque import Pair
     from ..engines import Clutch
+    from ..spec import Spec
 
 HistoryOption = Annotated[
     str | None,
@@ -137,33 +138,63 @@ def springs(
         float, Option(min=0, max=10, help="How far the stiffness may be off, as a share of it.")
     ] = 0.1,
     pick: Annotated[
-        list[int] | None, Option(metavar="N", help="Write the spec with this one to --output; one for each spring.")
+        list[int] | None,
+        Option(metavar="N", help="Take this one, one for each spring; --save writes the spec with it."),
+    ] = None,
+    save: Annotated[
+        str | None, Option(metavar="FILE", help="Write the spec with the springs picked, comments and units kept.")
     ] = None,
     *,
     common: Common,
 ) -> None:
     """Disc stacks and coil springs that give the forces and stiffnesses of a clutch, within the room there is.
 
+    What [closing_spring.room] and [control_spring.room] leave open is what the parts within [envelope] leave. With
+    --save the spec with the springs is checked; the keys changed and the verdict are told.
+
     \b
     afmcalc springs clutch.toml --sort wear --kind disc
     afmcalc springs clutch.toml --set closing_spring.room.outer_diameter='120 mm' --top 20
-    afmcalc springs clutch.toml --pick 3 --output sprung.toml
+    afmcalc springs clutch.toml --pick 3 --save sprung.toml
     afmcalc springs clutch.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
-    if pick and common.output in (None, "-") and common.chosen_format != "json":
-        raise AfmcalcError(
-            "springs --pick writes the spec with the spring: name a file with --output, or pass it on with --json"
-        )
+    if save and not pick:
+        raise AfmcalcError("--save writes the spec with the springs of --pick: give both")
     if not pick:
         common.calculate(common.clutch(spec), sort=sort, top=top, kind=kind, tolerance=tolerance)
         return
-    from ..analysis.springs.springs import picked
+    from ..analysis.springs import picked
+    from ..spec import resolved
 
-    common.keep(spec, spec=True)
+    common.keep(spec, beside=save)
     clutch = common.build(spec)
     result, findings = common.ask(clutch, sort, top, kind, tolerance)
-    data = picked(clutch, result, pick)
-    common.to_standard_output().emit(result, findings, data)
-    if common.output not in (None, "-"):
-        wrote = say("wrote the spec with its spring to {output}", output=common.output)
-        common.write_spec(data, say("With a part chosen by afmcalc springs."), wrote)
+    changes, sprung = picked(clutch, result, pick)
+    common.emit(result, findings, resolved(sprung))
+    if save:
+        _save_sprung(clutch.spec, changes, sprung, save, common)
+
+
+def _save_sprung(spec: "Spec", changes: dict[str, Any], sprung: "Spec", path: str, common: Common) -> None:
+    """Write a spec with its springs, and tell what changed and what a check of it says."""
+    from ..analysis.check import check
+    from ..engines import build
+    from ..spec.edit import value_at
+
+    common.save_spec(spec, changes, sprung, path)
+    for key, value in changes.items():
+        if value != (before := value_at(spec, key)):
+            common.note(say("{key}: {before} → {value}", key=key, before=_shown(before, key), value=_shown(value, key)))
+    with common.bar():
+        verdict = check(build(sprung))[0].verdict
+    common.note(verdict.sentence)
+
+
+def _shown(value: Any, key: str) -> str:
+    """Return a value of a spec as a file has it, on one line."""
+    from ..spec.saved import in_units
+
+    if value is None:
+        return "–"
+    told = in_units(value.model_dump(exclude_none=True) if hasattr(value, "model_dump") else value, key)
+    return ", ".join(f"{name} {each}" for name, each in told.items()) if isinstance(told, dict) else str(told)

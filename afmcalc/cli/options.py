@@ -3,7 +3,7 @@
 import inspect
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, fields, replace
 from functools import wraps
@@ -23,7 +23,6 @@ from .streams import tell
 
 if TYPE_CHECKING:
     from ..engines import Clutch
-    from ..engines.selection import Wired, WiredClutch
     from ..findings import Finding
     from ..render.layout import SweepDrawing
     from ..render.plot.chart import Sheet
@@ -187,14 +186,7 @@ class Common:
         self.keep(source)
         return self.build(source)
 
-    def wired(self, source: str | None) -> "WiredClutch":
-        """Return the clutch of a spec for a command whose analysis asks by name; refuses what ``keep`` refuses."""
-        from ..engines.selection import WiredClutch
-
-        self.keep(source)
-        return WiredClutch(self.read(source))
-
-    def calculate(self, clutch: "Wired", curve: "SweepDrawing | None" = None, **options: object) -> "Output":
+    def calculate(self, clutch: "Clutch", curve: "SweepDrawing | None" = None, **options: object) -> "Output":
         """Run the analysis of the command on a clutch and print its result; ``curve`` draws the plot below a sweep."""
         from ..spec import resolved
 
@@ -263,6 +255,19 @@ class Common:
         """Write a file, and report it."""
         write_file(path, content, force=self.force)
         self.wrote(say("wrote {output}", output=path))
+
+    def save_spec(self, spec: "Spec", changes: Mapping[str, Any], changed: "Spec", path: str) -> None:
+        """Write a spec with other values of some keys, its comments kept where the file is TOML."""
+        from ..spec import resolved
+        from ..spec.saved import saved
+
+        if is_json_spec(path):
+            import json
+
+            text = json.dumps(resolved(changed), indent=2, ensure_ascii=False) + "\n"
+        else:
+            text = saved(spec, changes, changed, os.path.dirname(os.path.abspath(path)))
+        self.save(text.encode(), path)
 
     def write_spec(self, data: dict[str, Any], about: str, wrote: str) -> None:
         """Write a spec, with ``about`` as its first line, to the file beside the result; report it with ``wrote``."""

@@ -13,7 +13,7 @@ from .quantities import Quantities
 from .selection import as_set
 
 if TYPE_CHECKING:
-    from .springs import SetSpring, SpringDemand
+    from .springs import SetSpring
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,15 +108,6 @@ class Clutch:
         if spring.disc is None:
             return self.quantities.apply(force_lost_by_wear, spring.straight_stiffness, pairs, wear)
         return spring.set_force - spring.force(-smaller(pairs * wear, spring.deflection))
-
-    def spring_demands(self, travel: float = 0.0) -> "list[SpringDemand]":
-        """Demand on each spring: force as set and stroke; ``travel`` counts where it exceeds that of the law."""
-        from .springs import spring_demands
-
-        control = None
-        if self.spec.kind.travels:
-            control, travel = float(self["control_force"]), max(travel, float(self["travel_max"]))
-        return spring_demands(self.spec, float(self["closing_force"]), control, travel)
 
     def held(self, **values: Any) -> "Clutch":
         """The same clutch with other values of some quantities; its springs and pockets stay as they are."""

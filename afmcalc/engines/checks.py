@@ -16,7 +16,6 @@ from ..messages import measured, term
 from ..spec.keys import keys
 from ..spec.lists import diameters
 from ..units import ENGINEER, ZEROS
-from ..variants import BREAKAWAY_LIMIT, REDUCED_LIMIT
 
 if TYPE_CHECKING:
     from ..spec.models import Spec
@@ -220,8 +219,8 @@ def _is_lasting(spec: Any) -> bool:
 
 
 _WHEN: Mapping[str, Callable[[Any], Any]] = {
-    "breakaway": lambda spec: spec.kind.gain_limit is BREAKAWAY_LIMIT,
-    "recommended": lambda spec: spec.kind.gain_limit is REDUCED_LIMIT,
+    "breakaway": lambda spec: spec.kind.gain_limit == "breakaway",
+    "recommended": lambda spec: spec.kind.gain_limit == "recommended",
     "controlled": lambda spec: spec.kind.controlled and not spec.kind.travels,
     "key": lambda spec: spec.kind.travels and (is_array(friction := spec.control_unit.key_friction) or friction),
     "lasting": _is_lasting,

@@ -44,8 +44,8 @@ class Elasticity(NamedTuple):
         return self.slope != self.larger
 
 
-def elasticities(clutch: Quantities, name: str = "accuracy_factor") -> dict[str, Elasticity]:
-    """Return the elasticities of a quantity by spec path, in every key that the clutch gives and the quantity needs.
+def elasticities(clutch: Quantities) -> dict[str, Elasticity]:
+    """Return the elasticities of K_т by spec path, in every key that the clutch gives and it needs.
 
     A pocket is kept as it is cut.
     """
@@ -57,7 +57,7 @@ def elasticities(clutch: Quantities, name: str = "accuracy_factor") -> dict[str,
         given["gain_slope"] = clutch["gain_slope"]
     if variant == "differentiated":
         given["bypass_pairs"] = clutch["bypass_pairs"]
-    needs = laws.needs(name, frozenset(given))
+    needs = laws.needs("accuracy_factor", frozenset(given))
     varied = [one for one in PATHS if one in needs and given.get(one)]
     shares = np.array([-5, -4, -3, -2, -1, 1, 2, 3, 4, 5]) * STEP
     arrays: dict[str, Any] = {}
@@ -66,7 +66,7 @@ def elasticities(clutch: Quantities, name: str = "accuracy_factor") -> dict[str,
         arrays[one][place] *= np.exp(shares)
         arrays[one] = arrays[one].ravel()
     with np.errstate(all="ignore"):
-        values = np.log(np.broadcast_to(Quantities(laws, given | arrays)[name], len(varied) * len(shares)))
+        values = np.log(np.broadcast_to(Quantities(laws, given | arrays)["accuracy_factor"], len(varied) * len(shares)))
     beside = values.reshape(len(varied), len(shares)).tolist()
     found = dict(zip(varied, map(_slopes, beside), strict=True))
     return {PATHS[one]: found[one] for one in varied} | {

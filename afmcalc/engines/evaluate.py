@@ -21,7 +21,7 @@ Output = str | Callable[[Clutch], Values]
 def evaluate(
     spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Output], block: int = BLOCK
 ) -> dict[str, Floats]:
-    """Evaluate what is asked of the clutch with arrays, SI, in place of the numbers at some paths of its spec.
+    """Evaluate what is asked of the clutch with arrays of one size, SI, in place of numbers at some paths of its spec.
 
     Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand
     for all their elements: those are validated, then the arrays go through the same engine as numbers do.
@@ -47,12 +47,11 @@ def evaluate(
             where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
             problems = [problem._replace(place=None) for problem in error.problems]
             raise SpecError(say("sweep at {where}", where=where), problems) from None
-    shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
-    answers = {name: np.empty(shape) for name in outputs}
-    # stretches of a flat sweep whose intermediate arrays stay in the processor's cache; else the whole
-    flat = len(shape) == 1 and all(array.shape == shape for array in arrays.values())
+    size = max(array.size for array in arrays.values())
+    answers = {name: np.empty(size) for name in outputs}
     with np.errstate(all="ignore"):
-        for part in [slice(start, start + block) for start in range(0, shape[0], block)] if flat else [...]:
+        for start in range(0, size, block):  # so that intermediate arrays stay in the processor's cache
+            part = slice(start, start + block)
             swept = edit.with_values(valid, {path: array[part] for path, array in arrays.items()})
             clutch = build(swept)
             for name, output in outputs.items():

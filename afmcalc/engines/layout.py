@@ -114,6 +114,58 @@ class Sizes(NamedTuple):
     closing: SpringSize = SpringSize()
     control: SpringSize = SpringSize()
 
+    @property
+    def reach(self) -> Values:
+        """Outermost radius of the balls."""
+        return self.circle + self.ball / 2
+
+    @property
+    def behind(self) -> Values:
+        """Right face of the pressure disc, along the axis."""
+        return 3 * self.plate + self.pairs * self.disc
+
+    @property
+    def depth_there(self) -> Values:
+        """Thickness of a sleeve, 0 of a clutch without balls."""
+        cut = self.depth
+        if cut is None:
+            cut = control_unit.pocket_depth_cut(self.ball / 2, self.gap) + self.plate
+        there: Any = self.ball > 0
+        return cut * there
+
+    @property
+    def rim(self) -> Values:
+        """Radius of the sleeves: as wide as their balls, under the pack."""
+        return larger(smaller(self.reach, self.inner_radius - self.wall) * (self.ball > 0), self.hub_radius)
+
+
+def rooms_of(clutch: Clutch) -> dict[str, Room]:
+    """Return the room that the other parts leave each spring as set: in the housing, around hub, sleeve or stop."""
+    size: Any = sizes_of(clutch)
+    envelope = clutch.spec.envelope
+    left = math.inf if envelope is None or envelope.length is None else envelope.length - size.behind - size.plate
+    if not size.travels:
+        boss = size.plate + max(size.depth_there, size.plate) + size.gap + size.depth_there > size.behind
+        return {"closing": _room(size, size.rim if size.ball and boss else size.hub_radius, left)}
+    control_at = size.behind + size.closing.length + size.plate
+    boss = 2 * size.plate + 2 * size.depth_there + size.gap > control_at
+    return {
+        "closing": _room(
+            size,
+            size.reach + size.wall if size.ball else size.hub_radius,
+            left - size.plate - max(size.control.length, size.travel),
+        ),
+        "control": _room(size, size.rim if boss else size.hub_radius, left - size.plate - size.closing.length),
+    }
+
+
+def _room(size: Sizes, inner: Any, length: Any) -> Room:
+    return Room.model_construct(
+        inner_diameter=2 * inner,
+        outer_diameter=2 * float(size.outer_radius),
+        length=max(length, TOUCHES) if length < math.inf else None,
+    )
+
 
 def sizes_of(clutch: Clutch) -> Sizes:
     """Return the sizes of a clutch whose spec has an envelope, the sleeve with room to travel."""
@@ -161,14 +213,9 @@ def parts_of(size: Sizes) -> list[SectionPart]:
     """Lay out the parts of a clutch from the web of the housing on; a ring that is not there has no extent."""
     hub, plate, gap, closing, control = size.hub_radius, size.plate, size.gap, size.closing, size.control
     carrier, faces = size.inner_radius - size.wall, size.outer_radius
-    pack, plate_at = 2 * plate, 2 * plate + size.pairs * size.disc
-    behind = plate_at + plate
+    pack, plate_at, behind = 2 * plate, size.behind - plate, size.behind
     there: Any = size.ball > 0
-    reach = size.circle + size.ball / 2
-    cut = control_unit.pocket_depth_cut(size.ball / 2, gap) + plate if size.depth is None else size.depth
-    depth = cut * there
-    # a sleeve is as wide as its balls, and goes under the pack
-    rim = larger(smaller(reach, carrier) * there, hub)
+    reach, depth, rim = size.reach, size.depth_there, size.rim
     half: Half = "hub" if size.travels else "driven"
     flange = (plate, pack, hub, faces)
     if size.travels:
@@ -232,15 +279,24 @@ def _part(name: PartName, half: Half, *rings: _Sides, mass: Values | None = None
 
 
 def overlaps(parts: list[SectionPart]) -> Iterator[tuple[PartName, PartName, Values]]:
-    """Yield every two parts that could be in each other's way, and by how much at most, m; none where it is ≤ 0."""
+    """Yield every two parts that could be in each other's way, and by how much at most, m; none where it is ≤ 0.
+
+    What is outside the housing is in its way, what is inside the bore of the hub in that of the hub.
+    """
     for first, second in combinations(parts, 2):
         if not (first.pockets and second.name == "balls"):
-            yield first.name, second.name, overlap(first, second)
+            missing = reduce(larger, (one.overlap(other) for one, other in product(first.boxes, second.boxes)))
+            if first.name in ("housing", "hub"):
+                missing = reduce(larger, (_outside(first, ring) for ring in second.boxes), missing)
+            yield first.name, second.name, missing
 
 
-def overlap(first: SectionPart, second: SectionPart) -> Values:
-    """By how much two parts are in each other's way at most, m: the shorter way out, along the axis or across it."""
-    return reduce(larger, (one.overlap(other) for one, other in product(first.boxes, second.boxes)))
+def _outside(around: SectionPart, ring: Ring) -> Values:
+    """How far a ring is beyond the outside of the housing, or within the bore of the hub, m; ≤ 0: it is not."""
+    if around.name == "hub":
+        return (around.boxes[0].inner - ring.inner) * ring.extends
+    web, drum = around.boxes
+    return larger(ring.outer - web.outer, ring.right - drum.right, web.left - ring.left) * ring.extends
 
 
 def length_of(parts: list[SectionPart]) -> Values:

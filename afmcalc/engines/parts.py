@@ -1,25 +1,23 @@
-"""What springs that are known as parts are to bear: the one law of those searched for and of those a spec names."""
+"""What a spring is to give, and what a part is to hold as that spring: rules as columns, for one part or many."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import Any, Literal, NamedTuple, cast
 
 from ..equations import springs as law
+from ..equations.arrays import Values, chosen, is_array, logarithm, sin, smaller
 from ..findings import Finding, Level, finding
 from ..messages import term
-from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Spec
+from ..spec.catalogues import Disc
+from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Room
+from .adapter import Clutch
+from .checks import ROUNDING, Check
+from .layout import rooms_of
 from .quantities import Apply, call
-from .springs import (
-    LEAST_USED,
-    MODULUS,
-    MOST_USED,
-    Characteristic,
-    CoilCharacteristic,
-    DiscCharacteristic,
-    SpringDemand,
-    characteristic,
-)
+from .springs import LEAST_USED, MODULUS, MOST_USED, CoilCharacteristic, DiscCharacteristic, characteristic
 
+QUASI_STATIC = 1e4
+"""Strokes up to which a spring counts as one that rests (EN 13906-1)."""
 INDEX = (4.0, 20.0)
 """Mean coil diameter over wire diameter (EN 13906-1)."""
 SOLID_SHARE = 0.56
@@ -34,185 +32,279 @@ WIRE = (0.3e-3, 20e-3)
 """Diameters of EN 10270-1, m."""
 SEATING = 0.5
 """ν of a spring between parallel plates (EN 13906-1)."""
-_ROUNDING = 1e-9
+
+SpringName = Literal["closing", "control"]
 
 
-class PartRule(NamedTuple):
-    """One thing that a part is to hold."""
+class SpringDemand(NamedTuple):
+    """What one spring of a clutch is to give, and what happens to it."""
 
-    misses: str
-    """What it misses where it does not."""
-    code: str
-    """Code of the finding that says so."""
-    level: Level
-    what: str
-    symbol: str
-    unit: str
-    least: bool = False
-    """Whether the value must reach the limit, instead of keeping below it."""
+    name: SpringName
+    force: float
+    """As set, N."""
+    stiffness: float | None
+    """N/m; None: any."""
+    relaxes: float
+    """How much longer it gets in service, m."""
+    room: Room
+    pitch: float | None
+    """Of the nut, m."""
+    friction: tuple[float, float] | None
+    """w_M of the cones of a stack on each other, w_R of its edges."""
+    compresses: float = 0.0
+    """How much shorter it gets in service, m."""
+    follows: int | None = None
+    """Pairs whose wear it follows; None: wear does not reach it."""
+    stroke: float | None = None
+    """How far it goes and comes at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
+    cycles: float | None = None
+    """Trips asked for; None: not told."""
+    catalogue: tuple[Disc, ...] | None = None
+    """Disc springs to choose from; None: those that ship."""
 
 
-FORCE = PartRule("force", "spring-too-weak", "error", "force of the spring", "F ≤ F_c", "N")
-SLACK = PartRule("preload", "spring-slack", "error", "travel by which the spring is let go", "Δs ≤ s", "m")
-_OF_DISC, _OF_COIL = "deflection of disc springs", "deflection of coil springs"
-LEAST = PartRule("preload", "spring-beyond-range", "warning", _OF_DISC, "s ≥ s_min", "m", least=True)
-MOST = PartRule("deflection", "spring-beyond-range", "warning", _OF_DISC, "s ≤ s_max", "m")
-TURNED = PartRule("stress", "disc-overstressed", "error", "stress where a disc turns", "|σ_OM| ≤ [σ]", "Pa")
-SLENDER = PartRule("index", "coil-index", "warning", "index of a coil", "w ≤ 20", "1")
-TIGHT = PartRule("index", "coil-index", "warning", "index of a coil", "w ≥ 4", "1", least=True)
-SOLID = PartRule("deflection", "coil-solid", "error", _OF_COIL, "s ≤ s_c", "m")
-GAPS = PartRule("deflection", "coil-gaps-closed", "warning", _OF_COIL, "s ≤ s_n", "m")
-BUCKLING = PartRule("buckling", "coil-buckles", "warning", "deflection of coil springs without guide", "s ≤ s_K", "m")
-STRESS = PartRule("stress", "coil-overstressed", "error", "shear stress of a wire in service", "τ_2 ≤ [τ]", "Pa")
-STRESS_SOLID = PartRule("stress", "coil-stress-solid", "warning", "shear stress of a wire, solid", "τ_c ≤ [τ]", "Pa")
-_MOVING = "shear stress, with k_τ, of a wire that moves at every trip"
-FATIGUE = PartRule("fatigue", "coil-fatigue", "warning", _MOVING, "τ_k2 ≤ τ_kO", "Pa")
-LENGTH = PartRule("length", "spring-does-not-fit", "error", "length of the spring", "L ≤ [L]", "m")
-_OUTER = "outer diameter of the spring"
-OUTER = PartRule("outer diameter", "spring-does-not-fit", "error", _OUTER, "D_e ≤ D_2", "m")
-INNER = PartRule(
-    "inner diameter", "spring-does-not-fit", "error", "inner diameter of the spring", "D_i ≥ D_1", "m", least=True
-)
-RING = PartRule("outer diameter", "spring-does-not-fit", "error", _OUTER, "D_e ≤ (D_2 − D_1)/2", "m")
-PITCH = PartRule("outer diameter", "spring-does-not-fit", "error", _OUTER, "D_e ≤ t_п", "m")
+def spring_demands(clutch: Clutch, travel: float = 0.0) -> list[SpringDemand]:
+    """Return what each spring of a clutch is to give; ``travel`` counts where it exceeds that of the law.
+
+    The closing spring of a direct clutch follows the wear of the pack and rests. That of an indirect one is slackened
+    by the travel of the sleeve, which presses the control spring together, and it is the control spring that follows
+    the wear; both move at every trip.
+    """
+    spec, pairs = clutch.spec, clutch.spec.friction_group.pairs
+    rooms = {} if spec.envelope is None else rooms_of(clutch)
+    worn = pairs * ((spec.heat and spec.heat.lining) or 0.0)
+
+    def demand(name: SpringName, relaxes: float, **service: Any) -> SpringDemand:
+        spring: Any = getattr(spec, f"{name}_spring")
+        left = rooms.get(name, Room())
+        if left.length is not None:
+            left = left.model_copy(update={"length": left.length + relaxes})
+        given = {} if spring.room is None else spring.room.model_dump(exclude_none=True)
+        surface, edge = spring.surface_friction, spring.edge_friction
+        return SpringDemand(
+            name=name,
+            force=float(clutch[f"{name}_force"]),
+            stiffness=spring.stiffness or None,
+            relaxes=relaxes,
+            room=left.model_copy(update=given),
+            pitch=spring.thread_pitch,
+            friction=None if surface is None or edge is None else (surface, edge),
+            catalogue=spec.lists.discs,
+            **service,
+        )
+
+    if not spec.kind.travels:
+        return [demand("closing", worn, follows=pairs)]
+    travel = max(travel, float(clutch["travel_max"]))
+    cycles = spec.requirements.cycles if spec.requirements is not None else None
+    moves: dict[str, Any] = {"stroke": travel if cycles is None or cycles > QUASI_STATIC else None, "cycles": cycles}
+    return [
+        demand("closing", travel, **moves),
+        demand("control", worn, compresses=travel, follows=pairs, **moves),
+    ]
+
+
+_TABLE = """\
+spring-too-weak | force of the spring | F ≤ F_c | N | force ≤ force_at_end | error | force
+spring-slack | travel by which the spring is let go | Δs ≤ s | m | relaxes ≤ deflection | error | preload
+spring-beyond-range | deflection of disc springs | s ≥ s_min | m | deflection_least ≥ cone_least | warning | preload
+spring-beyond-range | deflection of disc springs | s ≤ s_max | m | deflection_most ≤ cone_most | warning | deflection
+disc-overstressed | stress where a disc turns | |σ_OM| ≤ [σ] | Pa | pressure_turning ≤ om_strength | error | stress
+coil-index | index of a coil | w ≥ 4 | 1 | index ≥ index_least | warning | index
+coil-index | index of a coil | w ≤ 20 | 1 | index ≤ index_most | warning | index
+coil-solid | deflection of coil springs | s ≤ s_c | m | deflection_most ≤ deflection_solid | error | deflection
+coil-gaps-closed | deflection of coil springs | s ≤ s_n | m | deflection_most ≤ deflection_of_gaps | warning | deflection
+coil-buckles | deflection of coil springs without guide | s ≤ s_K | m | deflection_most ≤ deflection_buckling | warning | buckling
+coil-overstressed | shear stress of a wire in service | τ_2 ≤ [τ] | Pa | stress_static ≤ wire_strength | error | stress
+coil-stress-solid | shear stress of a wire, solid | τ_c ≤ [τ] | Pa | stress_solid ≤ wire_strength | warning | stress
+coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance | warning | fatigue
+coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance_required | error | fatigue
+spring-does-not-fit | length of the spring | L ≤ [L] | m | length ≤ room_length | error | length
+spring-does-not-fit | deflection of the spring as set | s ≤ [L] | m | deflection ≤ room_length | error | length
+spring-does-not-fit | outer diameter of the spring | D_e ≤ (D_2 − D_1)/2 | m | outer_diameter ≤ room_ring | error | outer diameter
+spring-does-not-fit | outer diameter of the spring | D_e ≤ t_п | m | outer_diameter ≤ room_pitch | error | outer diameter
+spring-does-not-fit | outer diameter of the spring | D_e ≤ D_2 | m | outer_diameter ≤ room_outer | error | outer diameter
+spring-does-not-fit | inner diameter of the spring | D_i ≥ D_1 | m | inner_diameter ≥ room_inner | error | inner diameter
+"""  # noqa: E501
+"""code | name | symbol | unit | value and limit | level | what a part misses that does not hold it."""
+
+
+def _rules() -> Iterator[Check]:
+    for row in _TABLE.splitlines():
+        code, name, symbol, unit, condition, level, misses = row.split(" | ")
+        value, sign, limit = condition.split()
+        yield Check(
+            code, name, symbol, unit, value, limit, sign == "≥", level=cast(Level, level), needs="springs", topic=misses
+        )
+
+
+RULES = tuple(_rules())
+"""What a part is to hold."""
 
 
 class PartCheck(NamedTuple):
-    """A rule, and the numbers of one part."""
+    """A rule, and the numbers of one part, or of many."""
 
-    rule: PartRule
-    value: float
-    limit: float
-    scale: float = 0.0
-    """What a miss is told by; 0: the limit."""
+    rule: Check
+    value: Any
+    limit: Any
+    scale: Any
+    """What a miss is told by."""
 
     @property
     def utilisation(self) -> float:
         """1 at the limit; of what must reach it, infinite where there is nothing."""
-        if self.rule.least:
-            return self.limit / self.value if self.value > 0 else math.inf
-        return self.value / self.limit
+        return self.rule.utilisation(self.value, self.limit)
 
     @property
-    def beyond(self) -> float:
+    def beyond(self) -> Any:
         """By how much it is missed, relative; not positive: it is held."""
         over = self.limit - self.value if self.rule.least else self.value - self.limit
-        return over / (self.scale or self.limit)
+        return over / self.scale
 
 
-def checks_of_part(demand: SpringDemand, part: DiscStack | CoilSprings, apply: Apply = call) -> list[PartCheck]:
-    """What a part is to hold as a spring of a clutch, held or not."""
+def checks_of_part(known: dict[str, Any]) -> list[PartCheck]:
+    """Return what a part is to hold, held or not, from its values; of columns NaN is not asked."""
+    return [
+        PartCheck(
+            rule,
+            known[rule.value],
+            known[rule.limit],
+            known["deflection_end" if rule.topic in ("preload", "deflection") else rule.limit],
+        )
+        for rule in RULES
+        if isinstance(rule.limit, str) and _asked(known.get(rule.value)) and _asked(known.get(rule.limit))
+    ]
+
+
+def _asked(value: Any) -> bool:
+    return value is not None and (is_array(value) or value == value)
+
+
+def values_of_part(demand: SpringDemand, part: DiscStack | CoilSprings, apply: Apply = call) -> dict[str, Any]:
+    """Return what a part gives as set and in service, and what it may; NaN or None where there is nothing.
+
+    ``part`` may have columns for numbers, a row for each of many parts.
+    """
     own = characteristic(part, apply)
-    held, deflection = float(own.force(own.end)), float(own.deflection(demand.force))
-    found = [PartCheck(FORCE, demand.force, held)]
+    deflection = own.deflection(demand.force)
     least, most = deflection - demand.relaxes, deflection + demand.compresses
-    if demand.relaxes:
-        found.append(PartCheck(SLACK, demand.relaxes, deflection, own.end))
-    found += _of_discs(own, least, most) if isinstance(own, DiscCharacteristic) else _of_coils(own, demand, most)
-    return [*found, *_of_room(own, demand, own.free_length - least)]
+    known = {
+        "force": demand.force,
+        "force_at_end": own.force(own.end),
+        "relaxes": demand.relaxes or None,
+        "deflection": deflection,
+        "deflection_least": least,
+        "deflection_most": most,
+        "deflection_end": own.end,
+        "stiffness": own.stiffness(deflection),
+        "free_length": own.free_length,
+        "length": own.free_length - least,
+        "mass": own.mass,
+    }
+    of_kind = _of_discs(own, most) if isinstance(own, DiscCharacteristic) else _of_coils(own, demand, most)
+    known |= of_kind
+    return known | _of_room(demand.room, getattr(part, "count", 1), known["outer_diameter"])
 
 
-def _of_discs(own: DiscCharacteristic, least: float, most: float) -> Iterator[PartCheck]:
-    low, high = own.range
-    yield PartCheck(LEAST, least, low, own.end)
-    yield PartCheck(MOST, most, high, own.end)
-    yield PartCheck(TURNED, abs(own.stresses(most)[0]), OM_STRENGTH)
+def _of_discs(own: DiscCharacteristic, most: Values) -> dict[str, Any]:
+    (low, high), (middle, edge) = own.range, own.stresses(most)
+    return {
+        "cone_least": low,
+        "cone_most": high,
+        "stress": edge,
+        "stress_middle": middle,
+        "pressure_turning": abs(middle),
+        "om_strength": OM_STRENGTH,
+        "outer_diameter": own.part.outer_diameter,
+        "inner_diameter": own.part.inner_diameter,
+    }
 
 
-def _of_coils(own: CoilCharacteristic, demand: SpringDemand, most: float) -> Iterator[PartCheck]:
-    part = own.part
-    index = part.coil_diameter / part.wire_diameter
-    yield PartCheck(TIGHT, index, INDEX[0])
-    yield PartCheck(SLENDER, index, INDEX[1])
-    yield PartCheck(SOLID, most, own.end)
-    yield PartCheck(GAPS, most, own.range[1], own.end)
-    yield from _buckling(own, demand, most)
-    tensile = strength(part.wire_diameter)
-    if tensile is None:
-        return
-    limit = SOLID_SHARE * tensile
-    yield PartCheck(STRESS, own.stress(most), limit)
-    yield PartCheck(STRESS_SOLID, own.stress(own.end), limit)
-    if demand.stroke is not None:
-        lower, upper = (own.correction * own.stress(at) for at in (most - demand.stroke, most))
-        ultimate = SHEAR_SHARE * tensile
-        endurance = own.apply(law.coil_endurance, *ZIMMERLI, ultimate)
-        limit = float(own.apply(law.coil_upper_stress, lower, endurance, ultimate))
-        yield PartCheck(FATIGUE if demand.cycles is None else FATIGUE._replace(level="error"), upper, limit)
-
-
-def _buckling(own: CoilCharacteristic, demand: SpringDemand, most: float) -> Iterator[PartCheck]:
-    """A spring is guided by a shaft in it, or a bore around it, that is within a wire's thickness."""
+def _of_coils(own: CoilCharacteristic, demand: SpringDemand, most: Values) -> dict[str, Any]:
     part, room, ratio = own.part, demand.room, SHEAR_MODULUS / MODULUS
-    if part.count == 1:
-        shaft, bore = room.inner_diameter or 0.0, room.outer_diameter or math.inf
-        if min(part.coil_diameter - shaft, bore - part.coil_diameter) <= 2 * part.wire_diameter * (1 + _ROUNDING):
-            return
-    root = float(own.apply(law.coil_buckling_root, part.coil_diameter, part.free_length, ratio, SEATING, math.pi))
-    if root >= 0:
-        yield PartCheck(BUCKLING, most, float(own.apply(law.coil_buckling_deflection, part.free_length, ratio, root)))
+    wire, coil, tensile = part.wire_diameter, part.coil_diameter, strength(part.wire_diameter)
+    # a shaft in it, or a bore around it, within a wire's thickness guides it
+    play = smaller(coil - (room.inner_diameter or 0.0), (room.outer_diameter or math.inf) - coil)
+    root = own.apply(law.coil_buckling_root, coil, part.free_length, ratio, SEATING, math.pi)
+    buckles = (root >= 0) & ((part.count != 1) | (play > 2 * wire * (1 + ROUNDING)))
+    known = {
+        "index": coil / wire,
+        "index_least": INDEX[0],
+        "index_most": INDEX[1],
+        "deflection_solid": own.end,
+        "deflection_of_gaps": own.range[1],
+        "deflection_buckling": chosen(
+            buckles, lambda: own.apply(law.coil_buckling_deflection, part.free_length, ratio, root), lambda: math.nan
+        ),
+        "stress": own.stress(most),
+        "stress_static": own.stress(most),
+        "stress_solid": own.stress(own.end),
+        "wire_strength": SOLID_SHARE * tensile,
+        "outer_diameter": coil + wire,
+        "inner_diameter": coil - wire,
+    }
+    if demand.stroke is None:
+        return known
+    lower, upper = (own.correction * own.stress(at) for at in (most - demand.stroke, most))
+    ultimate = SHEAR_SHARE * tensile
+    endurance = own.apply(law.coil_endurance, *ZIMMERLI, ultimate)
+    name = "endurance" if demand.cycles is None else "endurance_required"
+    return known | {"stress": upper, name: own.apply(law.coil_upper_stress, lower, endurance, ultimate)}
 
 
-def _of_room(own: Characteristic, demand: SpringDemand, length: float) -> Iterator[PartCheck]:
-    """What there is room for along the shaft, around it and, of several coils, side by side."""
-    part, room = own.part, demand.room
-    inner, outer = room.inner_diameter or 0.0, room.outer_diameter
-    if room.length is not None:
-        yield PartCheck(LENGTH, length, room.length)
-    if isinstance(part, DiscStack):
-        across, within = part.outer_diameter, part.inner_diameter
-    else:
-        across, within = part.coil_diameter + part.wire_diameter, part.coil_diameter - part.wire_diameter
-    if isinstance(part, CoilSprings) and part.count > 1:
-        if outer is not None and inner:
-            yield PartCheck(RING, across, (outer - inner) / 2)
-            yield PartCheck(PITCH, across, (inner + outer) / 2 * math.sin(math.pi / part.count))
-        return
-    if outer is not None:
-        yield PartCheck(OUTER, across, outer)
-    if inner:
-        yield PartCheck(INNER, within, inner)
+def _of_room(room: Room, count: Any, outer_diameter: Any) -> dict[str, Any]:
+    """Return what there is room for along the shaft, around it and, of several coils, side by side."""
+    inner, outer = room.inner_diameter or math.nan, math.nan if room.outer_diameter is None else room.outer_diameter
+    alone = (count == 1) & (outer_diameter > 0)
+    return {
+        "room_length": room.length,
+        "room_ring": chosen(alone, lambda: math.nan, lambda: (outer - inner) / 2),
+        "room_pitch": chosen(alone, lambda: math.nan, lambda: (inner + outer) / 2 * sin(math.pi / count)),
+        "room_outer": chosen(alone, lambda: outer, lambda: math.nan),
+        "room_inner": chosen(alone, lambda: inner, lambda: math.nan),
+    }
 
 
-def strength(wire: float) -> float | None:
-    """Tensile strength of patented drawn wire SM or DM, 1980 − 740 lg d, Pa; None of no such wire (EN 10270-1)."""
-    low, high = WIRE
-    if not low * (1 - _ROUNDING) <= wire <= high * (1 + _ROUNDING):
-        return None
-    return (1980 - 740 * math.log10(wire * 1e3)) * 1e6
+def strength(wire: Values) -> Values:
+    """Tensile strength of patented drawn wire SM or DM, 1980 − 740 lg d, Pa; NaN of no such wire (EN 10270-1)."""
+    there = (wire >= WIRE[0] * (1 - ROUNDING)) & (wire <= WIRE[1] * (1 + ROUNDING))
+    return chosen(there, lambda: (1980 - 740 / math.log(10) * logarithm(wire * 1e3)) * 1e6, lambda: math.nan)
 
 
-def checks_of_spec(spec: Spec, demands: Iterable[SpringDemand], apply: Apply = call) -> Iterator[tuple[str, PartCheck]]:
-    """What the springs that a spec names are to hold, each with the path of its part."""
-    for demand in demands:
-        if (part := spec.spring_parts.get(demand.name)) is not None:
+def checks_of_springs(clutch: Clutch, travel: float = 0.0, apply: Apply = call) -> Iterator[tuple[str, PartCheck]]:
+    """Yield what the springs that a spec names are to hold, each with the path of its part."""
+    parts = clutch.spec.spring_parts
+    for demand in spring_demands(clutch, travel) if parts else ():
+        if (part := parts.get(demand.name)) is not None:
             path = f"{demand.name}_spring.{'disc' if isinstance(part, DiscStack) else 'coil'}"
-            yield from ((path, each) for each in checks_of_part(demand, part, apply))
+            yield from ((path, each) for each in checks_of_part(values_of_part(demand, part, apply)))
 
 
-def part_findings(spec: Spec, demands: Sequence[SpringDemand]) -> list[Finding]:
+def part_findings(clutch: Clutch) -> list[Finding]:
     """Springs that cannot give their force, do not fit, bear too much, or are used as they should not be."""
-    missed = [(path, each) for path, each in checks_of_spec(spec, demands) if each.beyond > _ROUNDING]
-    weak = {path for path, each in missed if each.rule is FORCE}
-    found = [_finding(path, each) for path, each in missed if path not in weak or each.rule is FORCE]
-    found += (each for demand in demands for each in _remarks(demand, spec.spring_parts.get(demand.name)))
+    missed = [(path, each) for path, each in checks_of_springs(clutch) if each.beyond > ROUNDING]
+    weak = {path for path, each in missed if each.rule.topic == "force"}
+    found = [_finding(path, each) for path, each in missed if path not in weak or each.rule.topic == "force"]
+    found += (each for demand in spring_demands(clutch) for each in _remarks(clutch, demand))
     return list({(each.code, each.path): each for each in found}.values())
 
 
 def _finding(path: str, missed: PartCheck) -> Finding:
     rule, value, limit = missed.rule, missed.value, missed.limit
-    if rule is FORCE:
+    if rule.topic == "force":
         value, limit = limit, value
-    elif rule in (LEAST, MOST):
+    elif rule.code == "spring-beyond-range":
         share = LEAST_USED if rule.least else MOST_USED
         value, limit = value / limit * share, share
-    return finding(rule.code, rule.level, value=value, limit=limit, path=path, what=term(rule.what))
+    return finding(rule.code, rule.level, value=value, limit=limit, path=path, what=term(rule.name))
 
 
-def _remarks(demand: SpringDemand, part: DiscStack | CoilSprings | None) -> Iterator[Finding]:
+def _remarks(clutch: Clutch, demand: SpringDemand) -> Iterator[Finding]:
     """A wire whose strength is not known, and a stiffness beside discs, whose curve the law takes."""
+    part = clutch.spec.spring_parts.get(demand.name)
     if isinstance(part, CoilSprings):
-        if strength(part.wire_diameter) is None:
+        if math.isnan(strength(part.wire_diameter)):
             path = f"{demand.name}_spring.coil.wire_diameter"
             yield finding("wire-not-judged", "warning", value=part.wire_diameter, path=path)
     elif part is not None and demand.stiffness is not None:

@@ -55,13 +55,8 @@ class Laws:
         self.arguments = {name: _arguments(law) for name, law in self.laws.items()}
         self.names = frozenset(self.laws).union(*self.arguments.values(), *self.cases.values())
         self.made_by: tuple[Any, ...] | None = None
-        """Function and arguments that make these laws again, for pickle."""
+        """Function and arguments that make these laws again."""
         self._needs: dict[tuple[Names, str], Names] = {}
-
-    def __reduce__(self) -> Any:
-        """Pickle how the laws are chosen, not the laws."""
-        assert self.made_by is not None, "only laws chosen by laws_for can be pickled"
-        return self.made_by[0], self.made_by[1:]
 
     def case_of(self, name: str) -> tuple[str, str] | None:
         """Quantity and case of a name such as ``torque_at_f_max``."""
@@ -137,11 +132,6 @@ class Quantities(Named):
         self._own: dict[str, Any] = {}  # what a case, or ``at``, gives other values
         self._bound: dict[str, tuple[str, str]] = {}  # name in _own → the quantity that stands for it, and the case
         self._family: dict[Any, Quantities] = {}  # cases asked before; ``at`` a value they are kept with that scope
-
-    def __reduce__(self) -> Any:
-        """Pickle what is given; a case of a clutch is asked of the clutch."""
-        assert self._root is self, "pickle the clutch, not a case of it"
-        return Quantities, (self.laws, self.given)
 
     def __getitem__(self, name: str) -> Any:
         """Return the value of a quantity, such as ``gain``, or in a case ``torque_at_f_max``.
@@ -306,38 +296,3 @@ class Quantities(Named):
                 cases=", ".join(cases),
             )
         return say("{name} needs {needs}", name=name, needs=", ".join(missing))
-
-    def compiled(self, name: str, *free: str) -> Callable[..., Any]:
-        """A quantity as a function of others, of numbers, for loops: its laws as one expression, all else kept."""
-        laws = self.laws
-        known: dict[str, Any] = {}
-
-        def constant(value: Any) -> str:
-            known[f"c{len(known)}"] = value
-            return f"c{len(known) - 1}"
-
-        def expression(one: str, clutch: Quantities, texts: dict[str, str]) -> str:
-            if one in texts:
-                return texts[one]
-            if laws.needs(one, clutch._names.union(texts)).isdisjoint(texts):
-                return constant(clutch[one])
-            law, split = laws.laws.get(one), laws.case_of(one)
-            if isinstance(law, Same):
-                return expression(law.quantity, clutch, texts)
-            if isinstance(law, Either):
-                yes, no = expression(law.yes, clutch, texts), expression(law.no, clutch, texts)
-                return f"({yes} if {expression(law.condition, clutch, texts)} else {no})"
-            if law is None and split is not None:
-                targets = laws.cases[split[1]]
-                texts = {free: text for free, text in texts.items() if free not in targets}
-                if all(laws.needs(target, clutch._names.union(texts)).isdisjoint(texts) for target in targets.values()):
-                    return expression(split[0], clutch.at(split[1]), texts)
-                return expression(
-                    split[0], clutch, texts | {bound: expression(to, clutch, texts) for bound, to in targets.items()}
-                )
-            if not callable(law):
-                raise MissingError(clutch._unknown(one))
-            return f"{constant(law)}({', '.join(expression(each, clutch, texts) for each in laws.arguments[one])})"
-
-        text = expression(name, self, {one: one for one in free})
-        return eval(f"lambda {', '.join(free)}: {text}", known)

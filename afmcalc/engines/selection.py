@@ -1,10 +1,9 @@
 """Which laws make up a clutch, by its variant, adjustment method and keys given; its quantities from a spec."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ..equations import (
     accuracy,
@@ -29,6 +28,7 @@ from .quantities import Case, Laws, Quantities
 
 if TYPE_CHECKING:
     from ..spec.models import Spec
+    from .adapter import Clutch
 
 Part: TypeAlias = ModuleType | Mapping[str, Any]
 
@@ -129,7 +129,7 @@ def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = Fals
     return Quantities(laws, found, noted=noted)
 
 
-def by_rule(clutch: "Wired", rule: str) -> Quantities:
+def by_rule(clutch: "Clutch", rule: str) -> Quantities:
     """Return the quantities of a clutch with the laws of a rule for the damaging stress of a life."""
     own = clutch.quantities
     choose, variant, method, keys = own.laws.made_by or ()
@@ -209,34 +209,6 @@ def as_set(clutch: Quantities, **values: Any) -> Quantities:
         function, variant, method, keys = laws.made_by
         laws = function(variant, method, keys | {"control_force_made"})
     return Quantities(laws, clutch.given | kept | values)
-
-
-class Wired(Protocol):
-    """What such an analysis takes: ``WiredClutch``, or until the last analysis is converted the old engine."""
-
-    @property
-    def spec(self) -> "Spec":
-        """The spec."""
-
-    @property
-    def quantities(self) -> Quantities:
-        """The quantities."""
-
-
-@dataclass(frozen=True)
-class WiredClutch:
-    """A clutch that is calculated by its laws alone."""
-
-    spec: "Spec"
-
-    @cached_property
-    def quantities(self) -> Quantities:
-        """Its quantities, each calculated when first asked for.
-
-        Raises:
-            SpecError: the spec describes no clutch.
-        """
-        return accepted(self.spec, quantities_of(self.spec))
 
 
 def accepted(spec: "Spec", clutch: Quantities) -> Quantities:

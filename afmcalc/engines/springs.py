@@ -1,15 +1,14 @@
-"""Springs of a clutch: the force of a part over its deflection, a spring as it is set, and what it is to give."""
+"""Springs of a clutch: the force of a part over its deflection, and a spring as it is set; numbers or arrays."""
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, TypeAlias
 
 from ..equations import springs as law
 from ..equations.arrays import Values, chosen, greatest, larger, logarithm, smaller
-from ..spec.catalogues import Disc
-from ..spec.models import SHEAR_MODULUS, ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room, Spec
+from ..spec.models import SHEAR_MODULUS, CoilSprings, DiscStack
 from .quantities import Apply, call
 
 MODULUS = 206e9
@@ -19,8 +18,6 @@ STEEL = 7850.0
 """Density, kg/m³."""
 LEAST_USED, MOST_USED = 0.15, 0.75
 """Shares of the cone height that a disc spring is used in (DIN EN 16984)."""
-QUASI_STATIC = 1e4
-"""Strokes up to which a spring counts as one that rests (EN 13906-1)."""
 _STEPS = 60
 _CLOSE = 1e-13
 """Relative to the whole deflection."""
@@ -129,14 +126,14 @@ class DiscCharacteristic:
         plain = DiscCharacteristic(self.part)
         return root(lambda at: plain.force(at) - force, plain.stiffness, self.end + 0.0 * force)
 
-    def stresses(self, deflection: float) -> tuple[float, float]:
+    def stresses(self, deflection: Values) -> tuple[Values, Values]:
         """Stress where the section turns (OM), and the largest tension at the edges II and III, Pa."""
-        logarithm, each = math.log(self.ratio), deflection / self.part.series
-        membrane = self.apply(law.disc_factor_membrane, self.ratio, logarithm, math.pi)
-        bending = self.apply(law.disc_factor_bending, self.ratio, logarithm, math.pi)
+        ratio, each = self.ratio, deflection / self.part.series
+        membrane = self.apply(law.disc_factor_membrane, ratio, logarithm(ratio), math.pi)
+        bending = self.apply(law.disc_factor_bending, ratio, logarithm(ratio), math.pi)
         middle = self.apply(law.disc_stress, *self.shape, each, 0.0, 3 / math.pi)
-        edges = (membrane, -bending), ((membrane - 2 * bending) / self.ratio, -bending / self.ratio)
-        return float(middle), max(float(self.apply(law.disc_stress, *self.shape, each, *edge)) for edge in edges)
+        edges = (membrane, -bending), ((membrane - 2 * bending) / ratio, -bending / ratio)
+        return middle, larger(*(self.apply(law.disc_stress, *self.shape, each, *edge) for edge in edges))
 
 
 @dataclass(frozen=True)
@@ -193,7 +190,7 @@ class CoilCharacteristic:
         """k_τ, by which a curved wire bears more at its inside: it counts where the spring moves."""
         return self.apply(law.coil_correction, self.part.wire_diameter, self.part.coil_diameter)
 
-    def stress(self, deflection: float) -> float:
+    def stress(self, deflection: Values) -> Values:
         """Shear stress of the wire, without the correction for the curve as for a spring that rests, Pa."""
         each = self.rate * deflection / self.part.count
         return self.apply(law.coil_stress, each, self.part.wire_diameter, self.part.coil_diameter, 1.0, math.pi)
@@ -243,67 +240,3 @@ class SetSpring:
         if self.disc is None:
             return (self.set_force - force) / self.straight_stiffness
         return self.deflection - self.disc.deflection(force)
-
-
-SpringName = Literal["closing", "control"]
-
-
-class SpringDemand(NamedTuple):
-    """What one spring of a clutch is to give, and what happens to it."""
-
-    name: SpringName
-    force: float
-    """As set, N."""
-    stiffness: float | None
-    """N/m; None: any."""
-    relaxes: float
-    """How much longer it gets in service, m."""
-    room: Room
-    pitch: float | None
-    """Of the nut, m."""
-    friction: tuple[float, float] | None
-    """w_M of the cones of a stack on each other, w_R of its edges."""
-    compresses: float = 0.0
-    """How much shorter it gets in service, m."""
-    follows: int | None = None
-    """Pairs whose wear it follows; None: wear does not reach it."""
-    stroke: float | None = None
-    """How far it goes and comes at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
-    cycles: float | None = None
-    """Trips asked for; None: not told."""
-    catalogue: tuple[Disc, ...] | None = None
-    """Disc springs to choose from; None: those that ship."""
-
-
-def spring_demands(spec: Spec, closing_force: float, control_force: float | None, travel: float) -> list[SpringDemand]:
-    """What each spring of a clutch is to give.
-
-    The closing spring of a direct clutch follows the wear of the pack and rests. That of an indirect one is slackened
-    by the travel of the sleeve, which presses the control spring together, and it is the control spring that follows
-    the wear; both move at every trip.
-    """
-    pairs = spec.friction_group.pairs
-    worn = pairs * ((spec.heat and spec.heat.lining) or 0.0)
-    closing, control = spec.closing_spring, spec.control_spring
-    listed = {"catalogue": spec.lists.discs}
-    if control is None or control_force is None:
-        return [_demand("closing", closing, closing_force, relaxes=worn, follows=pairs, **listed)]
-    cycles = spec.requirements.cycles if spec.requirements is not None else None
-    moves = {"stroke": travel if cycles is None or cycles > QUASI_STATIC else None, "cycles": cycles, **listed}
-    return [
-        _demand("closing", closing, closing_force, relaxes=travel, **moves),
-        _demand("control", control, control_force, relaxes=worn, compresses=travel, follows=pairs, **moves),
-    ]
-
-
-def _demand(name: SpringName, spring: ClosingSpring | ControlSpring, force: float, **service: Any) -> SpringDemand:
-    surface, edge = spring.surface_friction, spring.edge_friction
-    return SpringDemand(
-        name=name,
-        force=force,
-        stiffness=spring.stiffness or None,
-        room=spring.room or Room(),
-        pitch=spring.thread_pitch,
-        friction=None if surface is None or edge is None else (surface, edge),
-        **service,
-    )

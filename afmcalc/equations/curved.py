@@ -6,7 +6,7 @@ quadratic in x; of its roots the larger is stable, and the one a sleeve that lea
 
 import math
 
-from .arrays import larger, place_of_largest, place_of_smallest, smaller
+from .arrays import larger, place_of_largest, place_of_smallest, quotient, smaller
 from .wiring import Either
 
 
@@ -201,7 +201,7 @@ def hysteresis_ratio(net_gain_returning, net_gain, gain_slope, travel_max):
     Source: Handbook, chapter 12.
     Validity: κ(x_max) > 0.
     """
-    return (net_gain_returning + gain_slope * travel_max) / (net_gain + gain_slope * travel_max)
+    return quotient(net_gain_returning + gain_slope * travel_max, net_gain + gain_slope * travel_max)
 
 
 def friction_unlocking(friction_max, hysteresis_ratio, friction_min):

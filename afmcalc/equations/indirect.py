@@ -311,7 +311,7 @@ def hysteresis_ratio(net_gain, net_gain_returning):
     Source: Handbook, chapter 5 (beyond S21).
     Validity: κ > 0.
     """
-    return net_gain_returning / net_gain
+    return quotient(net_gain_returning, net_gain)
 
 
 CONTROL_FORCE_MADE = {

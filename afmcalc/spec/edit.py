@@ -13,7 +13,7 @@ from ..messages import did_you_mean, say
 from .fields import names_in
 from .keys import elsewhere, names, path_of
 from .make import make_spec
-from .models import Method, Spec, resolved
+from .models import Spec, resolved
 from .parse import TOO_DEEP, check_size
 from .removed import instead_of
 from .rules import foreign_keys, given_in
@@ -66,7 +66,7 @@ def put(data: dict[str, Any], path: str, value: Any) -> None:
         data[name] = value
 
 
-def apply_overrides(data: dict[str, object], overrides: Overrides, model: type[BaseModel] = Spec) -> dict[str, object]:
+def apply_overrides(data: dict[str, object], overrides: Overrides) -> dict[str, object]:
     """Apply overrides to parsed data; return the dotted paths that they name, each with its value."""
     pairs: Iterable[tuple[str, object]]
     if isinstance(overrides, Mapping):
@@ -78,7 +78,7 @@ def apply_overrides(data: dict[str, object], overrides: Overrides, model: type[B
         pairs = ((override, _value(override)) for override in overrides)
     changed: dict[str, object] = {}
     for override, value in pairs:
-        path = _path(override, model)
+        path = _path(override)
         if path.startswith(_SEARCH) and isinstance(table := data.setdefault("search", {}), dict):
             data["search"] = dict(flat(table)) | {path.removeprefix(_SEARCH): value}
             changed[path] = value
@@ -104,18 +104,18 @@ def key_of(override: str) -> str:
     return given.strip()
 
 
-def _path(override: str, model: type[BaseModel]) -> str:
+def _path(override: str) -> str:
     """Path of the key that an override gives by path, name or symbol."""
     given = key_of(override)
     if given.startswith(_SEARCH):
         name = given.removeprefix(_SEARCH)
-        return _SEARCH + (path_of(name, model) or name)
-    path = path_of(given, model) or given
+        return _SEARCH + (path_of(name) or name)
+    path = path_of(given) or given
     *blocks, last = path.split(".")
-    known = names_in(blocks, model)
+    known = names_in(blocks, Spec)
     if last not in known:
         hint = instead_of(path) or did_you_mean(last, known)
-        hint = hint or elsewhere(last, model) or did_you_mean(last, names(model))
+        hint = hint or elsewhere(last) or did_you_mean(last, names())
         if known and not hint:
             hint = say("; known here: {names}", names=", ".join(known))
         raise AfmcalcError(
@@ -199,12 +199,7 @@ def with_values(model: M, values: Mapping[str, object]) -> M:
 
 def with_key(spec: Spec, path: str, value: Values) -> Spec:
     """Copy a spec with an unvalidated value (real, or an array) for a key, and without what the key stands in for."""
-    return with_keys(spec, {path: value})
-
-
-def with_keys(spec: Spec, values: Mapping[str, Values]) -> Spec:
-    """Copy a spec with such values for several keys."""
-    return with_values(without_replaced(spec, values), values)
+    return with_values(without_replaced(spec, [path]), {path: value})
 
 
 def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:
@@ -229,7 +224,6 @@ def as_variant(spec: Spec, variant: str) -> Spec:
     return make_spec(data, say("as {variant}", variant=variant))
 
 
-def with_nominal_torque(spec: Spec, nominal_torque: float, method: Method | None = None) -> Spec:
-    """Return the spec with its spring set for a nominal torque, by its own method or by another."""
-    spec = with_values(spec, {"adjustment.method": method or spec.adjustment.method})
+def with_nominal_torque(spec: Spec, nominal_torque: float) -> Spec:
+    """Return the spec with its spring set for a nominal torque."""
     return with_key(spec, "adjustment.nominal_torque", nominal_torque)

@@ -3,8 +3,6 @@
 from collections import Counter
 from functools import cache
 
-from pydantic import BaseModel
-
 from ..messages import joined, plain, say
 from .fields import Key, Quantity, keys_below
 from .models import Spec
@@ -54,33 +52,32 @@ def scatter_at(path: str) -> Quantity | None:
     return scattering(path, Spec)
 
 
-def path_of(name: str, model: type[BaseModel] = Spec) -> str | None:
+def path_of(name: str) -> str | None:
     """Return the path that a path, name or symbol means; None where it means none, or more than one.
 
     >>> path_of("gain"), path_of("z_1"), path_of("force")
     ('control_unit.gain', 'friction_group.driving_pairs', None)
     """
     name = name.strip()
-    return names(model).get(plain(name)) if len(name) <= 100 else None
+    return names().get(plain(name)) if len(name) <= 100 else None
 
 
 @cache
-def names(model: type[BaseModel] = Spec) -> dict[str, str]:
+def names() -> dict[str, str]:
     """Every name and the path that it means; a name of several keys, or of a table, means none."""
-    known = keys_below(model)
-    of_clutch = [key for key in known.values() if not key.path.startswith(_APART)]
+    of_clutch = [key for key in keys().values() if not key.path.startswith(_APART)]
     paths: dict[str, str] = {}
-    tables = model.model_fields
+    tables = Spec.model_fields
     for pairs in ([(key.symbol, key.path) for key in of_clutch], [(_last(key.path), key.path) for key in of_clutch]):
         times = Counter(name for name, _ in pairs)
         paths |= {plain(name): path for name, path in pairs if name and times[name] == 1 and name not in tables}
-    return paths | (ALIASES if model is Spec else {}) | {path: path for path in known}
+    return paths | ALIASES | {path: path for path in keys()}
 
 
-def elsewhere(name: str, model: type[BaseModel] = Spec) -> str:
+def elsewhere(name: str) -> str:
     """Return ``"; did you mean a.x or b.x?"`` for a key that has the name in other tables, or nothing."""
-    paths = [path for path in keys_below(model) if _last(path) == name]
-    if not paths and (path := path_of(name, model)):
+    paths = [path for path in keys() if _last(path) == name]
+    if not paths and (path := path_of(name)):
         paths = [path]
     return say("; did you mean {paths}?", paths=joined(paths, say(" or "))) if paths else ""
 

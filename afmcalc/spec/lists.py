@@ -3,7 +3,7 @@
 import math
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from csv import DictReader
 from decimal import Decimal
 from functools import cache
@@ -201,11 +201,6 @@ def _diameter(item: object, label: str) -> float:
     if not 0 < value < math.inf:
         raise AfmcalcError("{label}: diameters: {item!r} must be greater than 0 and finite", label=label, item=item)
     return value
-
-
-def next_size(sizes: Sequence[float], wanted: float) -> float | None:
-    """Smallest size not below the wanted one; None when the list ends before it."""
-    return next((size for size in sizes if size >= wanted * (1 - 1e-12)), None)
 
 
 def ball_designation(diameter: float) -> str | None:

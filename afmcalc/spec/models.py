@@ -17,7 +17,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticKnownError, core_schema
 
-from ..equations import machine, springs
+from ..equations import springs
 from ..errors import Problem, SpecError
 from ..messages import did_you_mean, say
 from ..variants import VARIANTS, Variant
@@ -544,43 +544,12 @@ class Machine(Block):
         "largest torque of the motor at the start over its rated torque, where it is switched on directly", "m_п"
     )
 
-    @property
-    def motor_torque(self) -> Any:
-        """Rated torque of the motor, N·m."""
-        return machine.motor_torque(self.power, self.speed)
-
-    @property
-    def torque_at_clutch(self) -> Any:
-        """Rated torque of the motor at the clutch, N·m."""
-        return machine.motor_torque_at_clutch(self.motor_torque, self.ratio, self.efficiency)
-
-    @property
-    def torque(self) -> Any:
-        """Torque that the machine asks of the clutch, N·m."""
-        return machine.torque_asked_for(self.torque_at_clutch, self.service_factor or 1.0)
-
-    @property
-    def starting_torque(self) -> Any:
-        """Largest torque at the clutch as the motor starts directly, N·m; None where it does not."""
-        ratio = self.starting_torque_ratio
-        return None if ratio is None else machine.starting_torque(self.torque_at_clutch, ratio)
-
 
 class ProtectedShaft(Block):
     """The shaft that the clutch protects."""
 
     diameter: Length = required("diameter of the shaft", "d_в")
     yield_strength: Stress | None = key("yield strength of the shaft in tension", "σ_т")
-
-    @property
-    def section_modulus(self) -> Any:
-        """Polar section modulus, m³."""
-        return machine.polar_section_modulus(self.diameter)
-
-    @property
-    def shear_yield_strength(self) -> Any:
-        """Yield strength in shear, Pa, where that in tension is given."""
-        return machine.shear_yield_strength(self.yield_strength)
 
 
 def bore_of(source: Any) -> Any:
@@ -687,32 +656,7 @@ class Catalogues(Block):
     balls: Name | None = key("ball diameters, TOML or CSV")
 
 
-class FileBlock(Block):
-    """What a whole file holds."""
-
-    _origin: Origin = PrivateAttr()
-
-    @property
-    def lists(self) -> Lists:
-        """Lists of one's own that its materials and parts are from."""
-        return self.label.lists
-
-    def model_post_init(self, context: object) -> None:
-        """Keep where it was read from, as far as that is known."""
-        label = context if isinstance(context, str) else type(self).__name__.lower()
-        self._origin = Origin(label if isinstance(label, Source) else Source(label))
-
-    @property
-    def label(self) -> Source:
-        """What errors call it: the file it was read from, and the like."""
-        return self._origin.label
-
-    def refused(self, path: str, message: str, given: str | None = None) -> SpecError:
-        """Return the error that says what is wrong at one of its keys."""
-        return SpecError(self.label, [Problem(path, given, message)])
-
-
-class Spec(FileBlock):
+class Spec(Block):
     """A clutch, as a spec file describes it."""
 
     name: Name | None = key("what the clutch is called")
@@ -740,6 +684,8 @@ class Spec(FileBlock):
     )
     search: Search | None = key('keys that design varies, each with a list or "start:stop:count"; springs: from lists')
 
+    _origin: Origin = PrivateAttr()
+
     @field_validator("search", mode="before")
     @classmethod
     def _axes(cls, given: object) -> object:
@@ -764,6 +710,25 @@ class Spec(FileBlock):
         if broken:
             raise rule_error(broken)
         return spec
+
+    @property
+    def lists(self) -> Lists:
+        """Lists of one's own that its materials and parts are from."""
+        return self.label.lists
+
+    def model_post_init(self, context: object) -> None:
+        """Keep where it was read from, as far as that is known."""
+        label = context if isinstance(context, str) else "spec"
+        self._origin = Origin(label if isinstance(label, Source) else Source(label))
+
+    @property
+    def label(self) -> Source:
+        """What errors call it: the file it was read from, and the like."""
+        return self._origin.label
+
+    def refused(self, path: str, message: str, given: str | None = None) -> SpecError:
+        """Return the error that says what is wrong at one of its keys."""
+        return SpecError(self.label, [Problem(path, given, message)])
 
     @property
     def kind(self) -> Variant:

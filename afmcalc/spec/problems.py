@@ -14,6 +14,7 @@ from ..messages import did_you_mean, say
 from ..variants import VARIANTS
 from .fields import block_at, keys_below, names_in
 from .keys import elsewhere
+from .models import Spec
 from .removed import instead_of
 from .rules import Table
 
@@ -66,7 +67,8 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
         case "extra_forbidden":
             *block, name = location
             names = names_in(block, root)
-            if hint := instead_of(".".join(location)) or did_you_mean(name, names) or elsewhere(name, root):
+            hint = instead_of(".".join(location)) or did_you_mean(name, names)
+            if hint := hint or (elsewhere(name) if root is Spec else ""):
                 return say("unknown key{hint}", hint=hint)
             return say("unknown key; allowed here: {names}", names=", ".join(names))
         case "model_type" | "model_attributes_type" | "dict_type":

@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from copy import deepcopy
 from os import PathLike
 
-from pydantic import BaseModel
-
 from .edit import Overrides, apply_overrides
-from .fields import Broken, keys_below
+from .fields import Broken
+from .keys import keys
 from .make import make_spec
 from .models import Spec
 from .parse import BUILT_IN, is_json, parse, text_of
@@ -44,12 +43,10 @@ def read_spec(source: str | PathLike[str] | Mapping[str, object] | None = None, 
 
 def spec_of(source: Source, overrides: Overrides = ()) -> Spec:
     """Read a clutch spec from its text; see ``read_spec``."""
-    return make_spec(*data_of(source, overrides, Spec))
+    return make_spec(*data_of(source, overrides))
 
 
-def data_of(
-    source: Source, overrides: Overrides, model: type[BaseModel]
-) -> tuple[dict[str, object], Source, list[Broken]]:
+def data_of(source: Source, overrides: Overrides) -> tuple[dict[str, object], Source, list[Broken]]:
     """Parse a text and override its values.
 
     What it is called then asks after numbers without a unit; those that cannot be meant in SI are returned. JSON is
@@ -57,13 +54,13 @@ def data_of(
     """
     data = parse(source)
     _locate(data, source.name)
-    changed = apply_overrides(data, overrides, model) if overrides else {}
+    changed = apply_overrides(data, overrides)
     _locate(data, "")
-    in_si, keys = is_json(source), keys_below(model)
+    in_si, known = is_json(source), keys()
     questions, broken = [], []
     for path, value in given_in(data).items():
         # center and ends of what scatters are in the unit of its key
-        key = keys.get(path) or keys.get(re.sub(r"^(tolerance\.fields|search)\.|\.(center|min|max)$", "", path))
+        key = known.get(path) or known.get(re.sub(r"^(tolerance\.fields|search)\.|\.(center|min|max)$", "", path))
         if key and key.unit not in (None, "1") and (path in changed or not in_si):
             numbers = value if isinstance(value, list) else [value]
             try:

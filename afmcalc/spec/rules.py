@@ -20,8 +20,8 @@ class KeyRule(NamedTuple):
     message: str
 
 
-def _wrong(key: str, message: str, *beside: str, without: tuple[str, ...] = ()) -> KeyRule:
-    return KeyRule(key, (key, *beside), without, message)
+def _wrong(key: str, message: str, *beside: str) -> KeyRule:
+    return KeyRule(key, (key, *beside), (), message)
 
 
 def _wanted(key: str, *beside: str, unless: tuple[str, ...] = (), message: str = "") -> KeyRule:

@@ -54,10 +54,11 @@ def _put(document: Any, path: str, value: Any) -> None:
     if value is None:
         table.pop(name, None)
     else:
-        table[name] = _written(value, path)
+        table[name] = in_units(value, path)
 
 
-def _written(value: Any, path: str) -> Any:
+def in_units(value: Any, path: str) -> Any:
+    """Return the value of a key as a file has it: with its unit."""
     if isinstance(value, Mapping):
         return written(value, path)
     key = keys().get(path)

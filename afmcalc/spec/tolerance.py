@@ -74,10 +74,6 @@ class Tolerance(Block):
     sobol_base: Whole = key("base sample of the Sobol indices", default=65536, ge=64, le=2**20)
     fields: dict[str, Distribution] = required("spec path (or friction) to its distribution", min_length=1)
 
-    def __hash__(self) -> int:
-        """Hash by what scatters: requirements of a design, which hold it, are looked up."""
-        return hash((self.samples, self.seed, *self.fields))
-
     @field_validator("quantiles")
     @classmethod
     def _inside(cls, given: tuple[float, ...]) -> tuple[float, ...]:

@@ -18,15 +18,14 @@ from ..analysis.design_grid import candidate
 from ..analysis.dossier import dossier
 from ..analysis.figures import ParetoFigure, Request, gathered
 from ..analysis.registry import ANALYSES
-from ..analysis.sweep.axes import parse_axis
+from ..analysis.sweep import parse_axis
 from ..engines import build
 from ..errors import AfmcalcError, CalculationError
 from ..messages import localized, spoken, told, translate
 from ..render.document import Column, document
-from ..render.drawing import Drawing
 from ..render.layout import TextTable, blocks, cells, ranked
-from ..render.plot import quick, sheet_of
-from ..render.plot.chart import Chart, Sheet
+from ..render.plot import sheet_of
+from ..render.plot.chart import Sheet
 from ..render.plot.figure import inline_svg
 from ..render.report import Subject, render
 from ..render.report.chapters import chapters
@@ -118,14 +117,7 @@ def _figure(name: str, answers: Answers, number: int) -> str:
 
 def _drawn(sheet: Sheet, number: int) -> tuple[Markup, str]:
     """Draw a sheet as part of a page, with its caption; ``number`` is that of no other drawing of the page."""
-    (panel, *others) = sheet.panels
-    if isinstance(panel, Drawing):
-        svg = panel.svg()
-    elif isinstance(panel, Chart) and quick.is_plain(panel) and not others:
-        svg = quick.svg_of(panel)
-    else:
-        svg = inline_svg(sheet)
-    return drawing(svg, sheet.title, number), sheet.below
+    return drawing(inline_svg(sheet), sheet.title, number), sheet.below
 
 
 def _analysed(state: State, job: Job) -> Answer:

@@ -97,7 +97,7 @@ def editable() -> dict[str, Key]:
 @lru_cache(maxsize=32)
 def _texts(label: str, text: str, argument: str | None, overrides: tuple[str, ...]) -> dict[str, str]:
     """Return the text of each key that a base has."""
-    given = given_in(data_of(Base(label, text, argument).source, overrides, Spec)[0])
+    given = given_in(data_of(Base(label, text, argument).source, overrides)[0])
     return {path: as_override(given[path]) for path in keys() if path in given}
 
 

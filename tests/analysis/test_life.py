@@ -9,7 +9,7 @@ from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.check import check
 from afmcalc.analysis.life import life, life_sweep
 from afmcalc.analysis.simulate import simulate
-from afmcalc.analysis.sweep.axes import parse_axis
+from afmcalc.analysis.sweep import parse_axis
 from afmcalc.engines import build
 from afmcalc.spec import read_spec
 
@@ -59,14 +59,6 @@ def test_springs_as_made_last_as_they_are():
     axis = parse_axis("fatigue.exponent=6,7", clutch.spec)
     (sweep,) = life(clutch, sweeps=[axis])[0].sweep
     assert sweep.protected[0] == sweep.unprotected[0] == pytest.approx(found.protected.as_set, rel=1e-12)
-
-
-@pytest.mark.parametrize("example", ["default", "indirect", "constant-torque"])
-@pytest.mark.parametrize("method", ["min-friction", "mean-friction"])
-def test_springs_set_by_a_method_last_as_it_says(example, method):
-    found, _ = life(build(read_spec(CONFIGS / f"{example}.toml", [f"adjustment.method={method}"])))
-    for side in (found.protected, found.unprotected, found.protected_forecast, found.unprotected_forecast):
-        assert side.as_set == getattr(side, method.replace("-", "_"))
 
 
 def test_a_forecast_loads_from_the_mean_friction():
@@ -125,12 +117,3 @@ def test_every_key_of_the_part_is_swept_as_it_is_set(sweep, model):
     (found,), (single, _) = life_sweep(clutch, model, [axis], math.nan), life(own, model)
     assert found.protected == pytest.approx([single.protected.as_set] * 2, rel=1e-12)
     assert found.unprotected == pytest.approx([single.unprotected.as_set] * 2, rel=1e-12)
-
-
-def test_an_unlimited_life_is_called_so_wherever_it_is_asked_for(afmcalc):
-    found = afmcalc("life", "--json").json["result"]
-    assert found["protected"]["unlimited"] == ["as-set", "min-friction", "mean-friction"]
-    assert found["protected"]["min_friction"] > found["base_cycles"]
-    heavy = afmcalc("life", "--set", "fatigue.endurance_limit=12 MPa", "--json").json["result"]
-    assert (heavy["protected"]["unlimited"], heavy["unprotected"]["unlimited"]) == (["mean-friction"], [])
-    assert heavy["protected"]["min_friction"] < heavy["base_cycles"] < heavy["protected"]["mean_friction"]

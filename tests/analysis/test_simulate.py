@@ -10,7 +10,7 @@ from conftest import CONFIGS
 from drives import REFERENCE, VARIANTS, begun, clutch, light, merged, plant, run
 
 from afmcalc.analysis.simulate import dynamic_factors, simulate
-from afmcalc.analysis.sweep.axes import parse_axis
+from afmcalc.analysis.sweep import parse_axis
 from afmcalc.drive.cases import case_of, outcome_of
 from afmcalc.engines import build
 from afmcalc.equations import drive as law

@@ -1,18 +1,23 @@
 """Springs one can buy: each found gives what is wanted, none that does is missed, what is picked reads back."""
 
 import math
+from functools import cache
 
+import numpy as np
 import pytest
 from conftest import CONFIGS
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from afmcalc.analysis.heat import heat
-from afmcalc.analysis.springs.candidates import _coils, coil_springs
-from afmcalc.analysis.springs.springs import springs
+from afmcalc.analysis.layout import layout
+from afmcalc.analysis.springs import _tables, coil_diameters, coils, picked, ranked, springs
 from afmcalc.engines import build
-from afmcalc.engines.springs import SpringDemand
+from afmcalc.engines.parts import SpringDemand, checks_of_part, spring_demands, values_of_part
+from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.catalogues import discs
-from afmcalc.spec.models import Room
+from afmcalc.spec.models import CoilSprings, DiscStack, Room
 
 ROOM = (60e-3, 160e-3, 80e-3)
 DEFAULT, INDIRECT = CONFIGS / "default.toml", CONFIGS / "indirect.toml"
@@ -135,10 +140,10 @@ def test_setting_friction_and_wear():
 
 def test_what_the_springs_go_through():
     """The closing spring of a direct clutch follows the wear; in an indirect one the control spring does."""
-    (direct,) = clutch(DEFAULT, "heat.lining=0.5e-3").spring_demands()
+    (direct,) = spring_demands(clutch(DEFAULT, "heat.lining=0.5e-3"))
     assert (direct.relaxes, direct.compresses, direct.follows) == (4e-3, 0, 8)
     own = clutch(INDIRECT, "heat.lining=0.5e-3")
-    closing, control = own.spring_demands()
+    closing, control = spring_demands(own)
     assert (closing.relaxes, closing.follows) == (own.at(0.8)["travel"], None)
     assert (control.relaxes, control.compresses, control.follows) == (4e-3, own.at(0.8)["travel"], 8)
     assert control.force == own.control_force
@@ -147,7 +152,9 @@ def test_what_the_springs_go_through():
 @pytest.mark.slow
 def test_a_picked_spring_is_in_the_spec(afmcalc, tmp_path):
     made = tmp_path / "sprung.toml"
-    run = afmcalc("springs", INDIRECT, "--kind", "disc", "--pick", 1, "--pick", 12, "-o", made, "--json").json["result"]
+    run = afmcalc("springs", INDIRECT, "--kind", "disc", "--pick", 1, "--pick", 12, "--save", made, "--json").json[
+        "result"
+    ]
     first, second, spec = run["closing"][0], run["control"][1], read_spec(made)
     assert (first["number"], second["number"]) == (1, 12)
     assert spec.closing_spring.stiffness == pytest.approx(first["stiffness"])
@@ -157,7 +164,7 @@ def test_a_picked_spring_is_in_the_spec(afmcalc, tmp_path):
     assert torque["min"] == pytest.approx(plain["min"], rel=1e-6), "as set"
     assert torque["max"] != pytest.approx(plain["max"], rel=1e-3), "the curve counts where it moves"
     assert afmcalc("check", made).code == 0
-    assert afmcalc("springs", DEFAULT, "--kind", "disc", "--pick", "99", "-o", tmp_path / "x.toml").code == 2
+    assert afmcalc("springs", DEFAULT, "--kind", "disc", "--pick", "99", "--save", tmp_path / "x.toml").code == 2
 
 
 @pytest.mark.slow
@@ -190,7 +197,10 @@ def test_coils_are_of_sizes_that_a_works_makes():
     """Mean diameters in whole millimetres, every one that fits; turns in quarters, the nearest; lengths in tenths, up."""
     room = Room(inner_diameter=0.04, outer_diameter=0.07)
     wish = SpringDemand(force=2000.0, stiffness=20e3, compresses=1.23e-3, room=room, **COIL)
-    found = list(coil_springs(wish))
+    columns = coils(wish)
+    names = ("wire_diameter", "coil_diameter", "turns", "free_length", "count")
+    found = [CoilSprings.model_construct(**dict(zip(names, row, strict=True)))
+             for row in zip(*(getattr(columns, name).tolist() for name in names), strict=True)]  # fmt: skip
     assert {part.count for part in found} >= {1, 3}
     sizes = {}
     for part in found:
@@ -205,12 +215,104 @@ def test_coils_are_of_sizes_that_a_works_makes():
         assert -1e-9 <= part.free_length - needed < 1e-4
     assert all(size == round(size) for each in sizes.values() for size in each)
     # around 40 mm and within 70 mm: wire of 5 mm from 45 to 65, of 4.5 from 44.5 to 65.5; by its turns from 2 on
-    assert _coils(room, 1, 5e-3) == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
-    assert _coils(room, 1, 4.5e-3) == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
+    assert coil_diameters(room, 1, 5e-3) == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
+    assert coil_diameters(room, 1, 4.5e-3) == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
     # on a circle of 55 mm in the gap of 15 mm: index 4 to 20, within 15 − d
-    assert _coils(room, 3, 2e-3) == pytest.approx([each * 1e-3 for each in range(8, 14)], rel=1e-12)
+    assert coil_diameters(room, 3, 2e-3) == pytest.approx([each * 1e-3 for each in range(8, 14)], rel=1e-12)
     # sixteen on that circle: two neighbours are 55 sin(π/16) = 10.7 mm apart
-    assert _coils(room, 16, 2e-3) == pytest.approx([8e-3], rel=1e-12)
+    assert coil_diameters(room, 16, 2e-3) == pytest.approx([8e-3], rel=1e-12)
     # 33 + 4 and 44 − 4 are 37.00000000000001 and 39.99999999999999 in floats
     tight = Room(inner_diameter=0.033, outer_diameter=0.044)
-    assert _coils(tight, 1, 4e-3) == pytest.approx([each * 1e-3 for each in range(37, 41)], rel=1e-12)
+    assert coil_diameters(tight, 1, 4e-3) == pytest.approx([each * 1e-3 for each in range(37, 41)], rel=1e-12)
+
+
+NONE = -1.0
+"""Travel where there is no stack, m."""
+SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
+
+
+@cache
+def packs(inner, outer):
+    """Cone height and characteristic of a pack of every size that has the room, of one to six discs."""
+    found = []
+    for size in discs():
+        if inner <= size.inner_diameter and size.outer_diameter <= outer:
+            shape = {name: getattr(size, name) for name in SHAPE}
+            made = [DiscCharacteristic(DiscStack(**shape, parallel=each)) for each in range(1, 7)]
+            found += [(size.cone_height, each) for each in made]
+    return found
+
+
+def by_trying(room, force, stiffness, *, relaxes):
+    """The largest travel of any stack of 1 to 10,000 packs; it lengthens down to 0.15 of the cone, or bends to 0.75."""
+    series, best = np.arange(1, 10_001), NONE
+    for cone, own in packs(room.inner_diameter, room.outer_diameter):
+        each = float(own.deflection(force))
+        if not (0.15 * cone <= each <= 0.75 * cone and own.force(each) >= force * (1 - 1e-9)):
+            continue
+        left = (room.length or np.inf) - series * (own.free_length - each)
+        good = (left >= 0) & (np.abs(float(own.stiffness(each)) / series - stiffness) <= 0.1 * stiffness)
+        travel = np.minimum(series * (each - 0.15 * cone), left) if relaxes else series * (0.75 * cone - each)
+        best = max(best, travel[good].max(initial=NONE))
+    return best
+
+
+@settings(max_examples=12)
+@given(
+    st.sampled_from([(0.02, 0.06), (0.04, 0.1), (0.08, 0.2)]),
+    st.one_of(st.none(), st.floats(0.005, 0.3)),
+    st.floats(np.log(300), np.log(2e5)).map(np.exp),
+    st.floats(np.log(5e4), np.log(2e7)).map(np.exp),
+    st.booleans(),
+)
+def test_a_stack_is_found_wherever_one_of_10_000_packs_does(across, length, force, stiffness, relaxes):
+    room = Room(inner_diameter=across[0], outer_diameter=across[1], length=length)
+    most = by_trying(room, force, stiffness, relaxes=relaxes)
+    for share, does in ((1 - 1e-6, most > 0), (1 + 1e-6, False)):
+        service = {"relaxes": 0.0, "relaxes" if relaxes else "compresses": max(most, 1e-6) * share}
+        demand = SpringDemand(force=force, stiffness=stiffness, room=room, **COIL | service)
+        assert bool(ranked(demand, "disc", 1)) == does
+
+
+@pytest.mark.parametrize("stroke", [None, 1e-3])
+def test_columns_judge_as_a_part_that_is_named(stroke):
+    """Value and limit of every rule, of a row and of the part that it is."""
+    room, rng = Room(inner_diameter=0.03, outer_diameter=0.15, length=0.1), np.random.default_rng(36)
+    demand = SpringDemand(
+        force=3e3, stiffness=2e5, stroke=stroke, compresses=1e-3, room=room, **COIL | {"relaxes": 2e-3}
+    )
+    fits = set()
+    for kind in ("disc", "coil"):
+        (table,) = _tables(demand, kind, 0.1)
+        for row in rng.choice(len(table.worst()), 300):
+            part = table.part(row)
+            single = {each.rule: each for each in checks_of_part(values_of_part(demand, part))}
+            for rule, *numbers, _ in checks_of_part(table.values):
+                value, limit = (np.broadcast_to(each, table.worst().shape)[row] for each in numbers)
+                if np.isnan(value) or np.isnan(limit):
+                    assert rule not in single
+                    continue
+                own = single.pop(rule)
+                assert (value, limit) == pytest.approx((own.value, own.limit), rel=1e-9)
+                missed = table.misses[rule.topic][row]
+                assert missed > 0 or own.beyond <= 1e-9
+            assert not single
+            fits.add((kind, bool(table.worst()[row] == 0)))
+    assert fits >= {("disc", False), ("coil", False), ("coil", True)}
+
+
+def test_an_envelope_leaves_the_room_and_what_is_picked_fits(afmcalc, tmp_path):
+    """Springs of the machine's clutch, that its spec gives no room: those offered are in the layout, nothing in the way."""
+    own = clutch(CONFIGS / "machine-clutch.toml", "closing_spring.disc=", "closing_spring.coil=")
+    result, found = springs(own, top=1000)
+    assert "room-not-given" not in {each.code for each in found}
+    for each in result.closing[::9]:
+        told, remarks = layout(build(picked(own, result, [each.number])[1]))
+        (row,) = (row for row in told.parts if row.part == "closing spring")
+        assert row.right - row.left == pytest.approx(each.length_set)
+        assert not {remark.code for remark in remarks} & {"parts-collide", "clutch-too-long"}
+    made = tmp_path / "sprung.toml"
+    run = afmcalc("springs", "example:machine-clutch", "--pick", 1, "--save", made)
+    assert "closing_spring.coil: – → wire_diameter" in run.err
+    assert afmcalc("check", made, "--json").json["result"]["verdict"]["sentence"] in run.err
+    assert afmcalc("springs", "example:machine-clutch", "--save", tmp_path / "x.toml").code == 2

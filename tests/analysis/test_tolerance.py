@@ -8,7 +8,7 @@ from statistics import NormalDist
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, slow
 from drives import light
 from random_clutches import random_clutches
 from scipy import special, stats
@@ -58,7 +58,7 @@ def test_textbook_moments(given, mean, sigma):
     assert (values.mean(), values.std()) == (pytest.approx(mean, rel=1e-5), pytest.approx(sigma, rel=2e-4))
 
 
-@pytest.mark.parametrize("percent", [1, 50, 300])
+@pytest.mark.parametrize("percent", [50, 300, *slow(1)])
 def test_a_lognormal_torque(percent):
     """T = z R f F is lognormal as its force."""
     base, share = read_spec(CONFIGS / "conventional.toml"), percent / 100
@@ -121,7 +121,7 @@ def test_sobol_indices_of_a_product():
     agrees(alone, "total", 1)
 
 
-@pytest.mark.parametrize("correlation", [-0.6, 0, 1])
+@pytest.mark.parametrize("correlation", [-0.6, 0, *slow(1)])
 def test_the_two_frictions_of_unlike_materials(correlation):
     """σ_T² = a² + b² + 2ρab for small spreads; correlated, they share one Sobol index."""
     base = read_spec(CONFIGS / "unlike-materials.toml")
@@ -173,7 +173,7 @@ def buildable():
             yield build(make_spec(data)).spec
 
 
-@pytest.mark.parametrize("number", [*range(4), *(pytest.param(each, marks=pytest.mark.slow) for each in range(4, 20))])
+@pytest.mark.parametrize("number", [0, 1, *slow(*range(2, 20))])
 def test_against_clutches_built_one_by_one(number):
     spec = next(itertools.islice(buildable(), number, None))
     setting, count = ("as-made", "each-adjusted")[number % 2], 150 if number < 4 else 1000

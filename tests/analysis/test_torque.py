@@ -1,11 +1,8 @@
 """Torques of the groups, forces on balls, key and stop, the load up to slip; clutches side by side."""
 
-import math
-
 import pytest
 from conftest import CONFIGS, S21
 
-from afmcalc.analysis.adjust import adjust
 from afmcalc.analysis.compare import compare_variants
 from afmcalc.analysis.overload import overload
 from afmcalc.analysis.torque import torque
@@ -76,15 +73,6 @@ def test_friction_asked_for_of_overload():
     with pytest.raises(CalculationError, match="unlike"):
         overload(example("all-driving"), friction=[(0.1, 0.2)])
     assert overload(example("all-driving"))[0].loads is None
-
-
-def test_middle_of_the_band():
-    """S19, conclusions: at equal T_н the middle is lower where the band is narrower."""
-    for beta in (1.05, 1.5):
-        result = adjust(example("default", f"adjustment.margin={beta}", "friction_group.pairs=20"))[0]
-        first, second = result.min_friction, result.mean_friction
-        assert first.mid_torque == pytest.approx(math.fsum((first.torque.min, first.torque.max)) / 2)
-        assert second.mid_torque / first.mid_torque == pytest.approx(result.scatter_ratio)
 
 
 def test_what_check_finds_is_counted(afmcalc):

@@ -93,23 +93,6 @@ def constant_torque(**keys):
     return build(spec)
 
 
-def test_the_contact_stays_below_the_face():
-    """r_ш sin α ≥ x + s/2 + y for every x, with equality where it is least."""
-    clutch = constant_torque(gain=2.0)
-    found, _ = synthesize(clutch)
-    gap, clearance = found.face_gap, found.edge_clearance
-    travel = np.linspace(0, found.travel_max, 400)
-    gain = clutch.gain + clutch.gain_slope * travel
-    sine = np.sin(np.arctan(gain * found.ball_circle_radius / clutch.mean_radius))
-    room = found.ball_radius * sine - travel - gap / 2
-    assert room.min() == pytest.approx(clearance, rel=1e-9)
-    own = found.ball_diameter / 2
-    assert found.edge_clearance_standard == pytest.approx(clearance + (own - found.ball_radius) * sine[-1])
-    assert own < found.undercut_radius
-    assert found.wall[-1].wall_around * 2 == pytest.approx(found.pocket_width)
-    assert found.web == pytest.approx(found.ball_pitch - found.pocket_width)
-
-
 def test_the_path_turns_the_sleeves_as_far_as_the_law():
     """r dφ = tan α dx with tan α = (r/R)(C_0 + C_1 x)."""
     clutch = constant_torque()

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 import pytest
-from conftest import CONFIGS, ROOT, Run
+from conftest import CONFIGS, ROOT, Run, slow
 from jsonschema import Draft202012Validator
 
 import afmcalc as package
@@ -92,12 +92,8 @@ DESCRIBED = {name: [] for name in ("torque", "accuracy", "adjust", "overload", "
 DESCRIBED |= {"equations": ["--id", "F11 (1)"], "reproduce": [], "solve": ["accuracy_factor=2"]}
 DESCRIBED |= {"tolerance": ["--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"]}
 DESCRIBED["design"] = [
-    "example:requirements",
-    "--set",
-    "search.friction_group.pairs=8",
-    "--set",
-    "search.control_unit.gain=[0.8, 0.9]",
-]
+    "example:requirements", "--set", "search.friction_group.pairs=8", "--set", "search.control_unit.gain=[0.8, 0.9]",
+]  # fmt: skip
 DESCRIBED["simulate"] = ["--set", "drive.event.duration=0.005"]
 
 
@@ -147,16 +143,7 @@ def test_what_a_command_line_imports(answered, tmp_path):
         assert not modules & without, line
 
 
-def test_ascii_streams_do_not_fail(afmcalc):
-    run = afmcalc("accuracy", SPEC, "--sweep", "C", encoding="ascii")
-    assert (run.code, run.out.isascii()) == (0, True)
-    asked = ["torque", SPEC, "--set", "name=Муфта – 5 °", "--json"]
-    told = afmcalc(*asked, encoding="ascii")
-    assert told.out.isascii()
-    assert told.json == afmcalc(*asked).json
-
-
-@pytest.mark.parametrize("lang", ["en", "ru"])
+@pytest.mark.parametrize("lang", ["en", *slow("ru")])
 @pytest.mark.parametrize("format_", ["table", "markdown", "csv", "json"])
 def test_quiet_leaves_results_and_errors(format_, lang, answered):
     """Without notes and warnings; JSON has its findings as data, a check is about all of them."""

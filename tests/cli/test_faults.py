@@ -12,7 +12,7 @@ import textwrap
 from unittest.mock import Mock
 
 import pytest
-from conftest import CONFIGS, ROOT
+from conftest import CONFIGS, ROOT, slow
 
 from afmcalc.cli import signals
 from afmcalc.errors import AfmcalcError
@@ -129,10 +129,7 @@ def test_a_fault_of_our_own_is_said_and_never_a_failed_check(afmcalc, monkeypatc
     assert "Traceback" in afmcalc("check", SPEC).err
 
 
-WRITE = {
-    "x.json": ["torque", SPEC, "--force", "-o"],
-    "x.toml": ["init", "--force", "-o"],
-}
+WRITE = {"x.toml": ["init", "--force", "-o"], "x.json": ["torque", SPEC, "--force", "-o"]}
 FAULTS = {"full": 3, "no memory": 2, "Ctrl-C": 130}
 
 
@@ -183,7 +180,7 @@ def signals_watched():
 
 
 @pytest.mark.parametrize("old", [b"old", None])
-@pytest.mark.parametrize("name", WRITE)
+@pytest.mark.parametrize("name", ["x.toml", *slow("x.json")])
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_at_any_write(name, fault, old, afmcalc, tmp_path, signals_watched, monkeypatch):
     """At every call that writes: old (or nothing) or new, whole, and nothing beside it; the exit code says what it was."""

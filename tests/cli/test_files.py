@@ -10,7 +10,7 @@ import tomllib
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, slow
 from sources import DATA
 
 from afmcalc.cli.files import write_file
@@ -22,7 +22,10 @@ SPEC = CONFIGS / "default.toml"
 FILES = tomllib.loads((DATA / "files.toml").read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize(("name", "line"), FILES["one"])
+@pytest.mark.parametrize(
+    ("name", "line"),
+    [*FILES["one"][::3], *slow(*(tuple(each) for each in FILES["one"] if each not in FILES["one"][::3]))],
+)
 def test_a_file_that_exists_is_replaced_by_force_alone(name, line, undrawn, afmcalc, tmp_path):
     """Whatever wrote it: the same command, another program, or nobody yet (an empty file)."""
     target = tmp_path / name
@@ -125,12 +128,9 @@ def test_what_cannot_be_written_leaves_nothing(afmcalc, tmp_path):
 
 NAMED = {"json": "json", "CSV": "csv", "md": "markdown", "txt": "table", "dat": "table"}
 CONTRADICTING = {
-    "x.csv": [["torque", "--json"], ["synthesize"]],
-    "x.json": [["torque", "--format", "table"], ["plot", "torque"]],
-    "x.pdf": [["torque"]],
-    "x.toml": [["torque"]],
-    "x.md": [["report"]],
-}
+    "x.csv": [["torque", "--json"], ["synthesize"]], "x.json": [["torque", "--format", "table"], ["plot", "torque"]],
+    "x.pdf": [["torque"]], "x.toml": [["torque"]], "x.md": [["report"]],
+}  # fmt: skip
 
 
 def test_the_name_says_the_format(afmcalc, answered, tmp_path):

@@ -8,7 +8,7 @@ import sys
 from importlib import import_module
 
 import pytest
-from conftest import CONFIGS, ROOT
+from conftest import CONFIGS, ROOT, slow
 from sources import READ
 
 from afmcalc.cli import main
@@ -22,7 +22,7 @@ def examples(command):
     return [line for line in lines if line.startswith("afmcalc ")]
 
 
-@pytest.mark.parametrize("command", ["", *COMMANDS])
+@pytest.mark.parametrize("command", ["", "torque", *slow(*(each for each in COMMANDS if each != "torque"))])
 def test_examples_are_whole_on_any_terminal(command, afmcalc, monkeypatch):
     for width in (60, 120):
         monkeypatch.setenv("COLUMNS", str(width))
@@ -39,9 +39,12 @@ def test_examples_are_whole_on_any_terminal(command, afmcalc, monkeypatch):
 NEEDS = dict.fromkeys(("heat", "simulate", "effects"), "drive") | {"layout": "envelope"}
 NEEDS |= {"tolerance": "tolerance", "plot": "tolerance"}
 """What stands for clutch.toml in the examples of a command, where it takes more than the default one."""
-SLOW = ("plot", "tolerance", "solve", "springs", "design", "equations", "simulate", "report")
+SLOW = (
+    "plot", "tolerance", "solve", "springs", "design", "equations", "simulate", "report", "heat", "check", "effects",
+    "compare",
+)  # fmt: skip
 OWN = [each for each in COMMANDS if each not in ("serve", "handbook")]
-RUN = [pytest.param(each, marks=pytest.mark.slow) if each in SLOW else each for each in OWN]
+RUN = [*(each for each in OWN if each not in SLOW), *slow(*SLOW)]
 
 
 @pytest.mark.parametrize("command", RUN)

@@ -6,7 +6,7 @@ import shlex
 import tomllib
 
 import pytest
-from conftest import CONFIGS, PICKED
+from conftest import CONFIGS, PICKED, slow
 
 from afmcalc.analysis.handbook import chapter_texts
 from afmcalc.cli.specs import _EXAMPLES, _KINDS
@@ -15,10 +15,8 @@ from afmcalc.spec import make_spec, read_spec
 from afmcalc.variants import VARIANTS
 
 LIGHT = ["--set", "drive.motor_inertia=0.2", "--set", "drive.event.duration=0.03"]
-QUICK = dict.fromkeys(
-    ("requirements", "machine"),
-    ["--set", "search.friction_group.pairs=8", "--set", "search.control_unit.gain=[0.8, 0.9]"],
-)
+SEARCHED = ["--set", "search.friction_group.pairs=8", "--set", "search.control_unit.gain=[0.8, 0.9]"]
+QUICK = {"requirements": SEARCHED, "machine": SEARCHED}
 QUICK["tolerance"] = ["--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"]
 
 
@@ -36,7 +34,7 @@ def test_every_kind_is_calculated_as_the_note_says(kind, afmcalc, tmp_path, monk
     assert afmcalc(_KINDS[kind], "a.toml", *(LIGHT if kind == "drive" else QUICK.get(kind, []))).code == 0
 
 
-@pytest.mark.parametrize("variant", _EXAMPLES)
+@pytest.mark.parametrize("variant", ["indirect", *slow(*(each for each in _EXAMPLES if each != "indirect"))])
 def test_every_variant_alone_and_in_a_drive(variant, afmcalc):
     """The clutch is the variant's own, the drive that of the example; an indirect one has an inertia of its hub."""
     alone = afmcalc("init", "-", "--variant", variant).out

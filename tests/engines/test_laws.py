@@ -5,6 +5,7 @@ import inspect
 import itertools
 import math
 import re
+from importlib import import_module
 
 import numpy as np
 import pint
@@ -12,78 +13,75 @@ import pytest
 from random_clutches import random_clutches
 
 from afmcalc.engines import selection
-from afmcalc.engines.quantities import Laws, MissingError, Quantities, laws_in
+from afmcalc.engines.quantities import Laws, Quantities, laws_in
 from afmcalc.engines.selection import NAMES, laws_for, quantities_of
-from afmcalc.equations import (
-    accuracy,
-    adjustment,
-    control_unit,
-    curved,
-    curved_wall,
-    direct,
-    indirect,
-    life,
-    machine,
-    overload,
-    pack,
-    pressure,
-    terms,
-    unlike,
-)
-from afmcalc.equations.catalogue import equations
 from afmcalc.equations.terms import CASES, TERMS, term_of
 from afmcalc.equations.wiring import Either, Same
 from afmcalc.errors import AfmcalcError
-from afmcalc.papers.register import register
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.variants import VARIANTS
 
-MODULES = (
-    *(
-        accuracy,
-        adjustment,
-        control_unit,
-        curved,
-        curved_wall,
-        direct,
-        indirect,
-        life,
-        machine,
-        overload,
-        pack,
-        pressure,
-        unlike,
-    ),
-)
-DISC_LAWS = {"closing_spring", "control_spring", "balance"}
-"""Laws that give an object, no quantity."""
+MODULES = [
+    import_module(f"afmcalc.equations.{name}")
+    for name in [
+        "accuracy",
+        "adjustment",
+        "control_unit",
+        "curved",
+        "curved_wall",
+        "direct",
+        "indirect",
+        "life",
+        "machine",
+        "overload",
+        "pack",
+        "pressure",
+        "unlike",
+    ]
+]
 KEYS = {name for names in NAMES.values() for name in names.values()} | {"closing_disc", "control_disc", "balls_listed"}
 FROM_OUTSIDE = {"risen_load"}
 """What an analysis gives: a load that has risen."""
 ALTERNATIVES = {
-    *("mean_radius", "gain", "bypass_pairs", "closing_force", "polar_section_modulus", "ball_diameter_standard"),
-    *("friction_mean", "friction_driving_mean", "friction_driven_mean"),
-    *(
+    *[
+        "mean_radius",
+        "gain",
+        "bypass_pairs",
+        "closing_force",
+        "polar_section_modulus",
+        "ball_diameter_standard",
+        "friction_mean",
+        "friction_driving_mean",
+        "friction_driven_mean",
         "friction_min",
         "friction_max",
         "friction_driving_min",
         "friction_driving_max",
         "friction_driven_min",
         "friction_driven_max",
-    ),
-    *("margin", "face_gap", "edge_clearance", "ball_modulus", "ball_poisson", "wall_modulus", "wall_poisson"),
-    *(
+        "margin",
+        "face_gap",
+        "edge_clearance",
+        "ball_modulus",
+        "ball_poisson",
+        "wall_modulus",
+        "wall_poisson",
         "allowable_pressure",
         "dynamic_factor",
         "ultimate_strength",
         "mean_stress_sensitivity",
         "service_factor",
-    ),
-    *("drive_ratio", "drive_efficiency", "wall_angle", "gain_slope", "closing_disc", "control_disc"),
+        "drive_ratio",
+        "drive_efficiency",
+        "wall_angle",
+        "gain_slope",
+        "closing_disc",
+        "control_disc",
+    ]
 }
 """Keys that win over a law of their name, on purpose: given, or by a law where they are not."""
 OF_SLEEVE = ("control_force_made", "gain_slope", "constant-torque", "closing_disc")
-OPTIONS = (
+OPTIONS = [
     "wall_angle",
     "uniform-pressure",
     "uniform-wear",
@@ -91,8 +89,7 @@ OPTIONS = (
     "amplitude",
     "goodman",
     "friction_driving_min",
-    *OF_SLEEVE,
-)
+] + [*OF_SLEEVE]
 
 
 def combinations():
@@ -189,11 +186,8 @@ def test_what_is_set_last_displaces_what_follows_from_it():
 def functions():
     found = {}
     for module in MODULES:
-        parts = [
-            laws_in(module),
-            *(part for name, part in vars(module).items() if name.isupper() and isinstance(part, dict)),
-        ]
-        for part in parts:
+        tables = (part for name, part in vars(module).items() if name.isupper() and isinstance(part, dict))
+        for part in (laws_in(module), *tables):
             found |= {f"{module.__name__}.{name}": (name, law) for name, law in part.items() if callable(law)}
     return found
 
@@ -243,11 +237,6 @@ def test_terms_are_used():
     assert sorted(CASES.keys() - {case for each in combinations() for case in laws_of(*each).cases}) == []
 
 
-def test_every_formula_of_the_papers_is_a_law():
-    for entry in register():
-        assert entry.function is None or entry.function in equations(), entry.id
-
-
 # quantities
 
 
@@ -276,12 +265,10 @@ def test_a_torque_over_friction():
     clutch = quantities_of(read_spec("example:indirect"))
     friction = np.linspace(0.1, 0.8, 101)
     torque = clutch.at(friction=friction).torque
-    loop = clutch.compiled("torque", "friction")
-    back = clutch.compiled("torque_returning", "friction")
     returning = clutch.at(friction=friction).torque_returning
     for at, one, fallen in zip(friction.tolist(), torque, returning, strict=True):
-        assert clutch.at(friction=at).torque == loop(at) == pytest.approx(one, rel=1e-13)
-        assert back(at) == pytest.approx(fallen, rel=1e-13)
+        assert clutch.at(friction=at).torque == pytest.approx(one, rel=1e-13)
+        assert clutch.at(friction=at).torque_returning == pytest.approx(fallen, rel=1e-13)
 
 
 def test_scopes_of_values_are_not_kept():
@@ -291,23 +278,6 @@ def test_scopes_of_values_are_not_kept():
     for friction in np.linspace(0.1, 0.8, 50):
         _ = clutch.at(friction=float(friction)).torque
     assert len(clutch._family) == kept
-
-
-def test_a_quantity_that_needs_a_case_names_the_cases():
-    clutch = quantities_of(read_spec("example:default"))
-    with pytest.raises(MissingError, match=r"torque needs friction: ask it at a value of that, or in a case: .*f_max"):
-        _ = clutch["torque"]
-    with pytest.raises(AttributeError, match="did you mean 'accuracy_factor'"):
-        _ = clutch.acuracy_factor
-    with pytest.raises(MissingError, match="did you mean 'friction'"):
-        clutch.at(frction=0.3)
-    with pytest.raises(MissingError, match="no case 'fmax'; did you mean 'f_max'"):
-        clutch.at("fmax")
-    assert clutch.missing("circumferential_force_at_f_max") == []
-    assert quantities_of(read_spec("example:conventional")).missing("mean_pressure") == ["inner_radius", "outer_radius"]
-    assert "accuracy_factor" in clutch.names()
-    assert "torque" not in clutch.names()
-    assert "torque" in clutch.at("f_max").names()
 
 
 def test_steps_are_noted_once_each_in_its_case():
@@ -320,13 +290,6 @@ def test_steps_are_noted_once_each_in_its_case():
     assert step.arguments["friction"] == "friction_min"
     assert step.arguments["net_gain_acting"] == "net_gain_returning"
     assert step.law(**step.values) == step.value
-
-
-def test_pickle():
-    import pickle
-
-    clutch = quantities_of(read_spec("example:constant-torque"))
-    assert pickle.loads(pickle.dumps(clutch))["accuracy_factor"] == clutch["accuracy_factor"]
 
 
 def test_given_wins_and_a_part_replaces():
@@ -349,4 +312,3 @@ def test_a_spec_gives_every_name_of_its_keys():
         clutch = quantities_of(spec)
         assert clutch.given.keys() <= KEYS
         assert clutch["torque_max"] >= clutch["torque_min"] > 0
-    assert terms.TERMS["torque"].unit == "N*m"

@@ -10,6 +10,7 @@ from afmcalc.analysis.check import check
 from afmcalc.drive.train import inertias_of
 from afmcalc.engines import build
 from afmcalc.engines.layout import Sizes, SpringSize, inertia_of, length_of, overlaps, parts_of, sizes_of
+from afmcalc.engines.parts import spring_demands
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.edit import respecified, value_at, with_values
@@ -41,6 +42,16 @@ def apart(one, other):
     return min(moves)
 
 
+def outside(around, ring):
+    """How far a ring is outside the housing, or within the bore of the hub."""
+    if not (ring.left < ring.right and ring.inner < ring.outer):
+        return 0.0
+    if around.name == "hub":
+        return around.boxes[0].inner - ring.inner
+    web, drum = around.boxes
+    return max(ring.outer - web.outer, ring.right - drum.right, -ring.left)
+
+
 @pytest.mark.parametrize("kind", SLEEVES)
 def test_what_overlaps_is_what_the_rectangles_do(kind):
     rng, seen = np.random.default_rng(26), set()
@@ -51,6 +62,8 @@ def test_what_overlaps_is_what_the_rectangles_do(kind):
         for one, other in itertools.combinations(parts, 2):
             names = {one.name, other.name}
             most = max(apart(box, beside) for box in one.boxes for beside in other.boxes)
+            if one.name in ("housing", "hub"):
+                most = max(most, *(outside(one, box) for box in other.boxes))
             if most > 0 and not ("balls" in names and names & SLEEVES[kind]):
                 expected[frozenset(names)] = most
         assert found == pytest.approx(expected)
@@ -131,6 +144,39 @@ def test_a_check_names_what_is_missing(key, given, code, value):
     assert not result.passed
     if code != "parts-collide":
         assert any(row.grade == "fail" and row.value == pytest.approx(value) for row in result.checks)
+
+
+ODD = {"friction_group.pairs": 4}
+
+
+def test_a_spring_outside_the_housing_and_pairs_that_are_odd():
+    """Discs of 301 by 333 mm around a housing of 252 mm: 40.5 mm too wide; five pairs end in a disc beside its plate."""
+    disc = {"outer_diameter": 0.333, "inner_diameter": 0.301, "thickness": 3e-3, "free_height": 4e-3}
+    _, findings = check(build(respecified(direct(), {"closing_spring.disc": disc})))
+    (found,) = (each for each in findings if each.code == "parts-collide")
+    assert found.message == "housing and closing spring are in each other's way by 40.5 mm"
+    assert "odd-pairs" in {each.code for each in findings}
+    assert "odd-pairs" not in {each.code for each in check(build(respecified(direct(), ODD)))[1]}
+
+
+@pytest.mark.parametrize("unit", [{}, {"control_unit.ball_diameter": 0.02, **ODD}, {"friction_group.pairs": 12}])
+def test_the_room_that_is_left_is_that_of_the_layout(unit):
+    """A spring does not fit its room where the layout has it in the way of a part, or the clutch too long."""
+    rng, seen, plain = np.random.default_rng(36), set(), respecified(direct(), {"envelope.length": 0.12, **unit})
+    for _ in range(60):
+        wire, wide, force = rng.uniform(4e-3, 8e-3), rng.uniform(0.03, 0.25), rng.uniform(1, 20)
+        free = 4 * wire + 2 * (0.0015 * wide**2 / wire + 0.1 * wire) + rng.uniform(1e-3, 0.06)
+        coil = {"wire_diameter": wire, "coil_diameter": wide, "turns": 2, "free_length": free}
+        spec = respecified(plain, {"closing_spring.coil": coil, "closing_spring.force": force})
+        clutch = build(spec)
+        parts, room = parts_of(sizes_of(clutch)), spring_demands(clutch)[0].room
+        in_way = any(missing > 1e-9 for *pair, missing in overlaps(parts) if "closing spring" in pair)
+        outer, inner = wide + wire, wide - wire
+        set_at = free - force / spec.closing_spring.coil.rate
+        across = inner >= room.inner_diameter and outer <= room.outer_diameter
+        assert (across, set_at <= room.length + 1e-9) == (not in_way, length_of(parts) <= 0.12 + 1e-9)
+        seen.add((across, set_at <= room.length))
+    assert len(seen) >= 3
 
 
 def test_a_space_that_is_none():

@@ -5,7 +5,7 @@ import contextlib
 import numpy as np
 import pytest
 from conftest import S21
-from hypothesis import assume, example, given, settings
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from random_clutches import random_clutches
 from strategies import FRICTION, direct_specs, indirect_specs, p5
@@ -38,13 +38,18 @@ def numeric(spec, path):
     return difference(lambda share: build(with_values(spec, {path: value * share})).accuracy_factor)
 
 
+def apart(own):
+    """Whether the mean of a range is none of its ends, by more than a difference steps."""
+    return own.min * 1.0001 < own.mean < own.max * 0.9999
+
+
 @given(direct_specs())
 def test_elasticities_of_a_direct_clutch(spec):
     """Every continuous key; pairs are continuous for the law, those of the other group kept."""
     clutch = build(spec)
     ranges = clutch.friction if spec.friction.unlike else ()
     # K_т = max/min has a kink where both are one, and at a mean that is an end
-    assume(abs(clutch.accuracy_factor - 1) > 1e-6 and not any(own.mean in (own.min, own.max) for own in ranges))
+    assume(abs(clutch.accuracy_factor - 1) > 1e-6 and all(map(apart, ranges)))
     found = slopes(clutch)
     for path in (path for path in found if not path.endswith("pairs")):
         assert found[path] == pytest.approx(numeric(spec, path), abs=2e-5), path
@@ -65,15 +70,15 @@ def test_elasticities_of_a_direct_clutch(spec):
 def is_smooth(clutch):
     """Whether K_т has a derivative: no jump off the stop near by, and no two torques about to change places."""
     own = clutch.friction[0]
-    if clutch.spec.adjustment.method == "mean-friction" and not own.min * 1.0001 < own.mean < own.max * 0.9999:
+    if own.max < own.min * 1.0001 or (clutch.spec.adjustment.method == "mean-friction" and not apart(own)):
         return False  # K_т has a kink where the sleeve leaves at an end
     if "gain_slope" not in clutch.quantities:
         return True
     at_stop = clutch.friction_leaving
     ends = [float(clutch.torque(own.min)), float(clutch.torque(own.max))]
-    apart = abs(np.log(ends[1] / ends[0])) > 1e-4
-    apart &= not own.min < at_stop < own.max or abs(np.log(clutch.torque(at_stop) / ends[1])) > 1e-4
-    return apart and clutch.gain_slope < 0.9 * clutch.jumping_slope
+    differ = abs(np.log(ends[1] / ends[0])) > 1e-4
+    differ &= not own.min < at_stop < own.max or abs(np.log(clutch.torque(at_stop) / ends[1])) > 1e-4
+    return differ and clutch.gain_slope < 0.9 * clutch.jumping_slope
 
 
 @given(INDIRECT, st.booleans())
@@ -100,10 +105,11 @@ def disc_springs(count):
                 count -= 1
 
 
-def test_elasticities_with_disc_springs():
+@pytest.mark.parametrize("count", [2, pytest.param(25, marks=pytest.mark.slow)])
+def test_elasticities_with_disc_springs(count):
     """On either side, by differences of K_т extrapolated to no step; at a kink the two differ."""
     seen = set()
-    for clutch in disc_springs(4 * settings.default.max_examples // 8):
+    for clutch in disc_springs(count):
         cut = {"gain_slope": clutch["gain_slope"]} if "gain_slope" in clutch else {}
         paths = {name: path for path, name in PATHS.items()}
         for path, found in elasticities(clutch).items():
@@ -120,7 +126,7 @@ def test_elasticities_with_disc_springs():
                 expected = (4 * difference(side / 2) - difference(side)) / 3
                 assert slope == pytest.approx(expected, rel=1e-4, abs=1e-6), (path, side)
             seen.add((bool(cut), found.kink))
-    assert seen >= {(False, False), (True, False), (True, True)}
+    assert count == 2 or seen >= {(False, False), (True, False), (True, True)}
 
 
 @pytest.mark.parametrize("method", ["min-friction", "mean-friction"])

@@ -7,8 +7,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.equations.catalogue import equations
-from afmcalc.equations.indirect import sleeve_stiffness
-from afmcalc.equations.overload import actuation_factor
 
 UNITS = pint.UnitRegistry()
 MODULES = {"drive", "effects", "heat", "sleeve", "springs"}
@@ -62,40 +60,6 @@ def test_numbers_do_not_depend_on_the_units(name):
     assert converted.magnitude == pytest.approx(
         si.to_base_units().to(equation.result.unit.replace("^", "**")).magnitude
     )
-
-
-def printed_m9(f_min, f_max, c1, c2, z, C, R, key):
-    """S21 (15) as printed, without ÷ d."""
-    ends = [c2 + (1 + z * C * f) * c1 - 2 * z * R * c1 * f * key for f in (f_min, f_max)]
-    return f_max * ends[0] / (f_min * ends[1])
-
-
-def printed_m10(c1, c2, z, C, f, R, key, d):
-    """The bracket of S21's contact force as printed: c_2 + (1 + zCf_min)."""
-    return c2 + (1 + z * C * f) - 2 * z * R * c1 * f * key / d
-
-
-def printed_m11(loop_gain, loop_gain_min, friction, friction_min, margin):
-    """The factor of S22 (15) as printed, without ÷ f."""
-    weighted = margin * loop_gain * (1 + loop_gain_min) + (1 - loop_gain * loop_gain) * friction_min
-    return weighted / (margin * (1 + loop_gain_min))
-
-
-def test_printed_m9_m10_and_m11_fail():
-    """Friction is a pure number in SI; given a dimension of its own (and C its inverse) it shows the lost ÷ f of M11."""
-    stiffness, length = UNITS.Quantity(2e4, "N/m"), UNITS.Quantity(0.1, "m")
-    with pytest.raises(pint.DimensionalityError):
-        printed_m9(0.1, 0.8, stiffness, stiffness, 8, 1.0, length, 0.15)
-    with pytest.raises(pint.DimensionalityError):
-        printed_m10(stiffness, stiffness, 8, 1.0, 0.1, length, 0.15, length)
-    assert sleeve_stiffness(stiffness, stiffness, 8, 0.3, 0.4).check("[mass]/[time]**2")
-    tagged = pint.UnitRegistry()
-    tagged.define("mu = [friction]")
-    friction, smallest, gain = tagged.Quantity(0.3, "mu"), tagged.Quantity(0.1, "mu"), tagged.Quantity(5, "1/mu")
-    of = (gain * friction).to(""), (gain * smallest).to(""), friction, smallest, 1.25
-    assert actuation_factor(*of).check("")
-    with pytest.raises(pint.DimensionalityError):
-        printed_m11(*of)
 
 
 POWERS = {"life.cycles", "life.damage", "life.cycles_of_band"}

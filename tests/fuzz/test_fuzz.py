@@ -43,11 +43,8 @@ def judge(run: Run, case, afmcalc) -> None:
     assert not CONTROL.search(run.out + run.err)
     if run.code == 2:
         assert "error: " in run.err or run.err.startswith("Usage")
-        assert not run.out or case.arguments[0] in (
-            "design",
-            "check",
-            "solve",
-        )  # that nothing was found, what is wrong as JSON
+        # that nothing was found, what is wrong as JSON
+        assert not run.out or case.arguments[0] in ("design", "check", "solve")
     assert run.err.count("\n") <= 75  # the help, where nothing is asked
     assert max(map(len, run.err.split("\n"))) <= 400
     # JSON is strict, and the spec in it gives the same result again
@@ -98,11 +95,11 @@ def _libraries(afmcalc):
 
 @pytest.mark.parametrize("command", ASKED)
 def test_a_command_about_any_spec(command, afmcalc):
-    nothing_breaks_it(afmcalc, calculations(command), 6)
+    nothing_breaks_it(afmcalc, calculations(command), 4)
 
 
 def test_any_command_line(afmcalc):
-    nothing_breaks_it(afmcalc, command_lines(), 12)
+    nothing_breaks_it(afmcalc, command_lines(), 8)
 
 
 @pytest.mark.slow

@@ -30,11 +30,9 @@ ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
 STORED = Path(__file__).with_name("equations.sha256")
 TESTED = (
-    "afmcalc/equations/*.py",
-    "tests/proofs/*.py",
-    "tests/equations/test_dimensions.py",
+    "afmcalc/equations/*.py", "tests/proofs/*.py", "tests/equations/test_dimensions.py",
     "tests/engines/test_oracle.py",
-)
+)  # fmt: skip
 EQUIVALENT: dict[str, str] = {}
 """Mutants (as printed) that compute the same as the original, each with the reason."""
 NO_EQUATIONS = ("__init__", "arrays", "catalogue", "terms", "wiring")

@@ -19,12 +19,9 @@ from afmcalc.equations import indirect as _indirect
 def symbolic(law, pi=sp.pi):
     """Return a law with an exact π, and without the bound of a force that no symbol can be compared with."""
     exact = {
-        "math": SimpleNamespace(pi=pi),
-        "sin": sp.sin,
-        "cos": sp.cos,
-        "smaller": lambda bound, value: value,
+        "math": SimpleNamespace(pi=pi), "sin": sp.sin, "cos": sp.cos, "smaller": lambda bound, value: value,
         "larger": lambda value, bound: value,
-    }
+    }  # fmt: skip
     return FunctionType(law.__code__, law.__globals__ | exact)
 
 

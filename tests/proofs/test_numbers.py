@@ -6,7 +6,18 @@ import numpy as np
 import sympy as sp
 from proofs.symbols import *
 
-from afmcalc.equations import adjustment, curved, curved_wall, direct, indirect, life, overload, unlike
+from afmcalc.equations import (
+    adjustment,
+    control_unit,
+    curved,
+    curved_wall,
+    direct,
+    indirect,
+    life,
+    overload,
+    pressure,
+    unlike,
+)
 
 RATIONAL = sp.Rational
 
@@ -187,3 +198,12 @@ def numbers_of_curved_walls():
         "curved.tangent_stiffness",
         off([curved.tangent_stiffness(each) for each in (0.25, 0.0, -1e-9)], [0.5, 0.0, 0.0]),
     )
+
+
+def numbers_of_sizes():
+    """Diameters are twice the radii; between the balls there is the circle less one ball, nothing without balls."""
+    for law in (pressure.outer_diameter, pressure.disc_bore, pressure.mean_diameter, control_unit.ball_diameter,
+                control_unit.ball_diameter_needed):  # fmt: skip
+        yield law.__name__, law(7) - 14
+    yield "control_unit.ball_bore", control_unit.ball_bore(30, 10) - 50
+    yield "balls beyond the axis", off(control_unit.ball_bore(3.0, 10.0), 0.0)

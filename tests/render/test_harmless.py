@@ -3,8 +3,6 @@
 import csv
 import io
 import re
-import subprocess
-import sys
 
 import pytest
 from conftest import CONFIGS
@@ -67,28 +65,3 @@ def test_a_name_is_no_markup(answered):
     run = answered("torque", "--set", "name=<b>|x|*_`[bold]y[/]", "--format", "markdown")
     assert "## torque: \\<b\\>\\|x\\|\\*\\_\\`\\[bold\\]y\\[/\\]" in run.out
     assert "[bold]y[/]" in answered("torque", "--set", "name=[bold]y[/]").out
-
-
-LOADED = """
-import io, sys
-from contextlib import redirect_stderr, redirect_stdout
-from afmcalc.cli.main import main
-for arguments in {}:
-    with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
-        try:
-            main(arguments)
-        except SystemExit as end:
-            assert not end.code, arguments
-    print(*sys.modules)
-"""
-
-
-def test_a_table_imports_no_plots_and_a_curve_no_matplotlib():
-    """Nor anything of the network: xml.sax would, which escapes what html escapes too."""
-    lines = [["torque"], ["accuracy", "--sweep", "C"], ["plot", "torque"]]
-    run = subprocess.run([sys.executable, "-c", LOADED.format(lines)], capture_output=True, text=True, check=True)
-    table, curve, plot = (set(line.split()) for line in run.stdout.splitlines())
-    assert not table & {"afmcalc.render.plot", "afmcalc.render.drawing"}
-    assert "afmcalc.render.plot.text" in curve
-    assert not curve & {"afmcalc.render.plot.figure", "afmcalc.render.plot.curves"}
-    assert not plot & {"ssl", "urllib.request", "http.client", "xml.sax", "matplotlib", "jinja2"}

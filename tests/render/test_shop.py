@@ -212,13 +212,6 @@ def test_svg_is_in_millimetres(drawn):
         assert inside.all()
 
 
-def test_from_the_command_line(afmcalc, tmp_path):
-    plot = "plot", "pocket", CONFIGS / "constant-torque.toml"
-    assert afmcalc(*plot, "-o", tmp_path / "p.dxf").code == 0
-    assert not ezdxf.readfile(tmp_path / "p.dxf").audit().has_issues
-    assert afmcalc(*plot, "-o", tmp_path / "p.svg").code == 0
-
-
 REFUSED = """
 torque -o x.dxf | plot pocket
 pocket -o x.dxf --set sleeve_depth=7.5mm | 7.5 mm

@@ -201,18 +201,7 @@ def test_a_number_that_scatters_or_is_wanted_is_asked_after_too(afmcalc):
     assert parse_target("closing_force=2 N")[2] == []
 
 
-ASKING = (
-    "accuracy",
-    "synthesize",
-    "check",
-    "explain torque",
-    "solve accuracy_factor=2",
-    "compare",
-    "compare --variants",
-)
-
-
-@pytest.mark.parametrize("line", ASKING)
+@pytest.mark.parametrize("line", ["accuracy", "explain torque", "solve accuracy_factor=2", "compare --variants"])
 def test_every_command_asks(line, afmcalc):
     assert ("closing_spring.force", 2) in bare(afmcalc(*line.split(), "-", "--json", stdin=BASE.replace('"2 kN"', "2")))
 
@@ -302,10 +291,3 @@ def test_a_long_line_is_cut_around_what_is_meant():
     text = "a" * 300 + " = 1"
     line, caret = place_at(text, 303, 304).shown()
     assert (line[:6], len(line), line[caret.index("^")]) == ("  1 | ", 57, "1")
-
-
-def test_what_is_overridden_has_no_place():
-    source = Source("x.toml", "[a]\nb = 1\nc = 2").but(["a.b"])
-    assert source.place("a.b") is None
-    assert str(source.place("a.c")) == "3:5"
-    assert str(source.place("a.d")) == "1:1"

@@ -168,7 +168,7 @@ def test_disc_springs_of_ones_own(tmp_path, afmcalc):
     asked = ("springs", CONFIGS / "default.toml", "--discs", path, "--kind", "disc")
     parts = [each["part"] for each in afmcalc(*asked, "--json").json["result"]["closing"]]
     assert {first.title} <= {*parts} <= {first.title, second.title}
-    assert afmcalc(*asked, "--pick", parts.index(first.title) + 1, "-o", sprung).code == 0
+    assert afmcalc(*asked, "--pick", parts.index(first.title) + 1, "--save", sprung).code == 0
     assert first.title in afmcalc("springs", sprung).out
     picked = read_spec(sprung)
     assert (picked.closing_spring.disc.thickness, picked.catalogues.discs) == (first.thickness, path)

@@ -6,14 +6,13 @@ import shlex
 import tomllib
 
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, slow
 from pages import TABS, Here, Site, cells, is_shown, sets, spec_in, tags, web
 
 from afmcalc.spec.keys import keys
 
 pytestmark = web
-VARIANTS = ["default", "conventional", "all-driving", "unlike-materials", "indirect", "envelope", "constant-torque"]
-SLOW = pytest.param(10, marks=pytest.mark.slow)
+VARIANTS = ["conventional", "all-driving", "envelope", "constant-torque"]
 
 
 @pytest.fixture(scope="module")
@@ -82,8 +81,8 @@ def agree(answer, spec, fields, afmcalc):
     return 0
 
 
-@pytest.mark.parametrize("count", [1, SLOW])
-@pytest.mark.parametrize("name", VARIANTS)
+@pytest.mark.parametrize("count", [1, *slow(10)])
+@pytest.mark.parametrize("name", ["default", "unlike-materials", "indirect", *slow(*VARIANTS)])
 def test_any_state_is_what_the_command_line_says(sites, afmcalc, name, count):
     """Numbers or sentences; the command shown is what was run, whatever is pinned beside."""
     spec, site = sites(name)

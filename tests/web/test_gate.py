@@ -123,16 +123,8 @@ def test_without_the_token_there_is_nothing(site, afmcalc):
     assert Site(afmcalc).root != site.root
     nothing = refused(site, 404, "GET", "/nothing")
     wrong = [
-        "",
-        "x",
-        token[:-1],
-        f"{token}x",
-        token.swapcase(),
-        f"x{token}",
-        f"{token}%00",
-        f"%20{token}",
-        "favicon.ico",
-    ]
+        "", "x", token[:-1], f"{token}x", token.swapcase(), f"x{token}", f"{token}%00", f"%20{token}", "favicon.ico",
+    ]  # fmt: skip
     for each in wrong:
         for method, rest in (("GET", "/"), ("GET", "/page.js"), ("POST", "/live"), ("POST", "/save"), ("GET", "")):
             answer = refused(site, 404, method, f"/{each}{rest}")

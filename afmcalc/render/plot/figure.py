@@ -17,7 +17,6 @@ from .paint import PARAMETERS, SIZE, WIDTH, Measure, Notes, beside, folded, pain
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-ENDINGS = ("png", "svg", "pdf")
 Ending = Literal["png", "svg", "pdf"]
 
 _CREATOR = "afmcalc plot"
@@ -31,8 +30,8 @@ _TITLE, _HEAD = 11.0, 9.5
 """Sizes of the title, and of those of panels."""
 
 
-def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
-    """Return a file of a sheet with its title and caption, on white; ``dpi`` is that of a PNG.
+def save(sheet: Sheet, ending: Ending) -> bytes:
+    """Return a file of a sheet with its title and caption, on white.
 
     Without date or version: the file depends on the sheet only.
     """
@@ -45,7 +44,7 @@ def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
         "pdf": {"CreationDate": None, "ModDate": None, "Creator": _CREATOR, "Producer": None},
     }
     content = io.BytesIO()
-    with _settings({"savefig.dpi": dpi}):
+    with _settings():
         _figure(sheet).savefig(content, format=ending, metadata=metadata[ending])
     return content.getvalue()
 

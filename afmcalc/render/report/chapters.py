@@ -13,7 +13,7 @@ from markupsafe import Markup
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
 from ...analysis.explain.explain import CaseRow, Derivation, Meaning
-from ...analysis.springs.springs import SpringsResult
+from ...analysis.springs import SpringsResult
 from ...analysis.tolerance_result import ToleranceResult
 from ...messages import localized, spoken, term, translate, with_unit
 from ...result import Result, Triple

@@ -65,16 +65,13 @@ def test_what_is_not_given_is_not_judged(afmcalc):
 
 
 UNUSUAL = {
-    "friction.max": (["friction.max=8"], 8, 1),
-    "friction.min": (["friction.min=0.001"], 0.001, 0.02),
-    "friction_group.mean_radius": (["R=0.1 mm"], 1e-4, 0.01),
-    "friction_group.pairs": (["z=50"], 50, 40),
-    "adjustment.margin": (["beta=12.5"], 12.5, 3),
-    "closing_spring.force": (["F=2 MN"], 2e6 / (math.pi * 0.01), 5e6),
+    "friction.max": (["friction.max=8"], 8, 1), "friction.min": (["friction.min=0.001"], 0.001, 0.02),
+    "friction_group.mean_radius": (["R=0.1 mm"], 1e-4, 0.01), "friction_group.pairs": (["z=50"], 50, 40),
+    "adjustment.margin": (["beta=12.5"], 12.5, 3), "closing_spring.force": (["F=2 MN"], 2e6 / (math.pi * 0.01), 5e6),
     "control_unit.wall_angle": (["C=", "alpha=80 deg"], math.radians(80), math.radians(60)),
     "control_unit.gain": (["C=0.1"], math.atan(0.05), math.radians(5)),
     "control_unit.ball_circle_radius": (["r=5 mm"], 0.005, 0.02),
-}
+}  # fmt: skip
 """Key → what makes the base clutch strange, the figure, and the end of the usual range it is beyond."""
 
 

@@ -12,7 +12,7 @@ from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.synthesize import SynthesisResult
 from afmcalc.drive.result import SimulateResult
 from afmcalc.engines import build
-from afmcalc.engines.parts import checks_of_spec
+from afmcalc.engines.parts import checks_of_springs
 from afmcalc.spec import read_spec
 
 PRESS = {
@@ -81,7 +81,7 @@ def test_disc_springs_are_held_where_the_sleeve_swings():
     clutch = build(merged(PRESS, {**springs, "drive": {"event": {"stop_time": 0.005}}}))
     answers = Answers(clutch)
     result, found = check(clutch, answers=answers)
-    assert all(rule.beyond <= 0 for _, rule in checks_of_spec(clutch.spec, clutch.spring_demands()))
+    assert all(rule.beyond <= 0 for _, rule in checks_of_springs(clutch))
     row = row_of(result, "closing spring: travel by which the spring is let go")
     assert (row.value, row.grade) == (answers.of(SimulateResult).travel_max.max, "fail")
     assert "event-spring" in {each.code for each in found}

@@ -6,6 +6,7 @@ from html import unescape
 
 import numpy as np
 import pytest
+from conftest import slow
 from random_clutches import random_clutches
 
 from afmcalc.analysis.answers import Answers
@@ -43,7 +44,7 @@ def letters(text):
     return re.sub(r"[\W_]+", "", unescape(re.sub("<[^>]*>", "", text)))
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", [0, *slow(1, 2)])
 def test_every_command_shows_the_same(seed):
     """Rows and sentence of check, compare, the page and the report; each row that fails is one finding."""
     for number, spec in enumerate(specs(8, seed)):
@@ -67,12 +68,12 @@ def test_every_command_shows_the_same(seed):
                 assert all(letters(each.name) in letters(shown) for each in result.requirements)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", [0, *slow(1, 2)])
 def test_numbers_and_arrays_pass_alike(seed):
     """Each check that the quantities tell, over the spring force: as the number, so the element."""
     asked = {"surface_pressure": 1e5, "outer_diameter": 0.2, "accuracy_factor_hysteresis": 1.5, "torque_max": 300.0}
     seen = set()
-    for spec in specs(60, 10 + seed):
+    for spec in specs(40, 10 + seed):
         if spec.closing_spring.force is None or spec.closing_spring.disc is not None:
             continue
         more = spec.requirements.model_copy(update=asked)

@@ -8,7 +8,7 @@ import re
 from pathlib import Path
 
 import pytest
-from conftest import CONFIGS, S21
+from conftest import CONFIGS, S21, slow
 from jsonschema import validate
 
 from afmcalc.analysis.registry import ANALYSES, schema
@@ -20,11 +20,9 @@ COMMANDS = {
     "overload-sweep": ["overload", CONFIGS / "all-driving.toml", "--sweep", "zC=1:5:5"],
     "synthesize": ["synthesize", CONFIGS / "indirect.toml"],
     "compare": ["compare", CONFIGS / "indirect.toml", "--variants"],
-    "check": ["check", CONFIGS / "default.toml", "--set", "C=2"],
-    "explain": ["explain", "life", S21],
-    "misprints": ["equations", "--misprints"],
-    "materials": ["materials"],
-}
+    "check": ["check", CONFIGS / "default.toml", "--set", "C=2"], "explain": ["explain", "life", S21],
+    "misprints": ["equations", "--misprints"], "materials": ["materials"],
+}  # fmt: skip
 STORED = {
     "torque": COMMANDS["torque"], "accuracy-grid": COMMANDS["accuracy-grid"], "synthesize": COMMANDS["synthesize"],
     "check": COMMANDS["check"], "check.ru": [*COMMANDS["check"], "--lang", "ru"],
@@ -41,10 +39,10 @@ def test_a_stored_table(name, answered):
     assert text == path.read_text(encoding="utf-8"), f"{name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
 
 
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param(name, marks=pytest.mark.slow if name in ("explain", "accuracy-sweep") else ()) for name in COMMANDS],
-)
+QUICK = ("torque", "accuracy-grid", "synthesize", "check", "compare")
+
+
+@pytest.mark.parametrize("name", [*QUICK, *slow(*(name for name in COMMANDS if name not in QUICK))])
 def test_the_formats_of_an_answer_agree(name, answered):
     """JSON is as its schema; Markdown has the cells of the table, CSV the numbers of the JSON, Excel's those of CSV."""
     runs = [answered(*COMMANDS[name], "--format", form) for form in ("table", "json", "csv", "markdown")]
@@ -111,18 +109,3 @@ def test_excel_is_csv_in_any_language_and_nothing_else(afmcalc, tmp_path):
         assert afmcalc("torque", "--excel", *asked).code == 2
     assert afmcalc("torque", "--excel", "--lang", "ru", "-o", tmp_path / "a.csv").code == 0
     assert (tmp_path / "a.csv").read_bytes() == b"\xef\xbb\xbf" + afmcalc("torque", "--excel").out[1:].encode()
-
-
-def test_csv_has_full_precision_and_si_units(answered):
-    sweep = "accuracy", "--sweep", "C=0:1:7"
-    points = answered(*sweep, "--json").json["result"]["sweep"][0]
-    header, *rows = csv.reader(io.StringIO(answered(*sweep, "--format", "csv").out))
-    names = ["control_unit.gain [1]", "accuracy_factor [1]", "accuracy_factor_peak [1]", "nominal_torque [N*m]"]
-    assert header == [*names, "torque_max [N*m]"]
-    assert [float(row[0]) for row in rows] == points["values"]
-    assert [float(row[1]) for row in rows] == points["accuracy_factor"]
-    overload = answered("overload", CONFIGS / "all-driving.toml", "--format", "csv").out
-    ends = dict(zip(*csv.reader(io.StringIO(overload)), strict=True))
-    lows = [name for name in ends if ".low" in name]
-    assert lows
-    assert all(float(ends[name]) < float(ends[name.replace(".low", ".high")]) for name in lows)

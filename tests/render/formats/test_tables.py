@@ -8,7 +8,7 @@ import math
 import re
 
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, slow
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -17,10 +17,12 @@ from afmcalc.messages import fitting
 from afmcalc.render.document import document
 from afmcalc.render.layout import TextTable, blocks, padded
 from afmcalc.render.symbols import latin_symbols, native
-from afmcalc.render.units import display, display_unit, estimate, shown_in, significant
+from afmcalc.render.units import display, estimate, significant
 from afmcalc.result import Result, described, quantity, shown_as
 from afmcalc.spec.fields import Block
 from afmcalc.spec.keys import keys
+
+from .test_formats import numbers
 
 SMALL = ["--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"]
 STUDY = ["tolerance", CONFIGS / "tolerance.toml", *SMALL]
@@ -120,7 +122,7 @@ NARROW = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("command", NARROW)
+@pytest.mark.parametrize("command", ["check", "compare", *slow("torque", "overload", "layout", "tolerance")])
 def test_a_narrow_table_has_every_number_and_key_whole(command, afmcalc, monkeypatch):
     def whole(width):
         monkeypatch.setenv("COLUMNS", str(width))
@@ -132,26 +134,10 @@ def test_a_narrow_table_has_every_number_and_key_whole(command, afmcalc, monkeyp
     assert whole(60) == whole(300)
 
 
-def test_compare_tells_a_finding_once(answered):
-    run = answered("compare", "example:default", "example:default", "example:indirect")
-    told = [line for line in run.out.splitlines() if re.match(r"(info|warning|error): ", line)]
-    messages = [line.partition(": ")[2].partition(": ")[2] for line in told]
-    assert len(set(messages)) == len(messages) > 0
-
-
 ASKED = {
     "torque": "indirect", "synthesize": "indirect", "accuracy": "unlike-materials", "adjust": "all-driving",
     "life": "default",
 }  # fmt: skip
-
-
-def numbers(value):
-    """Every number of a JSON value."""
-    if isinstance(value, dict | list):
-        for each in value.values() if isinstance(value, dict) else value:
-            yield from numbers(each)
-    elif isinstance(value, int | float) and not isinstance(value, bool):
-        yield value
 
 
 @pytest.mark.parametrize("command", ASKED)
@@ -166,15 +152,6 @@ def test_every_number_shown_in_si_is_one_of_the_result(command, answered):
     # a ball is ordered by its millimetres
     assert not re.search(r"\b(kN|mm|MPa|deg|N/mm)\b", re.sub(r"ball \S+ mm, ISO", "", table))
     assert answered(command, path).out == answered(command, path, "--units", "engineer").out
-
-
-def test_units_hold_until_the_end_of_the_block():
-    def shown():
-        return display(0.1, "m"), display_unit("m"), display(300.0, "K abs"), display_unit("K abs")
-
-    with shown_in("si"):
-        assert shown() == ("0.1", "m", "300", "K")
-    assert shown() == ("100", "mm", "26.85", "°C")
 
 
 @pytest.mark.parametrize("command", ["torque", "synthesize", "explain torque"])

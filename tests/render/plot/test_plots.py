@@ -11,7 +11,6 @@ import pytest
 from conftest import CONFIGS, ROOT
 
 from afmcalc.render.plot.chart import Chart, ChartAxis, Line
-from afmcalc.render.plot.paint import COLOURS, DASHES
 from afmcalc.render.plot.text import draw
 
 from .test_figures import sheet
@@ -127,13 +126,6 @@ def distance(point, start, end):
     long = math.dist(start, end)
     along = sum((p - a) * (b - a) for p, a, b in zip(point, start, end, strict=True)) / long**2 if long else 0
     return math.dist(point, [a + min(max(along, 0), 1) * (b - a) for a, b in zip(start, end, strict=True)])
-
-
-def test_axes_and_styles():
-    axis = ChartAxis("temperature", "θ", "K abs")
-    assert axis.label == "temperature θ, °C"
-    assert axis.shown([293.15, None]) == pytest.approx([20, math.nan], nan_ok=True)
-    assert len(COLOURS) == len(set(COLOURS)) == len(set(map(str, DASHES)))
 
 
 @pytest.mark.slow

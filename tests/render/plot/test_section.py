@@ -109,7 +109,7 @@ def overlapping(drawing):
 
 def colliding(findings):
     texts = (finding.message for finding in findings if finding.code == "parts-collide")
-    return {frozenset(str(text).partition(" overlap by ")[0].split(" and ")) for text in texts}
+    return {frozenset(str(text).partition(" are in each other's way by ")[0].split(" and ")) for text in texts}
 
 
 def test_dimensions_are_those_of_the_spec():

@@ -3,8 +3,9 @@
 import re
 
 import pytest
+from conftest import slow
 
-EXAMPLES = ["default", pytest.param("tolerance", marks=pytest.mark.slow)]
+EXAMPLES = ["default", *slow("tolerance")]
 LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 STANDARD = re.compile(r"ISO 3290-1|ГОСТ 3722-2014")
 """Of balls: each language names its own."""
@@ -42,7 +43,7 @@ def numbers(element, language):
     return [f"{float(number) / 100:.3g}" if share else number for number, share in found]
 
 
-@pytest.mark.parametrize("language", ["en", "ru"])
+@pytest.mark.parametrize("language", ["ru", *slow("en")])
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_words_stand_in_the_place_of_keys_and_numbers_in_that_of_sources(name, language, report, parsed):
     page = parsed(report(name, *(["--lang", "ru"] if language == "ru" else [])))

@@ -1,29 +1,54 @@
-"""Axes of a sweep as written on the command line: which key is meant, and which values, given or sensible ones."""
+"""A sweep: its axes as written on the command line, and the answers over their grid in one array expression."""
 
 import math
 import re
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from ...engines import build
-from ...equations.arrays import Floats
-from ...errors import AfmcalcError, SpecError
-from ...messages import did_you_mean
-from ...spec import Spec
-from ...spec.edit import respecified, value_at
-from ...spec.fields import Key
-from ...spec.keys import ALIASES, elsewhere, is_whole, keys, names, path_of
-from ...spec.models import FrictionRange
-from ...spec.quantity import asked_unit, parse_quantity
-from ...spec.removed import instead_of
-from ...spec.rules import variants_of
-from .grid import MOST_POINTS, Axis
+from ..engines import build
+from ..engines.evaluate import BLOCK, Output, evaluate
+from ..equations.arrays import Floats
+from ..errors import AfmcalcError, SpecError
+from ..findings import Finding, finding
+from ..messages import did_you_mean
+from ..result import Series
+from ..spec import Spec, edit
+from ..spec.edit import respecified, value_at
+from ..spec.fields import Key
+from ..spec.keys import ALIASES, elsewhere, is_whole, keys, names, path_of
+from ..spec.models import FrictionRange
+from ..spec.quantity import asked_unit, parse_quantity
+from ..spec.removed import instead_of
+from ..spec.rules import variants_of
 
+MOST_POINTS = 200_000
+"""Points of a sweep: its answers take 0.3 GB then."""
 _MOST_COUNTED = 200
 """Whole numbers that are swept where no range is given."""
 _RANGE = re.compile(r"\.\.|…|\d\s*(?:-|–|to)\s*\d")
 """How a range is written elsewhere."""
+
+
+class Axis(NamedTuple):
+    """One swept key with its values, SI."""
+
+    name: str
+    """As the user called it: a symbol or a path."""
+    key: Key
+    values: Floats
+    """Values of the parameter as called."""
+    scale: float = 1.0
+    """What a value is multiplied by to give the spec key (zC → C)."""
+    question: Finding | None = None
+    """The first value without a unit that may be meant in another than SI."""
+
+    @property
+    def called_path(self) -> str:
+        """What its values are: a spec path; of zC, no key, its name in results."""
+        return "reduced_gain" if self.name == "zC" else self.key.path
 
 
 def find_key(name: str, spec: Spec, option: str = "--sweep") -> Key:
@@ -186,3 +211,50 @@ def current_value(spec: Spec, path: str) -> float | None:
     if (friction := _friction(path, spec)) is not None:
         return getattr(friction.range, path.rpartition(".")[2])
     return value_at(spec, path)
+
+
+def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
+    """Say which keys of the spec a sweep has taken the place of, and ask after its numbers without a unit."""
+    gone = edit.replaced(spec, [axis.key.path for axis in axes])
+    asked = [axis.question for axis in axes if axis.question]
+    return [*asked, *(finding("sweep-replaces", "info", path=path, by=by) for path, by in gone.items())]
+
+
+def grid(axes: Sequence[Axis]) -> list[Floats]:
+    """Coordinates of every point of the grid by axis, flat, the first axis slowest."""
+    count = math.prod(axis.values.size for axis in axes)
+    if count > MOST_POINTS:
+        raise AfmcalcError(
+            "the sweep asks for {count:,} points; at most {most:,} are swept", count=count, most=MOST_POINTS
+        )
+    if len({axis.key.path for axis in axes}) < len(axes):
+        raise AfmcalcError("the same key is swept twice")
+    if any(axis.name == "zC" for axis in axes) and any(axis.key.path.endswith("pairs") for axis in axes):
+        raise AfmcalcError("zC and a number of pairs cannot be swept together: sweep C with it")
+    return [coordinates.ravel() for coordinates in np.meshgrid(*(axis.values for axis in axes), indexing="ij")]
+
+
+S = TypeVar("S", bound=Series)
+
+
+def series(
+    kind: type[S],
+    spec: Spec,
+    axes: Sequence[Axis],
+    outputs: Mapping[str, Output],
+    open_at: Sequence[str] = (),
+    block: int = BLOCK,
+) -> list[S] | None:
+    """Sweep ``outputs`` over the grid of ``axes``, one series per axis, NaN in ``open_at`` None; None without axes."""
+    if not axes:
+        return None
+    points = grid(axes)
+    values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
+    answers = {name: array.tolist() for name, array in evaluate(spec, values, outputs, block).items()}
+    answers |= {
+        name: [None if value != value else value for value in answers[name]] for name in open_at if name in answers
+    }
+    return [
+        kind(parameter=axis.name, path=axis.called_path, unit=axis.key.unit or "1", values=given.tolist(), **answers)
+        for axis, given in zip(axes, points, strict=True)
+    ]

@@ -1,0 +1,495 @@
+"""Springs one can buy or wind: disc stacks and coil springs that give the forces of a clutch."""
+
+import math
+from collections.abc import Mapping, Sequence
+from functools import cache
+from itertools import count, product
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from ..engines import Clutch
+from ..engines.parts import INDEX, SpringDemand, SpringName, checks_of_part, spring_demands, values_of_part
+from ..engines.springs import DiscCharacteristic, characteristic
+from ..equations import springs as law
+from ..equations.arrays import Floats
+from ..errors import AfmcalcError, CalculationError
+from ..findings import Finding, finding
+from ..messages import joined, say, term
+from ..result import Answer, Result, Sentence, described, quantity
+from ..spec import Spec
+from ..spec.catalogues import Disc, discs
+from ..spec.edit import respecified
+from ..spec.models import SHEAR_MODULUS, CoilSprings, DiscStack, Room
+from .clutch_findings import clutch_findings
+from .registry import SpringKind, SpringOrder
+
+Kind = Literal["disc", "coil"]
+Part = DiscStack | CoilSprings
+SETTING = 0.05
+"""Share of the force that the nut is to set more or less."""
+TOP = 10
+TOLERANCE = 0.1
+"""How far a stiffness may be off, relative."""
+MOST_PARALLEL = 6
+"""Discs laid into each other; more than three are for friction, not for force."""
+MOST_SERIES = 10_000
+"""Packs against each other."""
+COUNTS = (1, 3, 4, 6, 8, 9, 12, 16, 20, 24)
+"""Coil springs around the shaft."""
+WIRES = tuple(
+    diameter * 1e-3
+    for diameter in (
+        1, 1.1, 1.25, 1.4, 1.6, 1.8, 2, 2.2, 2.5, 2.8, 3.2, 3.6, 4, 4.5, 5, 5.6, 6.3, 7.1, 8, 9, 10, 11, 12.5, 14, 16,
+    )
+)  # fmt: skip
+"""Wire diameters, R'20 of ISO 497, m."""
+TURNS = (2.0, 25.0)
+"""Active turns."""
+_FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
+"""Active turns to choose from where any stiffness will do."""
+_STEPS = 24
+"""Mean coil diameters that are tried of a wire."""
+_SIZES = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
+"""What makes a disc one of a size."""
+_SLACK = 1e-9
+"""Share by which a part may be beyond a limit by rounding."""
+_BORNE = ("deflection", "stress", "fatigue")
+"""What tells how much of what it bears a part uses."""
+_CURVE_POINTS = 121
+
+
+class SpringOption(Result):
+    """A part that gives the force, and what else it gives."""
+
+    number: int | None = described("number", optional=True)
+    spring: SpringName | None = described("spring", optional=True)
+    kind: Kind = described("kind", detail=True)
+    part: Sentence = described("part")
+    parallel: int | None = quantity("1", "n", "discs nested in each other, in parallel")
+    series: int | None = quantity("1", "i", "packs against each other, in series")
+    count: int | None = quantity("1", "n_п", "springs around the shaft")
+    turns: float | None = quantity("1", "n_w", "active turns")
+    outer_diameter: float = quantity("m", "D_e", "outer diameter", detail=True)
+    inner_diameter: float = quantity("m", "D_i", "inner diameter", detail=True)
+    force: float = quantity("N", "F", "force as set", detail=True)
+    force_least: float | None = quantity("N", "F_1", "least force in service", detail=True, null="slack")
+    force_largest: float = quantity("N", "F_2", "largest force in service", detail=True)
+    stiffness: float = quantity("N/m", "c", "stiffness as set")
+    deflection: float = quantity("m", "s", "deflection as set", detail=True)
+    length_set: float = quantity("m", "L", "length as set")
+    length: float = quantity("m", "L_1", "largest length in service, at the least deflection")
+    free_length: float = quantity("m", "L_0", "length without load", detail=True)
+    used_low: float = quantity("1", "s_1/s_c", "least deflection in service over that pressed flat or solid")
+    used_high: float = quantity("1", "s_2/s_c", "largest deflection in service over that pressed flat or solid")
+    loading: Literal["static", "dynamic"] | None = described("loading of a coil", optional=True)
+    stress_correction: float | None = quantity(
+        "1", "k_τ", "factor of the coil's curvature in the stress, 1 of one that rests", optional=True, detail=True
+    )
+    stress: float = quantity("Pa", "σ, τ", "largest stress in service: tension of a disc, shear of a wire")
+    stress_middle: float | None = quantity(
+        "Pa", "σ_OM", "stress where the section of a disc turns", optional=True, detail=True
+    )
+    stress_solid: float | None = quantity(
+        "Pa", "τ_c", "shear stress of a wire, solid, without k_τ", optional=True, detail=True
+    )
+    utilisation: float = quantity(
+        "1", "η", "largest share used: of the range of deflection, of the stress allowed", detail=True
+    )
+    loss_per_travel: float = quantity("1/m", "c/F", "share of the force lost per travel of the spring")
+    loss_per_wear: float | None = quantity(
+        "1/m", "c z/F", "share of the force lost per wear of a pair", optional=True, detail=True
+    )
+    travel_setting: float = quantity("m", "s_5%", "travel of the nut from 95 to 105 % of the force", detail=True)
+    turns_setting: float | None = quantity("1", "ν_5%", "turns of the nut from 95 to 105 % of the force")
+    force_up: float | None = quantity("N", "F_↓", "force that friction asks for when pressed", detail=True)
+    force_down: float | None = quantity("N", "F_↑", "force that friction leaves when let go", detail=True)
+    mass: float = quantity("kg", "m_s", "mass")
+
+
+class SpringsResult(Answer):
+    """Parts that give forces and stiffnesses of the springs, the best first."""
+
+    closing_force: float = quantity("N", "F_п", "force wanted of the closing spring")
+    closing_stiffness: float | None = quantity("N/m", "c_1", "stiffness wanted", null="any", optional=True)
+    closing_found: int = described("number of springs found for it")
+    control_force: float | None = quantity("N", "F_п2", "force wanted of the control spring", optional=True)
+    control_stiffness: float | None = quantity("N/m", "c_2", "stiffness wanted of it", null="any", optional=True)
+    control_found: int | None = described("number of springs found for it", optional=True)
+    closing: list[SpringOption] = described("closing spring")
+    control: list[SpringOption] | None = described("control spring", optional=True)
+    named: list[SpringOption] | None = described("springs that the spec names", optional=True)
+    utilisation: float | None = quantity(
+        "1",
+        "η",
+        "largest share that these use: of the range of deflection, of the stress allowed",
+        optional=True,
+        detail=True,
+    )
+    nearest: list[SpringOption] | None = described("nearest, where there is none", optional=True)
+
+
+class SpringCurve(Result):
+    """Force over deflection of one spring, and where on it the clutch works."""
+
+    spring: SpringName = described("spring")
+    part: Sentence = described("part")
+    deflection: list[float] = quantity("m", "s", "deflection")
+    force: list[float] = quantity("N", "F", "force")
+    tangent: list[float] = quantity("N", "c s", "straight spring of the stiffness as set")
+    set_deflection: float = quantity("m", "s", "deflection as set")
+    set_force: float = quantity("N", "F", "force as set")
+    service: tuple[float, float] = quantity("m", "s", "deflections in service")
+    usable: tuple[float, float] = quantity("m", "s", "deflections it may be used between")
+
+
+class SpringsCurve(Result):
+    """The springs of a clutch."""
+
+    name: str | None = described("name of the clutch", optional=True)
+    springs: list[SpringCurve] = described("springs")
+
+
+class Table(NamedTuple):
+    """Parts of one kind as columns, a row each, and what each row misses."""
+
+    parts: Part
+    values: dict[str, Any]
+    misses: dict[str, Floats]
+    """What is not as wished → by how much, relative; 0: it is."""
+
+    def worst(self) -> Floats:
+        """What each row misses most."""
+        return np.max(list(self.misses.values()), axis=0)
+
+    def part(self, row: int) -> Part:
+        """Return one row; a disc as thick as made has no flats."""
+        sizes = {name: column[row].item() for name, column in vars(self.parts).items()}
+        if isinstance(self.parts, DiscStack) and sizes["reduced_thickness"] == sizes["thickness"]:
+            sizes["reduced_thickness"] = None
+        return self.parts.model_construct(**sizes)
+
+
+_BY: Mapping[SpringOrder, str] = {"length": "length", "wear": "stiffness", "mass": "mass"}
+"""What is small of parts that have the same force."""
+
+
+def springs(
+    clutch: Clutch,
+    sort: SpringOrder | None = None,
+    top: int = TOP,
+    kind: SpringKind = "any",
+    tolerance: float = TOLERANCE,
+) -> tuple[SpringsResult, list[Finding]]:
+    """Find parts that give the force as set and the stiffness of every spring of a clutch, within the room there is.
+
+    Where there is none, the nearest and what it misses; and the parts that the spec names. Small is by default the
+    length where a stiffness is wanted, which may be off by ``tolerance``, relative, else the loss of force by wear.
+    """
+    fields: dict[str, Any] = {}
+    nearest: list[SpringOption] = []
+    remarks: list[Finding] = []
+    number = count(1)
+    demands, named = spring_demands(clutch), clutch.spec.spring_parts
+    for demand in demands:
+        tables = _tables(demand, kind, tolerance)
+        found = _fitting(demand, tables, sort, families=True)
+        fields |= {
+            f"{demand.name}_force": demand.force,
+            f"{demand.name}_stiffness": demand.stiffness,
+            f"{demand.name}_found": len(found),
+            demand.name: [
+                option_of(demand, table.part(row)).model_copy(update={"number": next(number)})
+                for table, row in found[:top]
+            ],
+        }
+        if not found and (worst := [(table.worst().min(), table) for table in tables if table.worst().size]):
+            table = min(worst, key=lambda each: each[0])[1]
+            row = int(table.worst().argmin())
+            nearest.append(option_of(demand, table.part(row)))
+            misses = {name: float(by[row]) for name, by in table.misses.items() if by[row] > _SLACK}
+            remarks.append(_none(demand, table.part(row), misses))
+        if None in (demand.room.inner_diameter, demand.room.outer_diameter, demand.room.length):
+            remarks.append(finding("room-not-given", "info", path=f"{demand.name}_spring.room"))
+        if demand.stiffness is None:
+            remarks.append(finding("any-stiffness", "info", path=f"{demand.name}_spring.stiffness"))
+    in_use = [
+        option_of(demand, named[demand.name]).model_copy(update={"spring": demand.name})
+        for demand in demands
+        if demand.name in named
+    ]
+    result = SpringsResult(
+        **fields,
+        nearest=nearest or None,
+        named=in_use or None,
+        utilisation=max((option.utilisation for option in in_use), default=None),
+    )
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks]
+
+
+def ranked(demand: SpringDemand, kind: SpringKind = "any", top: int | None = None) -> list[SpringOption]:
+    """Return the parts that do, in the order they are told in."""
+    found = _fitting(demand, _tables(demand, kind, TOLERANCE), None, families=False)
+    return [option_of(demand, table.part(row)) for table, row in found[:top]]
+
+
+@np.errstate(all="ignore")
+def _tables(demand: SpringDemand, kind: SpringKind, tolerance: float) -> list[Table]:
+    """Return all parts of a kind, each with what it misses."""
+    tables = []
+    for columns in ([] if kind == "coil" else [stacks(demand)]) + ([] if kind == "disc" else [coils(demand)]):
+        values = values_of_part(demand, columns)
+        off = np.abs(values["stiffness"] / (demand.stiffness or values["stiffness"]) - 1)
+        misses = {"stiffness": np.where(off > tolerance, off, 0.0)}
+        for check in checks_of_part(values):
+            name = check.rule.topic
+            misses[name] = np.fmax(misses.get(name, 0.0), np.where(check.beyond > _SLACK, check.beyond, 0.0))
+        tables.append(Table(columns, values, misses))
+    return tables
+
+
+def _fitting(
+    demand: SpringDemand, tables: list[Table], sort: SpringOrder | None, *, families: bool
+) -> list[tuple[Table, int]]:
+    """Return the rows that miss nothing, sorted; with ``families`` the best of every pack, of every wire and count."""
+    by, found = _BY[sort or ("length" if demand.stiffness else "wear")], list[tuple[float, Table, int]]()
+    for table in tables:
+        small = np.broadcast_to(table.values[by], table.worst().shape)
+        (rows,) = np.nonzero(table.worst() == 0)
+        rows = rows[np.argsort(small[rows], kind="stable")]
+        if families:
+            discs_or_wires = (*_SIZES, "parallel") if isinstance(table.parts, DiscStack) else ("wire_diameter", "count")
+            family = np.stack([getattr(table.parts, name)[rows] for name in discs_or_wires], axis=1)
+            rows = rows[np.sort(np.unique(family, axis=0, return_index=True)[1])]
+        found += [(float(small[row]), table, int(row)) for row in rows]
+    return [(table, row) for _, table, row in sorted(found, key=lambda each: each[0])]
+
+
+def stacks(demand: SpringDemand) -> Part:
+    """Return the stacks of every size as columns: n laid into each other, as many packs as may be of use.
+
+    These are as few as the travel allows, as many as the length does, or those that the stiffness asks for.
+    """
+    listed = [disc for disc in demand.catalogue or discs() for _ in range(MOST_PARALLEL)]
+    sizes: dict[str, Any] = {name: np.array([getattr(disc, name) for disc in listed], float) for name in _SIZES}
+    made = sizes["reduced_thickness"]
+    sizes["reduced_thickness"] = np.where(np.isnan(made), sizes["thickness"], made)
+    sizes["parallel"] = np.arange(len(listed)) % MOST_PARALLEL + 1
+    pack = DiscCharacteristic(DiscStack.model_construct(**sizes, series=1))
+    deflection, (low, high) = pack.deflection(np.full(len(listed), demand.force)), pack.range
+    needs = np.ones(len(listed))
+    for travel, each in ((demand.relaxes, deflection - low), (demand.compresses, high - deflection)):
+        needs = np.where(each > 0, np.maximum(needs, np.ceil(travel / each * (1 - _SLACK))), needs)
+    most = np.full(len(listed), float(MOST_SERIES))
+    if demand.room.length is not None:
+        left = demand.room.length - demand.relaxes
+        most = np.maximum(1, np.floor(left / (pack.free_length - deflection) * (1 + _SLACK)))
+    numbers = [needs]
+    if demand.stiffness is not None:
+        wanted = pack.stiffness(deflection) / demand.stiffness
+        numbers += [np.maximum(needs, np.minimum(most, near)) for near in (np.floor(wanted), np.ceil(wanted))]
+    elif demand.room.length is not None:
+        numbers.append(most)
+    series = np.minimum(numbers, MOST_SERIES)
+    rows = np.unique([(row, int(each)) for column in series for row, each in enumerate(column)], axis=0)
+    sizes = {name: column[rows[:, 0]] for name, column in sizes.items()} | {"series": rows[:, 1]}
+    return DiscStack.model_construct(**sizes)
+
+
+def coils(demand: SpringDemand) -> Part:
+    """Return coil springs around the shaft, or several on a circle, as columns: every wire, their turns in quarters."""
+    number, wire, coil = _coil_sizes(demand.room)
+    if demand.stiffness is None:
+        number, wire, coil = (np.repeat(column, len(_FREE_TURNS)) for column in (number, wire, coil))
+        turns = np.resize(_FREE_TURNS, len(wire))
+    else:
+        wanted = number * law.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0) / demand.stiffness
+        turns = np.rint(4 * wanted) / 4
+    good = (turns >= TURNS[0]) & (turns <= TURNS[1])
+    number, wire, coil, turns = (column[good] for column in (number, wire, coil, turns))
+    rate = number * law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns)
+    # as short as the gaps between its turns allow when it is pressed most, in tenths of a millimetre
+    shortest = law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns)
+    free = np.ceil((shortest + demand.force / rate + demand.compresses) * 1e4) / 1e4
+    sizes = {"wire_diameter": wire, "coil_diameter": coil, "turns": turns, "free_length": free, "count": number}
+    return CoilSprings.model_construct(**sizes)
+
+
+@cache
+def _coil_sizes(room: Room) -> tuple[Any, Any, Any]:
+    """Return number, wire and mean diameter of the coils that a room has across."""
+    rows = [
+        (number, wire, coil) for number, wire in product(COUNTS, WIRES) for coil in coil_diameters(room, number, wire)
+    ]
+    number, wire, coil = np.array(rows).reshape(-1, 3).T
+    return number.astype(int), wire, coil
+
+
+def coil_diameters(room: Room, number: int, wire: float) -> list[float]:
+    """Return mean coil diameters that fit, in steps of whole millimetres at least."""
+    inner, outer = room.inner_diameter or 0.0, room.outer_diameter
+    low, high = INDEX[0] * wire, INDEX[1] * wire
+    if number == 1:
+        low = max(low, inner + wire)
+        high = high if outer is None else min(high, outer - wire)
+    elif outer is None or not inner:
+        return []
+    else:
+        circle = (inner + outer) / 2
+        high = min(high, (outer - inner) / 2 - wire, circle * math.sin(math.pi / number) - wire)
+    step = max(1e-3, math.ceil((high - low) / _STEPS * 1e3) * 1e-3)
+    first = math.ceil(round(low / 1e-3, 6))
+    return [each * 1e-3 for each in range(first, math.floor(round(high / 1e-3, 6)) + 1, round(step / 1e-3))]
+
+
+def option_of(demand: SpringDemand, part: Part) -> SpringOption:
+    """Return what a part gives as set and in service, and what it bears."""
+    spring, known, is_coil = characteristic(part), values_of_part(demand, part), isinstance(part, CoilSprings)
+    deflection, low, high = (known[name] for name in ("deflection", "deflection_least", "deflection_most"))
+    force, stiffness = float(spring.force(deflection)), known["stiffness"]
+    setting = float(spring.deflection((1 + SETTING) * force) - spring.deflection((1 - SETTING) * force))
+    up = down = None
+    if demand.friction is not None and isinstance(part, DiscStack):
+        up, down = (
+            float(law.stack_force_with_friction(force, part.parallel, *(sign * share for share in demand.friction)))
+            for sign in (1, -1)
+        )
+    fields: dict[str, Any] = {name: getattr(part, name, None) for name in ("parallel", "series", "count", "turns")}
+    if isinstance(part, CoilSprings):
+        rests = demand.stroke is None
+        fields["loading"] = "static" if rests else "dynamic"
+        fields["stress_correction"] = 1.0 if rests else law.coil_correction(part.wire_diameter, part.coil_diameter)
+    else:
+        fields |= dict.fromkeys(("loading", "stress_correction"))
+    told = ("stress_solid",) if is_coil else ("stress_middle",)
+    fields |= {
+        name: known[name] for name in ("outer_diameter", "inner_diameter", "stress", "free_length", "mass", *told)
+    }
+    return SpringOption(
+        number=None,
+        kind="coil" if is_coil else "disc",
+        part=label_of(part, demand.catalogue),
+        force=force,
+        force_least=None if low < 0 else float(spring.force(low)),
+        force_largest=float(spring.force(high)),
+        stiffness=stiffness,
+        deflection=deflection,
+        length_set=spring.free_length - deflection,
+        length=known["length"],
+        used_low=low / spring.end,
+        used_high=high / spring.end,
+        loss_per_travel=stiffness / force,
+        loss_per_wear=None if demand.follows is None else demand.follows * stiffness / force,
+        utilisation=max(check.utilisation for check in checks_of_part(known) if check.rule.topic in _BORNE),
+        travel_setting=setting,
+        turns_setting=None if demand.pitch is None else setting / demand.pitch,
+        force_up=up,
+        force_down=down,
+        **fields,
+    )
+
+
+def label_of(part: Part, catalogue: tuple[Disc, ...] | None = None) -> str:
+    """Return what a part is called: a disc by its standard, or its catalogue, if it is of one."""
+    if isinstance(part, CoilSprings):
+        return say("coil {wire:g} × {coil:g}", wire=part.wire_diameter * 1e3, coil=part.coil_diameter * 1e3)
+    sizes = tuple(getattr(part, size) for size in _SIZES)
+    title = _titles(catalogue or discs()).get(sizes) or _titles(discs()).get(sizes)
+    if title is not None:
+        return title
+    outer, inner, thickness = (size * 1e3 for size in (part.outer_diameter, part.inner_diameter, part.thickness))
+    return say("disc {outer:g} × {inner:g} × {thickness:g}", outer=outer, inner=inner, thickness=thickness)
+
+
+@cache
+def _titles(listed: tuple[Disc, ...]) -> dict[tuple[float | None, ...], str]:
+    return {tuple(getattr(disc, size) for size in _SIZES): disc.title for disc in listed}
+
+
+def part_of(option: SpringOption, catalogue: tuple[Disc, ...] | None = None) -> Part:
+    """Return the part as a spec says it; a disc from the list it was chosen from."""
+    if option.parallel is not None and option.series is not None:
+        disc = next(disc for disc in catalogue or discs() if option.part == disc.title)
+        sizes = {size: getattr(disc, size) for size in _SIZES}
+        return DiscStack.model_construct(**sizes, parallel=option.parallel, series=option.series)
+    wire = (option.outer_diameter - option.inner_diameter) / 2
+    return CoilSprings(
+        wire_diameter=wire,
+        coil_diameter=option.outer_diameter - wire,
+        turns=option.turns,
+        free_length=option.free_length,
+        count=option.count,
+    )
+
+
+def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tuple[dict[str, Any], Spec]:
+    """Return the keys that the springs picked change, None for none, and the spec with them.
+
+    Raises:
+        AfmcalcError: no such number, or two of one spring.
+    """
+    changes: dict[str, Any] = {}
+    blocks = {"closing_spring": result.closing, "control_spring": result.control or []}
+    rooms = {f"{demand.name}_spring": demand.room for demand in spring_demands(clutch)}
+    numbered = {option.number: (block, option) for block, options in blocks.items() for option in options}
+    for number in numbers:
+        if number not in numbered:
+            raise AfmcalcError("--pick {number}: there are {most} to pick from", number=number, most=len(numbered))
+        block, option = numbered[number]
+        if f"{block}.force" in changes:
+            raise AfmcalcError("--pick {number}: {block} is picked already", number=number, block=block)
+        part = part_of(option, clutch.spec.lists.discs).model_dump(exclude_none=True)
+        changes |= {f"{block}.force": option.force, f"{block}.stiffness": option.stiffness}
+        changes |= {f"{block}.disc": None, f"{block}.coil": None, f"{block}.{option.kind}": part}
+        if (option.count or 1) > 1:  # the circle that they stand on
+            across = {"inner_diameter", "outer_diameter"}
+            given = rooms[block].model_dump(include=across)
+            changes |= {f"{block}.room.{name}": value for name, value in given.items()}
+    if "control_spring.force" in changes and clutch.spec.closing_spring.force is None:
+        changes.setdefault("closing_spring.force", float(clutch.closing_force))
+    return changes, respecified(clutch.spec, changes)
+
+
+def _none(demand: SpringDemand, part: Part, missed: Mapping[str, float]) -> Finding:
+    """Say that no part does, and what the nearest misses."""
+    misses = joined(
+        say("{name} by {by:.1%}", name=term(name), by=by)
+        if by < 1
+        else say("{name} by {by:.3g} times", name=term(name), by=by)
+        for name, by in sorted(missed.items(), key=lambda miss: -miss[1])
+    )
+    size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
+    label, path = label_of(part, demand.catalogue), f"{demand.name}_spring"
+    return finding("no-spring", "warning", value=demand.force, path=path, part=label, size=size, misses=misses)
+
+
+def springs_curve(clutch: Clutch) -> SpringsCurve:
+    """Return the characteristic of the parts that a spec names, else of the best that is found.
+
+    Raises:
+        CalculationError: there is no part.
+    """
+    curves = []
+    for demand in spring_demands(clutch):
+        part = clutch.spec.spring_parts.get(demand.name)
+        if part is None:
+            best = ranked(demand)
+            if not best:
+                raise CalculationError("plot springs: nothing fits: {name}", name=term(f"{demand.name} spring"))
+            part = part_of(best[0], demand.catalogue)
+        spring = characteristic(part)
+        deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
+        at = float(spring.deflection(demand.force))
+        curve = SpringCurve(
+            spring=demand.name,
+            part=label_of(part, demand.catalogue),
+            deflection=deflections.tolist(),
+            force=np.asarray(spring.force(deflections)).tolist(),
+            tangent=(demand.force + float(spring.stiffness(at)) * (deflections - at)).tolist(),
+            set_deflection=at,
+            set_force=float(spring.force(at)),
+            service=(at - demand.relaxes, at + demand.compresses),
+            usable=spring.range,
+        )
+        curves.append(curve)
+    return SpringsCurve(name=clutch.spec.name, springs=curves)

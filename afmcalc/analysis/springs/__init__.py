@@ -1,1 +1,0 @@
-"""Springs one can buy: which give the forces and stiffnesses of a clutch."""

@@ -1,1 +1,0 @@
-"""Sweeps: any numeric key of the spec over a range of values."""
