@@ -279,7 +279,12 @@ def _compromise(costs: Any) -> int | None:
     if len(costs) < 3 or costs.shape[1] < 2:
         return None
     low, span = costs.min(axis=0), np.ptp(costs, axis=0)
-    return int(np.argmin(((costs - low) / np.where(span > 0, span, 1.0)).sum(axis=1)))
+    varied = span > _SAME * np.abs(costs).max(axis=0)
+    return int(np.argmin(((costs - low) / np.where(varied, span, np.inf)).sum(axis=1)))
+
+
+_SAME = 1e-8
+"""Share of its values by which an objective that only rounding changes may vary."""
 
 
 def _columns(survey: Survey, objectives: Sequence[str], judge: _Judge) -> dict[str, Any]:

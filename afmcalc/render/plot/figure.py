@@ -30,8 +30,8 @@ _TITLE, _HEAD = 11.0, 9.5
 """Sizes of the title, and of those of panels."""
 
 
-def save(sheet: Sheet, ending: Ending) -> bytes:
-    """Return a file of a sheet with its title and caption, on white.
+def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
+    """Return a file of a sheet with its title and caption, on white; ``dpi`` is that of a PNG.
 
     Without date or version: the file depends on the sheet only.
     """
@@ -44,7 +44,7 @@ def save(sheet: Sheet, ending: Ending) -> bytes:
         "pdf": {"CreationDate": None, "ModDate": None, "Creator": _CREATOR, "Producer": None},
     }
     content = io.BytesIO()
-    with _settings():
+    with _settings({"savefig.dpi": dpi}):
         _figure(sheet).savefig(content, format=ending, metadata=metadata[ending])
     return content.getvalue()
 

@@ -143,10 +143,10 @@ def test_parts_overlap_as_check_reports(spec):
     clutch = build(spec)
     section, drawing = gathered_of(clutch), svg(clutch)
     reported = colliding(Answers(clutch).ask("check")[1])
-    assert overlapping(drawing) == reported
     assert {frozenset(pair) for *pair, _ in section.overlaps} == reported
     shown = (shape.get("data-part", "") for shape in drawing.iter())
-    assert {frozenset(name.split("/")) for name in shown if "/" in name} == reported
+    marked = {frozenset(name.split("/")) for name in shown if "/" in name}
+    assert overlapping(drawing) <= marked <= reported, "what lies outside the housing or on the shaft is reported too"
     result, _ = layout(clutch)
     assert {name: part.row for name, part in section.parts.items()} == {row.part: row for row in result.parts}
     assert measured(drawing)["length"] == pytest.approx(result.length * 1e3, abs=2e-4)
