@@ -343,6 +343,5 @@ def unbeaten(costs: Numbers) -> list[int]:
 
 def _rounded(values: Numbers) -> Numbers:
     """Values without their last digits, by which clutches differ that are the same."""
-    known = np.isfinite(values) & (values != 0)
-    scale = 10.0 ** np.floor(np.log10(np.abs(np.where(known, values, 1.0))))
-    return np.where(known, np.round(values / scale, _DIGITS) * scale, values)
+    share, exponent = np.frexp(values)
+    return np.ldexp(np.round(share, _DIGITS), exponent)

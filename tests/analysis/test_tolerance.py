@@ -116,7 +116,7 @@ def test_sobol_indices_of_a_product():
         others = math.prod(1 + other**2 for other in shares.values() if other != share)
         agrees(row, "first_order", share**2 / whole)
         agrees(row, "total", share**2 * others / whole)
-        assert 0 < row.first_order_standard_error < 0.01
+        assert 0 < row.first_order_standard_error < 0.03
     (alone,) = study(BASE, {FORCE: fields[FORCE]}, sobol_base=1 << 12)[0].sobol
     agrees(alone, "total", 1)
 
