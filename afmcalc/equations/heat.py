@@ -10,15 +10,6 @@ def run_down_time(inertia, speed, torque, motor_torque):
     return inertia * speed / (torque - motor_torque)
 
 
-def run_down_energy(inertia, speed, torque, motor_torque):
-    """Heat of a slip until the motor side stands, ½ J_1 ω_0² T/(T − M_1).
-
-    Source: Handbook, chapter 9, V1.
-    Validity: T > M_1, both constant.
-    """
-    return inertia * speed * speed * torque / (2 * (torque - motor_torque))
-
-
 def speed_after(speed, inertia, torque, motor_torque, time):
     """Speed of the motor side while the clutch slips, ω_0 − (T − M_1) t/J_1.
 
@@ -81,25 +72,6 @@ def temperature_rise(energy, mass, specific_heat):
     return energy / (mass * specific_heat)
 
 
-def effusivity(conductivity, density, specific_heat):
-    """Square root of k ρ c, by which bodies in contact share the heat.
-
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 2.15; handbook, chapter 10.
-    Validity: Half-spaces.
-    """
-    return (conductivity * density * specific_heat) ** 0.5
-
-
-def face_admittance(effusivity, root, through):
-    """Flux into a face per rise of it, both as Laplace transforms: b √p tanh(l √(p/a)).
-
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 3.8, transformed; handbook, chapter 10.
-    Validity: A layer of the depth l, evenly warm at first, that loses no heat at its back; bodies whose faces are
-        equally hot share the flux, and their admittances add up.
-    """
-    return effusivity * root * through
-
-
 def heated_depth(mass, density, pairs, area):
     """Depth of disc that a face has to heat, m/(ρ z A).
 
@@ -107,14 +79,6 @@ def heated_depth(mass, density, pairs, area):
     Validity: One face of each pair is a disc's.
     """
     return mass / (density * pairs * area)
-
-
-def fourier_number(conductivity, density, specific_heat, time, depth):
-    """How far the heat has come in a time, k t/(ρ c l²).
-
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.3; handbook, chapter 10.
-    """
-    return conductivity * time / (density * specific_heat * depth * depth)
 
 
 def share_of_rise(temperature, ambient, temperature_limit):
@@ -174,15 +138,10 @@ def time_between_trips(mass, specific_heat, cooling, logarithm):
 SYMBOLS = """\
 ambient | Θ_0 | K | temperature of the surroundings
 area | A | m^2 | area of a pair
-conductivity | k | W/m/K | thermal conductivity
 cooling | α A_c | W/K | heat given off per kelvin
 density | ρ | kg/m^3 | density
-depth | l | m | depth to the middle of the disc
-effusivity | b | W*s^0.5/m^2/K | √(k ρ c)
 energy | Q | J | heat of a trip
-face_admittance | Y | W/m^2/K |
 force | F | N | force on the pack at rest
-fourier_number | Fo | 1 |
 friction_area | A | m^2 | area of a pair
 heated_depth | l | m | depth to the middle of the disc
 inertia | J_1 | kg*m^2 | moment of inertia of the motor side
@@ -194,8 +153,6 @@ pi | π | 1 | circumference over diameter of a circle
 power | P | W | power of the slip
 power_density | q | W/m^2 |
 rise | ΔΘ | K | rise of temperature by a trip
-root | √p | 1/s^0.5 | root of the variable of the transform
-run_down_energy | Q | J | heat of a trip
 run_down_time | t | s | duration of the slip
 setting_loss_per_wear | ΔF/(F δ) | 1/m |
 share_of_rise | η_Θ | 1 |
@@ -211,7 +168,6 @@ stiffness | c_п | N/m | stiffness of the spring that follows the pack
 temperature | Θ | K | temperature that is reached
 temperature_limit | Θ_max | K | largest temperature the discs may have
 temperature_rise | ΔΘ | K | rise of temperature by a trip
-through | tanh(l √(p/a)) | 1 | how far the heat comes in 1/p; 1 in a half-space
 time | t | s | time
 time_between_trips | t_p | s |
 trips_per_time | ν | 1/s |

@@ -23,7 +23,7 @@ def test_v1_tool_blocked_motor_side_runs_down():
     found = run(begun(drive, 15.0, 0.0, 300 / 8000, 0.0, 6000.0), 60.0)
     time = 8 * 15 / (300 - 150)
     assert (found.slip_time, found.heat) == pytest.approx((time, 0.5 * 8 * 15**2 * 300 / 150), rel=TIGHT)
-    assert (heat.run_down_time(8, 15, 300, 150), heat.run_down_energy(8, 15, 300, 150)) == (time, pytest.approx(1800.0))
+    assert (heat.run_down_time(8, 15, 300, 150), heat.slip_energy(300, 15, 0, time)) == (time, pytest.approx(1800.0))
 
 
 def test_v2_sudden_lock_of_an_endless_motor():
