@@ -174,9 +174,9 @@ def best_of(points):
 
 
 FAST = {
-    "direct": (0, 1, 2),
+    "direct": (0, 1),
     "unlike": (4,),
-    "indirect": (0, 1),
+    "indirect": (0,),
     "curved": (0,),
     "envelope": (0, 1),
     "sprung": (0,),

@@ -122,25 +122,25 @@ ASKED = {
     "torque {} --json --lang ru": {"numpy", "pint", "rich", "tomli_w", "sympy", "matplotlib", "babel"},
     "accuracy {} --sweep C": {"matplotlib", "jinja2", "sympy", "pint", "afmcalc.render.plot.figure"},
 }
-"""Command line → what it does without; the first only imports the package."""
+"""Command line → what it, and those before it, do without; the first only imports the package."""
 IMPORTED = """
 import contextlib, io, sys, afmcalc
-with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):
-    if sys.argv[1:]:
-        from afmcalc.cli.main import main
-        main(sys.argv[1:])
-print(*sys.modules)
+for line in sys.argv[1:]:
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):
+        if line:
+            from afmcalc.cli.main import main
+            main(line.split())
+    print(*sys.modules)
 """
 
 
 def test_what_a_command_line_imports(answered, tmp_path):
     (tmp_path / "si.json").write_text(answered("torque", SPEC, "--json").out, encoding="utf-8")
-    for line, without in ASKED.items():
-        asked = [sys.executable, "-c", IMPORTED, *line.format(tmp_path / "si.json").split()]
-        run = subprocess.run(asked, capture_output=True, text=True, cwd=ROOT, check=True)
-        modules = {*run.stdout.split()}
-        assert "afmcalc" in modules
-        assert not modules & without, line
+    asked = [sys.executable, "-c", IMPORTED, *(line.format(tmp_path / "si.json") for line in ASKED)]
+    run = subprocess.run(asked, capture_output=True, text=True, cwd=ROOT, check=True)
+    for (line, without), modules in zip(ASKED.items(), run.stdout.splitlines(), strict=True):
+        assert "afmcalc" in modules.split()
+        assert not without & {*modules.split()}, line
 
 
 @pytest.mark.parametrize("lang", ["en", *slow("ru")])

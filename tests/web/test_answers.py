@@ -12,7 +12,7 @@ from pages import TABS, Here, Site, cells, is_shown, sets, spec_in, tags, web
 from afmcalc.spec.keys import keys
 
 pytestmark = web
-VARIANTS = ["conventional", "all-driving", "envelope", "constant-torque"]
+VARIANTS = ["conventional", "all-driving", "unlike-materials", "envelope", "constant-torque"]
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +82,7 @@ def agree(answer, spec, fields, afmcalc):
 
 
 @pytest.mark.parametrize("count", [1, *slow(10)])
-@pytest.mark.parametrize("name", ["default", "unlike-materials", "indirect", *slow(*VARIANTS)])
+@pytest.mark.parametrize("name", ["default", "indirect", *slow(*VARIANTS)])
 def test_any_state_is_what_the_command_line_says(sites, afmcalc, name, count):
     """Numbers or sentences; the command shown is what was run, whatever is pinned beside."""
     spec, site = sites(name)
