@@ -57,13 +57,14 @@ def test_version_and_a_command_that_there_is_not(afmcalc):
 
 @pytest.mark.parametrize(("command", "example", "light"), [
     (["torque"], None, "friction.mean=0.4"), (["simulate"], "drive", "drive.event.duration=0.005"),
-    (["plot", "effects"], "drive", "friction.mean=0.4"), (["tolerance"], "tolerance", "tolerance.samples=2000"),
+    (["plot", "effects"], "drive", "friction.mean=0.4"), (["tolerance"], "tolerance", "tolerance.samples=2000 tolerance.sobol_base=64"),
 ])  # fmt: skip
 def test_no_spec_means_what_the_command_can_calculate_and_a_note_says_which(command, example, light, afmcalc):
-    run, named = afmcalc(*command, "--set", light), afmcalc(*command, f"example:{example or 'default'}", "--set", light)
+    sets = [part for each in light.split() for part in ("--set", each)]
+    run, named = afmcalc(*command, *sets), afmcalc(*command, f"example:{example or 'default'}", *sets)
     assert (run.code, run.out) == (0, named.out)
     assert f"example:{example}" in run.err if example else "built-in base clutch" in run.err
-    assert afmcalc(*command, "--set", light, "-q").err == ""
+    assert afmcalc(*command, *sets, "-q").err == ""
 
 
 MISUSED = [

@@ -34,7 +34,7 @@ def test_every_kind_is_calculated_as_the_note_says(kind, afmcalc, tmp_path, monk
     assert afmcalc(_KINDS[kind], "a.toml", *(LIGHT if kind == "drive" else QUICK.get(kind, []))).code == 0
 
 
-@pytest.mark.parametrize("variant", ["indirect", *slow(*(each for each in _EXAMPLES if each != "indirect"))])
+@pytest.mark.parametrize("variant", ["conventional", *slow(*(each for each in _EXAMPLES if each != "conventional"))])
 def test_every_variant_alone_and_in_a_drive(variant, afmcalc):
     """The clutch is the variant's own, the drive that of the example; an indirect one has an inertia of its hub."""
     alone = afmcalc("init", "-", "--variant", variant).out
