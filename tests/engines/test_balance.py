@@ -172,6 +172,32 @@ def test_the_first_place_that_holds_the_sleeve(spec):
             assert clutch.at(f)["travel_returning"] == pytest.approx(back.travel, rel=1e-6, abs=1e-7 * march.reach)
 
 
+def seated(low):
+    """Key's friction halves the net gain, κ 2 and κ₊ 4; the sleeve leaves its stop at f = 1 only, above f_max = 0.5."""
+    unit = {"gain": 3.0, "gain_slope": 40.02, "key_friction": 0.3, "hub_diameter": 0.03, "ball_circle_radius": 0.05}
+    disc = stack("A 40", 4).model_dump(exclude_none=True)
+    return make_spec({
+        "variant": "indirect",
+        "friction": {"min": low, "mean": low, "max": 0.5},
+        "friction_group": {"pairs": 1, "mean_radius": 0.05},
+        "closing_spring": {"force": 500.0, "stiffness": 2000.0},
+        "control_spring": {"stiffness": 1000.0, "force": 1500.0, "disc": disc},
+        "control_unit": {**unit, "balls": 6},
+    })  # fmt: skip
+
+
+@pytest.mark.parametrize("low", [0.5, 0.4, 0.25, 0.1])
+def test_a_sleeve_that_never_left_its_stop_does_not_return(low):
+    """The key keeps N = F_п2/(1 + z κ f_max) = 750 N down to f_max κ/κ₊ = 0.25; below, N = F_п2/(1 + z κ₊ f).
+
+    Along κ₊ the force on the stop would be nought at f = 0.5: a sleeve that came back from a travel would sit down there.
+    """
+    clutch = build(seated(low))
+    assert clutch.travel_max == 0
+    pressed = max(1500 / (1 + 2 * 0.5), 1500 / (1 + 4 * low))
+    assert clutch.torque_returning_min == pytest.approx(0.05 * low * pressed, rel=1e-12)
+
+
 UNLIKE = direct_specs(variants=("unlike", "differentiated", "all-driving"))
 
 
