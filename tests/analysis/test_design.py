@@ -181,7 +181,7 @@ FAST = {
     "sprung": (0,),
     "event": (),
 }
-ALL = {"direct": 18, "unlike": 8, "indirect": 10, "curved": 8, "envelope": 8, "sprung": 5, "event": 3}
+ALL = {"direct": 12, "unlike": 6, "indirect": 8, "curved": 6, "envelope": 6, "sprung": 4, "event": 2}
 CASES = [
     pytest.param(kind, seed, marks=[] if seed in FAST[kind] else pytest.mark.slow)
     for kind, count in ALL.items()

@@ -179,7 +179,7 @@ def buildable():
 @pytest.mark.parametrize("number", [0, 1, *slow(*range(2, 20))])
 def test_against_clutches_built_one_by_one(number):
     spec = next(itertools.islice(buildable(), number, None))
-    setting, count = ("as-made", "each-adjusted")[number % 2], 80 if number < 2 else 1000
+    setting, count = ("as-made", "each-adjusted")[number % 2], 80 if number < 2 else 400
     own = own_torques(spec, spreads_of(spec), setting, count, np.random.default_rng(number))
     given = {path: {"distribution": "normal", "spread": spread} for path, spread in spreads_of(spec).items()}
     result, _ = study(resolved(spec), given, setting=setting, quantiles=[0.1, 0.5, 0.9])

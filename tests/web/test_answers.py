@@ -81,7 +81,7 @@ def agree(answer, spec, fields, afmcalc):
     return 0
 
 
-@pytest.mark.parametrize("count", [1, *slow(10)])
+@pytest.mark.parametrize("count", [1, *slow(6)])
 @pytest.mark.parametrize("name", ["default", "indirect", *slow(*VARIANTS)])
 def test_any_state_is_what_the_command_line_says(sites, afmcalc, name, count):
     """Numbers or sentences; the command shown is what was run, whatever is pinned beside."""
