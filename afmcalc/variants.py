@@ -61,9 +61,7 @@ VARIANTS: dict[str, Variant] = {
     variant.name: variant
     for variant in (
         Variant(  # ordinary friction safety clutch, no control unit
-            name="conventional",
-            bypass=lambda pairs, driving: pairs,
-            example="conventional",
+            name="conventional", bypass=lambda pairs, driving: pairs, example="conventional"
         ),
         Variant(  # Werner's clutch: some pairs bypass the control unit, the others pass it
             name="differentiated",
@@ -89,12 +87,7 @@ VARIANTS: dict[str, Variant] = {
             bypass=lambda pairs, driving: 0,
             needs=("control_unit", "control_unit.hub_diameter", "control_unit.key_friction", "control_spring"),
             requires=("closing_spring.stiffness",),
-            takes=(
-                "control_unit.gain_slope",
-                "control_unit.pocket",
-                "control_unit.sleeve_mass",
-                "drive.hub_inertia",
-            ),
+            takes=("control_unit.gain_slope", "control_unit.pocket", "control_unit.sleeve_mass", "drive.hub_inertia"),
             example="indirect",
         ),
     )

@@ -98,10 +98,7 @@ def spring_demands(clutch: Clutch, travel: float = 0.0) -> list[SpringDemand]:
     travel = max(travel, float(clutch["travel_max"]))
     cycles = spec.requirements.cycles if spec.requirements is not None else None
     moves: dict[str, Any] = {"stroke": travel if cycles is None or cycles > QUASI_STATIC else None, "cycles": cycles}
-    return [
-        demand("closing", travel, **moves),
-        demand("control", worn, compresses=travel, follows=pairs, **moves),
-    ]
+    return [demand("closing", travel, **moves), demand("control", worn, compresses=travel, follows=pairs, **moves)]
 
 
 _TABLE = """\

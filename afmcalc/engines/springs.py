@@ -24,10 +24,7 @@ _CLOSE = 1e-13
 
 
 def root(
-    rising: Callable[[Values], Values],
-    slope: Callable[[Values], Values],
-    end: Values,
-    start: Values = 0.0,
+    rising: Callable[[Values], Values], slope: Callable[[Values], Values], end: Values, start: Values = 0.0
 ) -> Values:
     """Where a function that rises from ``start`` to ``end`` is 0, number by number; the nearer end where it is not.
 

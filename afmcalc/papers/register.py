@@ -113,10 +113,7 @@ def is_accounted(formula: Formula) -> bool:
 
 
 def equations(
-    papers: list[str],
-    ids: list[str],
-    *,
-    show_misprints: bool = False,
+    papers: list[str], ids: list[str], *, show_misprints: bool = False
 ) -> tuple[EquationsResult, list[Finding]]:
     """Look up papers, or formulas such as ``S21 (15)``, in the register, all where none are asked for.
 

@@ -150,9 +150,6 @@ def p26() -> Found:
     """The middle of the band is lower with the first method."""
     ratios, below = (_ratios(lambda high, low: (high + low) / 2, pairs) for pairs in (PAIRS, (8,)))
     text = say(
-        "second over first {ratios:.3f} for z = {pairs}; {below:.3f} for z = 8",
-        ratios=ratios,
-        pairs=PAIRS,
-        below=below,
+        "second over first {ratios:.3f} for z = {pairs}; {below:.3f} for z = 8", ratios=ratios, pairs=PAIRS, below=below
     )
     return Found(text, verdict(min(ratios) > 1))

@@ -38,11 +38,7 @@ EXAMPLES = {
 }
 """SI unit of a field → the quantity, and an example of a value."""
 
-_FOREIGN = {
-    "J": say("an energy"),
-    "m^2": say("an area"),
-    "K": say("a temperature difference"),
-}
+_FOREIGN = {"J": say("an energy"), "m^2": say("an area"), "K": say("a temperature difference")}
 """SI unit of a dimension that no field has → name of the quantity."""
 
 _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН", "мм", "см", "МПа", "мс", "кг")
