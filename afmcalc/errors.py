@@ -90,12 +90,9 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
     at = traceback.extract_tb(error.__traceback__)[-1]
     fault = told(
         "this is a fault of afmcalc {version}, not of what it was given: {kind}: {why} ({file}, line {line})",
-        version=__version__,
-        kind=type(error).__name__,
-        why=" ".join(str(error).split())[:200],
-        file=os.path.basename(at.filename),
-        line=at.lineno,
-    )
+        version=__version__, kind=type(error).__name__, why=" ".join(str(error).split())[:200],
+        file=os.path.basename(at.filename), line=at.lineno,
+    )  # fmt: skip
     report = told(
         "please report it: this line, the command line and the spec; AFMCALC_TRACEBACK=1 before the command shows "
         "where it comes from"
@@ -115,8 +112,7 @@ EXTRAS = {
 def need(extra: str, *modules: str) -> None:
     """Make sure that the modules of an extra, or these of it, are installed, without importing them.
 
-    Raises:
-        AfmcalcError: one is missing; it says how to get it.
+    Raises AfmcalcError: one is missing; it says how to get it.
     """
     missing = [name for name in modules or EXTRAS[extra] if find_spec(name) is None]
     if missing:

@@ -84,9 +84,7 @@ _DIVISOR = re.compile(r"/\s*\(([^()/]*)\)")
 def product(text: str) -> UnitProduct:
     """Read a product such as ``kN*m/rad``, ``1/min``, ``min^-1``, ``J/(kg*K)`` or ``kgm2``.
 
-    Raises:
-        UnknownUnitError: a word of it is no unit.
-        ValueError: it is no product.
+    Raises UnknownUnitError: a word of it is no unit; ValueError: it is no product.
     """
     return _product(text, words())
 

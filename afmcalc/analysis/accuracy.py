@@ -59,12 +59,9 @@ def accuracy(
     swept = series(kind, spec, sweeps, asked_by(kind, own))
     slopes = elasticities(own)
     result = answer(
-        AccuracyResult,
-        own,
-        **({} if _is_of_path(own) else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}),
-        sensitivity=dict(_told(slopes)),
-        sweep=swept,
-    )
+        AccuracyResult, own, **({} if _is_of_path(own) else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}),
+        sensitivity=dict(_told(slopes)), sweep=swept,
+    )  # fmt: skip
     return result, [*clutch_findings(spec, own), *_findings(own, slopes, swept), *replaced(spec, sweeps)]
 
 

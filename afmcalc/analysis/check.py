@@ -251,16 +251,10 @@ def _row(check: Check, known: Known, ambient: float) -> Iterator[CheckRow]:
     if passed and check.value in (known.get("open") or ()):
         passed = None  # where a slip has not ended it may be more
     yield CheckRow(
-        code=check.code.partition("/")[0],
-        name=term(check.name),
-        symbol=term(check.symbol),
-        value=_finite(value),
-        limit=_finite(limit),
-        unit=check.unit.removesuffix(" abs"),
-        utilisation=_finite(used),
-        passed=passed,
+        code=check.code.partition("/")[0], name=term(check.name), symbol=term(check.symbol), value=_finite(value),
+        limit=_finite(limit), unit=check.unit.removesuffix(" abs"), utilisation=_finite(used), passed=passed,
         **{name: getattr(check, name) for name in ("least", "level", "path", "needs")},
-    )
+    )  # fmt: skip
 
 
 def _finite(value: Any) -> float | None:

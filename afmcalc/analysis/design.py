@@ -110,9 +110,7 @@ class DesignResult(Answer):
 def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     """Search the grid of a spec: the front, or what excludes the nearest candidate.
 
-    Raises:
-        SpecError: no [search], or too many candidates.
-        AfmcalcError: an objective that no clutch has.
+    Raises SpecError: no [search], or too many candidates; AfmcalcError: an objective that no clutch has.
     """
     objectives = list(spec.objectives or _DEFAULT)
     parts = parts_of_search(spec)
@@ -124,14 +122,10 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     front = _numbered(survey, objectives, places, judge)
     missed = None if front else _binding(spec, survey, judge)
     result = DesignResult(
-        candidates=survey.candidates,
-        feasible=survey.feasible - judge.failed,
-        objectives=objectives,
-        compromise=next((row.number for row in front if row.mark), None),
-        excluded=excluded,
-        front=front,
+        candidates=survey.candidates, feasible=survey.feasible - judge.failed, objectives=objectives,
+        compromise=next((row.number for row in front if row.mark), None), excluded=excluded, front=front,
         binding=missed,
-    )
+    )  # fmt: skip
     return result, [*spec.label.findings, *([_none(result, missed)] if missed else [])]
 
 
@@ -339,8 +333,7 @@ def _changes(spec: Spec, changes: Mapping[str, Any]) -> dict[str, Any]:
 def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow, Spec]:
     """Return a clutch of a front by its number, or as the compromise, and its spec.
 
-    Raises:
-        CalculationError: no such number, or a front without a compromise.
+    Raises CalculationError: no such number, or a front without a compromise.
     """
     number = result.compromise if pick == "compromise" else pick
     for row in result.front:
@@ -358,8 +351,7 @@ def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow
 def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResult:
     """Return the result with so many rows of its front, by a quantity of theirs; their numbers stay.
 
-    Raises:
-        AfmcalcError: to be sorted by what is no number of a row.
+    Raises AfmcalcError: to be sorted by what is no number of a row.
     """
     ordered = result.front
     if sort is not None and ordered:

@@ -83,8 +83,7 @@ class Part(NamedTuple):
 def parts_of_search(spec: Spec) -> list[Part]:
     """Return the parts of the grid of a search, one for each combination of names.
 
-    Raises:
-        SpecError: no [search], more candidates than are searched, or a combination of which no candidate is a spec.
+    Raises SpecError: no [search], more candidates than are searched, or a combination of which no candidate is a spec.
     """
     if not spec.search:
         raise spec.refused("search", say('required by design: which keys vary, such as "control_unit.gain" = "0:1:21"'))
@@ -124,8 +123,7 @@ def _takes(variant: str, path: str) -> bool:
 def candidate(spec: Spec, changes: Mapping[str, Any]) -> Spec:
     """Return the spec of a candidate: with other values of some keys, without what its variant does not have.
 
-    Raises:
-        SpecError: there is no such clutch.
+    Raises SpecError: there is no such clutch.
     """
     data = resolved(without_replaced(spec, changes)) | {"search": None}
     for path, value in changes.items():

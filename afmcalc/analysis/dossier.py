@@ -81,16 +81,11 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
     section, plot, result = given(analysis.section), analysis.plot, answers.ask(analysis.name)[0]
     figure = _drawn(plot.name, answers) if plot and plot.applies(answers.clutch) else None
     return Topic(
-        name=analysis.name,
-        title=section.title,
-        about=_said(section.about, result),
+        name=analysis.name, title=section.title, about=_said(section.about, result),
         conclusion=_said(section.conclusion, result),
         sources=section.sources_indirect or section.sources if answers.clutch.spec.kind.travels else section.sources,
-        result=result,
-        derivations=derived,
-        plot=plot.name if plot else "",
-        figure=figure,
-    )
+        result=result, derivations=derived, plot=plot.name if plot else "", figure=figure,
+    )  # fmt: skip
 
 
 def _drawn(plot: str, answers: Answers) -> Any:

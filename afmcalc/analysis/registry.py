@@ -203,8 +203,7 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Both settings of the spring",
                 "The same nominal torque, reached at the smallest friction or, with the margin, at the mean friction.",
-                _narrower,
-                ("S19",),
+                _narrower, ("S19",),
             ),
         ),
         Analysis(
@@ -225,10 +224,8 @@ ANALYSES: dict[str, Analysis] = {
             "synthesize", "analysis.synthesize", "SynthesisResult", "clutch", _can_be_synthesized, explained=True,
             judged=True,
             section=Section(
-                "Control unit",
-                "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
-                _ball,
-                ("S21",),
+                "Control unit", "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
+                _ball, ("S21",),
             ),
             plot=Plot(
                 "pocket", "section through ball and pockets, to scale; .dxf and .svg for the shop", "clutch",
@@ -238,10 +235,7 @@ ANALYSES: dict[str, Analysis] = {
             "life", "analysis.life", "LifeResult", "clutch", lambda clutch: clutch.spec.fatigue is not None,
             ("model", "answers"), explained=True, judged=True,
             section=Section(
-                "Life",
-                "Cycles to failure on both sides of the clutch, by the rule {model}.",
-                _lasting,
-                ("S19",),
+                "Life", "Cycles to failure on both sides of the clutch, by the rule {model}.", _lasting, ("S19",),
             ),
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
         ),
@@ -261,10 +255,8 @@ ANALYSES: dict[str, Analysis] = {
             "heat", "analysis.heat", "HeatResult", "drive", _heat_is_known, ("answers",), explained=True,
             judged=True,
             section=Section(
-                "Heat and wear",
-                "What one trip turns into heat, what it warms the discs by, and how often it may be.",
-                _heated,
-                ("CJ",),
+                "Heat and wear", "What one trip turns into heat, what it warms the discs by, and how often it may be.",
+                _heated, ("CJ",),
             ),
             example="drive",
         ),
@@ -346,8 +338,7 @@ EXPLAINED = tuple(each.name for each in ANALYSES.values() if each.explained)
 def schema(command: str | None = None) -> dict[str, Any]:
     """Return the JSON Schema of a spec (None), of requirements, or of the output of a command.
 
-    Raises:
-        AfmcalcError: no such command.
+    Raises AfmcalcError: no such command.
     """
     from dataclasses import fields
 

@@ -108,8 +108,7 @@ def targets() -> dict[str, str]:
 def parse_target(text: str) -> tuple[str, float, list[Finding]]:
     """Read ``NAME=VALUE``, the value in SI or with a unit; a number that is rarely meant in SI is asked after.
 
-    Raises:
-        AfmcalcError: no such target, or no such value.
+    Raises AfmcalcError: no such target, or no such value.
     """
     given, _, value = (part.strip() for part in text.partition("="))
     path = path_of(given)
@@ -139,11 +138,8 @@ def solve(
 
     The key is given by path, name or symbol, the target as ``parse_target`` returns it; ``beyond_limit`` goes past the
     gain limit of the variant. Without a root the result has the value that comes nearest, and the last finding,
-    ``not-attainable``, says so.
-
-    Raises:
-        CalculationError: the target does not depend on the key, or no value of it gives a number.
-        AfmcalcError: no such key, or a target that the clutch does not have.
+    ``not-attainable``, says so. Raises CalculationError: the target does not depend on the key, or no value of it gives
+    a number; AfmcalcError: no such key, or a target that the clutch does not have.
     """
     key, arrays = find_key(name, clutch.spec, "--for"), _in_arrays(clutch, target)
     whole, now, shown, place = is_whole(key.path), _present(clutch, key), _shown(unit_of(target)), _shown(key.unit)

@@ -120,12 +120,9 @@ class SpringsResult(Answer):
     control: list[SpringOption] | None = described("control spring", optional=True)
     named: list[SpringOption] | None = described("springs that the spec names", optional=True)
     utilisation: float | None = quantity(
-        "1",
-        "η",
-        "largest share that these use: of the range of deflection, of the stress allowed",
-        optional=True,
+        "1", "η", "largest share that these use: of the range of deflection, of the stress allowed", optional=True,
         detail=True,
-    )
+    )  # fmt: skip
     nearest: list[SpringOption] | None = described("nearest, where there is none", optional=True)
 
 
@@ -366,27 +363,15 @@ def option_of(demand: SpringDemand, part: Part) -> SpringOption:
         name: known[name] for name in ("outer_diameter", "inner_diameter", "stress", "free_length", "mass", *told)
     }
     return SpringOption(
-        number=None,
-        kind="coil" if is_coil else "disc",
-        part=label_of(part, demand.catalogue),
-        force=force,
-        force_least=None if low < 0 else float(spring.force(low)),
-        force_largest=float(spring.force(high)),
-        stiffness=stiffness,
-        deflection=deflection,
-        length_set=spring.free_length - deflection,
-        length=known["length"],
-        used_low=low / spring.end,
-        used_high=high / spring.end,
-        loss_per_travel=stiffness / force,
+        number=None, kind="coil" if is_coil else "disc", part=label_of(part, demand.catalogue), force=force,
+        force_least=None if low < 0 else float(spring.force(low)), force_largest=float(spring.force(high)),
+        stiffness=stiffness, deflection=deflection, length_set=spring.free_length - deflection, length=known["length"],
+        used_low=low / spring.end, used_high=high / spring.end, loss_per_travel=stiffness / force,
         loss_per_wear=None if demand.follows is None else demand.follows * stiffness / force,
         utilisation=max(check.utilisation for check in checks_of_part(known) if check.rule.topic in _BORNE),
-        travel_setting=setting,
-        turns_setting=None if demand.pitch is None else setting / demand.pitch,
-        force_up=up,
-        force_down=down,
-        **fields,
-    )
+        travel_setting=setting, turns_setting=None if demand.pitch is None else setting / demand.pitch, force_up=up,
+        force_down=down, **fields,
+    )  # fmt: skip
 
 
 def label_of(part: Part, catalogue: tuple[Disc, ...] | None = None) -> str:
@@ -414,19 +399,15 @@ def part_of(option: SpringOption, catalogue: tuple[Disc, ...] | None = None) -> 
         return DiscStack.model_construct(**sizes, parallel=option.parallel, series=option.series)
     wire = (option.outer_diameter - option.inner_diameter) / 2
     return CoilSprings(
-        wire_diameter=wire,
-        coil_diameter=option.outer_diameter - wire,
-        turns=option.turns,
-        free_length=option.free_length,
-        count=option.count,
-    )
+        wire_diameter=wire, coil_diameter=option.outer_diameter - wire, turns=option.turns,
+        free_length=option.free_length, count=option.count,
+    )  # fmt: skip
 
 
 def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tuple[dict[str, Any], Spec]:
     """Return the keys that the springs picked change, None for none, and the spec with them.
 
-    Raises:
-        AfmcalcError: no such number, or two of one spring.
+    Raises AfmcalcError: no such number, or two of one spring.
     """
     changes: dict[str, Any] = {}
     blocks = {"closing_spring": result.closing, "control_spring": result.control or []}
@@ -466,8 +447,7 @@ def _none(demand: SpringDemand, part: Part, missed: Mapping[str, float]) -> Find
 def springs_curve(clutch: Clutch) -> SpringsCurve:
     """Return the characteristic of the parts that a spec names, else of the best that is found.
 
-    Raises:
-        CalculationError: there is no part.
+    Raises CalculationError: there is no part.
     """
     curves = []
     for demand in spring_demands(clutch):
@@ -481,15 +461,11 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
         deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
         at = float(spring.deflection(demand.force))
         curve = SpringCurve(
-            spring=demand.name,
-            part=label_of(part, demand.catalogue),
-            deflection=deflections.tolist(),
+            spring=demand.name, part=label_of(part, demand.catalogue), deflection=deflections.tolist(),
             force=np.asarray(spring.force(deflections)).tolist(),
-            tangent=(demand.force + float(spring.stiffness(at)) * (deflections - at)).tolist(),
-            set_deflection=at,
-            set_force=float(spring.force(at)),
-            service=(at - demand.relaxes, at + demand.compresses),
+            tangent=(demand.force + float(spring.stiffness(at)) * (deflections - at)).tolist(), set_deflection=at,
+            set_force=float(spring.force(at)), service=(at - demand.relaxes, at + demand.compresses),
             usable=spring.range,
-        )
+        )  # fmt: skip
         curves.append(curve)
     return SpringsCurve(name=clutch.spec.name, springs=curves)

@@ -54,8 +54,7 @@ class Axis(NamedTuple):
 def find_key(name: str, spec: Spec, option: str = "--sweep") -> Key:
     """Return the numeric key of a spec that ``name`` (a path, a key's name or a symbol) means, given to an option.
 
-    Raises:
-        AfmcalcError: no such key, a key that is no number, or one of other variants.
+    Raises AfmcalcError: no such key, a key that is no number, or one of other variants.
     """
     path, known = path_of(name), keys()
     if path is None:
@@ -72,20 +71,15 @@ def find_key(name: str, spec: Spec, option: str = "--sweep") -> Key:
     if (only := variants_of(path)) and spec.variant not in only:
         raise AfmcalcError(
             "{option} {name:.80}: {path} is only for {only}, not {variant!r}",
-            option=option,
-            name=name,
-            path=path,
-            only=", ".join(only),
-            variant=spec.variant,
-        )
+            option=option, name=name, path=path, only=", ".join(only), variant=spec.variant,
+        )  # fmt: skip
     return known[path]
 
 
 def parse_axis(text: str, spec: Spec) -> Axis:
     """Read ``NAME``, ``NAME=start:stop:count`` or ``NAME=v1,v2,…`` (values in SI or with units).
 
-    Raises:
-        AfmcalcError: the text cannot be read.
+    Raises AfmcalcError: the text cannot be read.
     """
     name, separator, given = text.partition("=")
     name = name.strip()

@@ -67,8 +67,7 @@ class SynthesisResult(Asking, Answer):
 def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
     """Design the control unit of a clutch, with ``balls`` to choose from, m, ascending; None: those of the spec.
 
-    Raises:
-        SpecError: the spec lacks what synthesis needs.
+    Raises SpecError: the spec lacks what synthesis needs.
     """
     spec, unit = clutch.spec, _unit(clutch)
     sizes = balls or spec.lists.balls or diameters()
@@ -82,14 +81,11 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
     if chosen is None:
         unknown |= {"edge_clearance_standard": None}
     result = answer(
-        SynthesisResult,
-        own,
-        ball_diameter_standard=chosen,
+        SynthesisResult, own, ball_diameter_standard=chosen,
         ball_designation=None if chosen is None else ball_designation(chosen),
-        wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None,
-        **unknown,
+        wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None, **unknown,
         **_contact(own, unit, by_hertz=chosen is not None and wall.can_be_cut),
-    )
+    )  # fmt: skip
     return result, [
         *clutch_findings(spec, own),
         *failures_of(spec, own, "synthesize"),

@@ -61,13 +61,10 @@ class Wall(NamedTuple):
         angle = law.wall_angle_at_ball(law.tan_wall_angle_at_ball(self.tangent, self.steepening, depth))
         around = law.path_around(self.tangent, self.steepening, depth)
         return WallPoint(
-            travel=self.sleeves * depth,
-            wall_angle=angle,
-            path_axial=depth,
-            path_around=around,
+            travel=self.sleeves * depth, wall_angle=angle, path_axial=depth, path_around=around,
             wall_axial=law.wall_axial(depth, self.ball_radius, angle),
             wall_around=law.wall_around(around, self.ball_radius, angle),
-        )
+        )  # fmt: skip
 
     def clearance(self, travel: float) -> float:
         """How far below the face the ball touches where it does least, m: at the largest travel, or at the stop."""

@@ -223,19 +223,15 @@ _WHEN: Mapping[str, Callable[[Any], Any]] = {
     "recommended": lambda spec: spec.kind.gain_limit == "recommended",
     "controlled": lambda spec: spec.kind.controlled and not spec.kind.travels,
     "key": lambda spec: spec.kind.travels and (is_array(friction := spec.control_unit.key_friction) or friction),
-    "lasting": _is_lasting,
-    "faces": lambda spec: spec.friction_group.inner_radius is not None,
-    "no-faces": lambda spec: spec.friction_group.inner_radius is None,
-    "pockets": _has_pockets,
-    "several": _has_several_balls,
-    "single": lambda spec: not _has_several_balls(spec),
+    "lasting": _is_lasting, "faces": lambda spec: spec.friction_group.inner_radius is not None,
+    "no-faces": lambda spec: spec.friction_group.inner_radius is None, "pockets": _has_pockets,
+    "several": _has_several_balls, "single": lambda spec: not _has_several_balls(spec),
     "chosen": lambda spec: spec.control_unit.ball_diameter is None,
     "given": lambda spec: spec.control_unit.ball_diameter is not None,
     "hertz": lambda spec: spec.control_unit.allowable_contact_force is None or spec.control_unit.contact is not None,
-    "event": lambda spec: spec.drive.event is not None,
-    "no-event": lambda spec: spec.drive.event is None,
+    "event": lambda spec: spec.drive.event is not None, "no-event": lambda spec: spec.drive.event is None,
     "assumed": lambda spec: spec.drive.dynamic_factor is not None and spec.fatigue is not None,
-}
+}  # fmt: skip
 """Condition of a check on a spec."""
 
 

@@ -214,23 +214,13 @@ NO_DISC = {"closing_disc": None, "control_disc": None}
 """One of the springs may be straight."""
 
 CURVED = {
-    "balance": _balance,
-    "travel_returning": _travel_returning,
-    "is_reseated": _is_reseated,
-    "net_gain_there": _net_gain_there,
-    "net_gain_back": _net_gain_back,
-    "control_force_back": _control_force_back,
+    "balance": _balance, "travel_returning": _travel_returning, "is_reseated": _is_reseated,
+    "net_gain_there": _net_gain_there, "net_gain_back": _net_gain_back, "control_force_back": _control_force_back,
     "normal_force_moving_back": _normal_force_moving_back,
     "normal_force_let_go": Either("is_reseated", "normal_force_seated_at_returning", "normal_force_moving_back"),
-    "turning_points": _turning_points,
-    "turning_points_from_mean": _turning_points_from_mean,
-    "extreme_points": _points,
-    "torque_min": _torque_min,
-    "torque_max": _torque_max,
-    "friction_of_torque_min": _friction_of_torque_min,
-    "friction_of_torque_max": _friction_of_torque_max,
-    "torque_min_from_mean": _torque_min_from_mean,
-    "torque_max_from_mean": _torque_max_from_mean,
-    "torque_returning_turn": _torque_returning_turn,
+    "turning_points": _turning_points, "turning_points_from_mean": _turning_points_from_mean, "extreme_points": _points,
+    "torque_min": _torque_min, "torque_max": _torque_max, "friction_of_torque_min": _friction_of_torque_min,
+    "friction_of_torque_max": _friction_of_torque_max, "torque_min_from_mean": _torque_min_from_mean,
+    "torque_max_from_mean": _torque_max_from_mean, "torque_returning_turn": _torque_returning_turn,
     "torque_returning_min": _torque_returning_min,
-}
+}  # fmt: skip

@@ -23,11 +23,9 @@ def evaluate(
 ) -> dict[str, Floats]:
     """Evaluate what is asked of the clutch with arrays of one size, SI, in place of numbers at some paths of its spec.
 
-    Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand
-    for all their elements: those are validated, then the arrays go through the same engine as numbers do.
-
-    Raises:
-        SpecError: a value no spec may have.
+    Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand for all their
+    elements: those are validated, then the arrays go through the same engine as numbers do. Raises SpecError: a value
+    no spec may have.
     """
     import numpy as np
 

@@ -183,12 +183,9 @@ def sizes_of(clutch: Clutch) -> Sizes:
         return size
     gap = FACE_GAP if unit.face_gap is None else unit.face_gap
     return size._replace(
-        ball=unit.ball_diameter,
-        balls=0 if unit.balls is None else unit.balls,
-        circle=unit.ball_circle_radius,
-        gap=gap,
+        ball=unit.ball_diameter, balls=0 if unit.balls is None else unit.balls, circle=unit.ball_circle_radius, gap=gap,
         depth=unit.sleeve_depth,
-    )
+    )  # fmt: skip
 
 
 def _spring(spec: Spec, name: str, force: Values) -> SpringSize:
@@ -258,17 +255,14 @@ def parts_of(size: Sizes) -> list[SectionPart]:
     return [
         _part("housing", "driving", (0.0, plate, size.bore_radius, wall), (plate, total, faces, wall)),
         _part(
-            "hub",
-            "driven",
-            (plate, total, size.bore_radius, hub),
-            *[flange] * size.travels,
+            "hub", "driven", (plate, total, size.bore_radius, hub), *[flange] * size.travels,
             (nut, total, hub, smaller(seat, faces)),
         ),
         SectionPart("pack", (Ring(pack, plate_at, carrier, faces),), discs),
         *sleeves,
         _part("balls", "driven", ball, mass=all_balls),
         *set_springs[: 1 + size.travels],
-    ]
+    ]  # fmt: skip
 
 
 _Sides: TypeAlias = tuple[Values, Values, Values, Values]

@@ -82,16 +82,11 @@ def spring_demands(clutch: Clutch, travel: float = 0.0) -> list[SpringDemand]:
         given = {} if spring.room is None else spring.room.model_dump(exclude_none=True)
         surface, edge = spring.surface_friction, spring.edge_friction
         return SpringDemand(
-            name=name,
-            force=float(clutch[f"{name}_force"]),
-            stiffness=spring.stiffness or None,
-            relaxes=relaxes,
-            room=left.model_copy(update=given),
-            pitch=spring.thread_pitch,
-            friction=None if surface is None or edge is None else (surface, edge),
-            catalogue=spec.lists.discs,
+            name=name, force=float(clutch[f"{name}_force"]), stiffness=spring.stiffness or None, relaxes=relaxes,
+            room=left.model_copy(update=given), pitch=spring.thread_pitch,
+            friction=None if surface is None or edge is None else (surface, edge), catalogue=spec.lists.discs,
             **service,
-        )
+        )  # fmt: skip
 
     if not spec.kind.travels:
         return [demand("closing", worn, follows=pairs)]
@@ -187,18 +182,11 @@ def values_of_part(demand: SpringDemand, part: DiscStack | CoilSprings, apply: A
     deflection = own.deflection(demand.force)
     least, most = deflection - demand.relaxes, deflection + demand.compresses
     known = {
-        "force": demand.force,
-        "force_at_end": own.force(own.end),
-        "relaxes": demand.relaxes or None,
-        "deflection": deflection,
-        "deflection_least": least,
-        "deflection_most": most,
-        "deflection_end": own.end,
-        "stiffness": own.stiffness(deflection),
-        "free_length": own.free_length,
-        "length": own.free_length - least,
+        "force": demand.force, "force_at_end": own.force(own.end), "relaxes": demand.relaxes or None,
+        "deflection": deflection, "deflection_least": least, "deflection_most": most, "deflection_end": own.end,
+        "stiffness": own.stiffness(deflection), "free_length": own.free_length, "length": own.free_length - least,
         "mass": own.mass,
-    }
+    }  # fmt: skip
     of_kind = _of_discs(own, most) if isinstance(own, DiscCharacteristic) else _of_coils(own, demand, most)
     known |= of_kind
     return known | _of_room(demand.room, getattr(part, "count", 1), known["outer_diameter"])
@@ -207,15 +195,10 @@ def values_of_part(demand: SpringDemand, part: DiscStack | CoilSprings, apply: A
 def _of_discs(own: DiscCharacteristic, most: Values) -> dict[str, Any]:
     (low, high), (middle, edge) = own.range, own.stresses(most)
     return {
-        "cone_least": low,
-        "cone_most": high,
-        "stress": edge,
-        "stress_middle": middle,
-        "pressure_turning": abs(middle),
-        "om_strength": OM_STRENGTH,
-        "outer_diameter": own.part.outer_diameter,
+        "cone_least": low, "cone_most": high, "stress": edge, "stress_middle": middle, "pressure_turning": abs(middle),
+        "om_strength": OM_STRENGTH, "outer_diameter": own.part.outer_diameter,
         "inner_diameter": own.part.inner_diameter,
-    }
+    }  # fmt: skip
 
 
 def _of_coils(own: CoilCharacteristic, demand: SpringDemand, most: Values) -> dict[str, Any]:

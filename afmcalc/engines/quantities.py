@@ -136,8 +136,7 @@ class Quantities(Named):
     def __getitem__(self, name: str) -> Any:
         """Return the value of a quantity, such as ``gain``, or in a case ``torque_at_f_max``.
 
-        Raises:
-            MissingError: there is none of that name, or it needs what is not given; says what is.
+        Raises MissingError: there is none of that name, or it needs what is not given; says what is.
         """
         if name not in self._kept:
             scope = self._scope_of(name)
@@ -183,10 +182,7 @@ class Quantities(Named):
         """The same clutch in a case, or with other values of some quantities.
 
         What is set last counts: it displaces values set before of quantities that follow from it. A case sets all that
-        it names, or none.
-
-        Raises:
-            MissingError: no such case or quantity.
+        it names, or none. Raises MissingError: no such case or quantity.
         """
         targets: Case = {}
         if case:

@@ -179,8 +179,7 @@ def tangent(angle: Values) -> Values:
 def finite(value: Values) -> Values:
     """Return a number, or an array in which NaN may stand for no value.
 
-    Raises:
-        OverflowError: it is beyond the range of numbers.
+    Raises OverflowError: it is beyond the range of numbers.
     """
     if is_array(value):
         import numpy as np

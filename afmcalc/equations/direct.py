@@ -125,13 +125,9 @@ _BALLS = {
 }
 CONVENTIONAL = {"bypass_pairs": Same("pairs"), "gain": 0.0, **_BYPASS, "breakaway_torque": _onset_torque}
 DIFFERENTIATED = {
-    "bypass_pairs": 1,
-    **_BYPASS,
-    **_BALLS,
-    "onset_torque": _onset_torque,
-    "breakaway_torque": _breakaway_torque,
+    "bypass_pairs": 1, **_BYPASS, **_BALLS, "onset_torque": _onset_torque, "breakaway_torque": _breakaway_torque,
     "gain_limit": _gain_limit_breakaway,
-}
+}  # fmt: skip
 ALL_DRIVING = {"bypass_pairs": 0, **_BALLS, "gain_limit": _gain_limit_reduced}
 
 CASES = {

@@ -166,15 +166,11 @@ CASES = {
         for case, end in {"f_min": "min", "f_mean": "mean", "f_max": "max", "setting": "set"}.items()
     },
     "by_min": {
-        "closing_force": "closing_force_by_min",
-        "margin_in_spring": "unity",
-        "friction_driving_set": "friction_driving_min",
-        "friction_driven_set": "friction_driven_min",
+        "closing_force": "closing_force_by_min", "margin_in_spring": "unity",
+        "friction_driving_set": "friction_driving_min", "friction_driven_set": "friction_driven_min",
     },
     "by_mean": {
-        "closing_force": "closing_force_by_mean",
-        "margin_in_spring": "margin",
-        "friction_driving_set": "friction_driving_mean",
-        "friction_driven_set": "friction_driven_mean",
+        "closing_force": "closing_force_by_mean", "margin_in_spring": "margin",
+        "friction_driving_set": "friction_driving_mean", "friction_driven_set": "friction_driven_mean",
     },
-}
+}  # fmt: skip

@@ -87,11 +87,7 @@ def _sources() -> dict[str, Any]:
 
 
 def check_papers(papers: list[str]) -> None:
-    """Refuse a paper that there is not.
-
-    Raises:
-        AfmcalcError: no such paper.
-    """
+    """Refuse a paper that there is not. Raises AfmcalcError: no such paper."""
     for paper in papers:
         if paper not in PAPERS:
             raise AfmcalcError(
@@ -117,8 +113,7 @@ def equations(
 ) -> tuple[EquationsResult, list[Finding]]:
     """Look up papers, or formulas such as ``S21 (15)``, in the register, all where none are asked for.
 
-    Raises:
-        AfmcalcError: no such paper or formula.
+    Raises AfmcalcError: no such paper or formula.
     """
     check_papers(papers)
     chosen = [entry for entry in register() if not papers or entry.id.split()[0] in papers]

@@ -106,11 +106,8 @@ def p17() -> Found:
     ceiling = LEAST * _MEAN / _MIN
     text = say(
         "K_т {factors:.3f}, never above {most:.3f} (the bands: {implied:.1f}); T_cp at most {ceiling:.0f N·m}",
-        implied=[(LEAST + band) / LEAST for band in FIRST],
-        factors=computed,
-        most=_MAX / _MIN,
-        ceiling=ceiling,
-    )
+        implied=[(LEAST + band) / LEAST for band in FIRST], factors=computed, most=_MAX / _MIN, ceiling=ceiling,
+    )  # fmt: skip
     return Found(text, verdict(ceiling >= MEAN), ceiling / MEAN - 1)
 
 

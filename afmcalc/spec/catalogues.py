@@ -92,19 +92,11 @@ def friction_materials() -> dict[str, Material]:
         pressure: list[float | None] = [kpa * 1e3 for kpa in row.get("pressure_kPa", ())] or [None]
         temperature: list[float | None] = [float(celsius) for celsius in row.get("temperature_C", ())] or [None]
         materials[name] = Material(
-            name=name,
-            description=row["description"],
-            condition=row["condition"],
-            friction_min=row["friction"][0],
-            friction_max=row["friction"][1],
-            pressure_min=pressure[0],
-            pressure_max=pressure[-1],
-            temperature_min=temperature[0],
-            temperature_max=temperature[-1],
-            source=source["short"],
-            citation=source["full"],
-            also=tuple(row.get("also", ())),
-        )
+            name=name, description=row["description"], condition=row["condition"], friction_min=row["friction"][0],
+            friction_max=row["friction"][1], pressure_min=pressure[0], pressure_max=pressure[-1],
+            temperature_min=temperature[0], temperature_max=temperature[-1], source=source["short"],
+            citation=source["full"], also=tuple(row.get("also", ())),
+        )  # fmt: skip
     return materials
 
 

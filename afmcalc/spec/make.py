@@ -27,8 +27,7 @@ def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -
 def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] = ()) -> M:
     """Validate plain data, read from where ``label`` says; ``broken`` are rules that its text breaks.
 
-    Raises:
-        SpecError: every problem found.
+    Raises SpecError: every problem found.
     """
     problems = [Problem(path, given_at(path, data), message) for path, message in broken]
     more = 0

@@ -60,9 +60,7 @@ _LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\
 def text_of(source: str | PathLike[str] | None) -> Source:
     """Return the text of a spec as given, with what to call it in messages.
 
-    Raises:
-        FileError: it cannot be read.
-        SpecError: it is no text, or too long for a spec.
+    Raises FileError: it cannot be read; SpecError: it is no text, or too long for a spec.
     """
     return decoded(*bytes_of(source))
 

@@ -57,8 +57,7 @@ class ExplainResult(Answer):
 def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[ExplainResult, list[Finding]]:
     """Run a calculation and explain every law it applied; the findings are those of the calculation.
 
-    Raises:
-        AfmcalcError: no such calculation.
+    Raises AfmcalcError: no such calculation.
     """
     if command not in EXPLAINED:
         hint = did_you_mean(command, EXPLAINED)
@@ -201,22 +200,12 @@ def _step(step: NotedStep) -> Step:
     equation, formula, case = _equation(step), _formula_text(step), _circumstance(step.case)
     result = _result(step)
     return Step(
-        symbol=result.symbol,
-        symbol_latex=symbol_latex(result.symbol),
-        name=result.meaning or equation.about,
-        at=case.at,
-        setting=case.setting,
-        side=case.side,
-        formula=formula.text(),
-        substituted=formula.text_with_numbers(),
-        value=float(step.value),
-        unit=result.unit,
-        source=equation.source,
-        print_differs=_print_differs(equation.name) or None,
-        function=equation.name,
-        formula_latex=formula.latex(),
+        symbol=result.symbol, symbol_latex=symbol_latex(result.symbol), name=result.meaning or equation.about,
+        at=case.at, setting=case.setting, side=case.side, formula=formula.text(),
+        substituted=formula.text_with_numbers(), value=float(step.value), unit=result.unit, source=equation.source,
+        print_differs=_print_differs(equation.name) or None, function=equation.name, formula_latex=formula.latex(),
         substituted_latex=formula.latex_with_numbers(),
-    )
+    )  # fmt: skip
 
 
 class Meaning(NamedTuple):

@@ -299,16 +299,9 @@ def symbol_latex(name: str) -> str:
 
 
 _GREEK = {
-    "α": "\\alpha ",
-    "β": "\\beta",
-    "κ": "\\kappa ",
-    "ν": "\\nu",
-    "π": "\\pi ",
-    "τ": "\\tau",
-    "ψ": "\\psi",
-    "Δ": "\\Delta ",
-    "∂": "\\partial ",
-}
+    "α": "\\alpha ", "β": "\\beta", "κ": "\\kappa ", "ν": "\\nu", "π": "\\pi ", "τ": "\\tau", "ψ": "\\psi",
+    "Δ": "\\Delta ", "∂": "\\partial ",
+}  # fmt: skip
 _INDEXED = re.compile(r"((?:\\[a-z]+|[^\W_]|\))(?:\^\{\\prime\})?)_((?:[^\W²]|[.,+])+)")
 """A letter with an index: F_п, ΔT_2, T'_п."""
 _FUNCTION = re.compile(r"\b(sin|cos|tan|ln) ?(?=[\w\\(])")
