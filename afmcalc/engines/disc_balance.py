@@ -91,7 +91,8 @@ def _travel_returning(balance_at_returning, friction, travel_max):
 
 
 def _is_reseated(travel_returning, is_held_at_stop):
-    """Whether the sleeve is back at its stop. Source: Handbook, chapter 12. Validity: Friction falling, load kept."""
+    """Condition that the sleeve is back at its stop.
+    Source: Handbook, chapter 12. Validity: Friction falling, load kept."""
     return (travel_returning <= 0) & is_held_at_stop
 
 

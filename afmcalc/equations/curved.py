@@ -17,7 +17,7 @@ def gain_acting(gain, gain_slope, travel):
 
 
 def is_seated(friction, friction_leaving):
-    """Whether the sleeve is at its stop, f ≤ f_L.
+    """Condition that the sleeve is at its stop, f ≤ f_L.
     Source: S21, text of fig. 1 (handbook, chapter 12). Validity: From a steep wall the sleeve jumps beyond f_L."""
     return friction <= friction_leaving
 
@@ -126,7 +126,7 @@ def torque_max_from_mean(torque_at_f_mean, torque_at_leaving_from_mean, torque_a
 
 
 def is_locked(friction, net_gain_returning, friction_max, net_gain, gain_slope, travel_max):
-    """Whether the key still keeps the sleeve where it was at f_max, f κ₊(x) ≥ f_max κ(x).
+    """Condition that the key still keeps the sleeve where it was at f_max, f κ₊(x) ≥ f_max κ(x).
     Source: Handbook, chapter 12. Validity: Friction falling from f_max, load kept."""
     steeper = gain_slope * travel_max
     return friction * (net_gain_returning + steeper) >= friction_max * (net_gain + steeper) * (1 - 1e-12)
@@ -134,7 +134,7 @@ def is_locked(friction, net_gain_returning, friction_max, net_gain, gain_slope, 
 
 def stays_off(sleeve_stiffness_at_returning, slope_feedback, closing_force, normal_force_at_f_max,
               tangent_stiffness_squared_at_returning):  # fmt: skip
-    """Whether a sleeve that has jumped off its stop has not yet jumped back.
+    """Condition that a sleeve that has jumped off its stop has not yet jumped back.
     Source: Handbook, chapter 12: D_κ₊ < w F_п1, and a balance off the stop exists, k_t² ≥ 0. Validity: It was off its
     stop at f_max, N < F_п1."""
     jumped = (sleeve_stiffness_at_returning < slope_feedback * closing_force) & (normal_force_at_f_max < closing_force)
@@ -145,7 +145,7 @@ is_reseated = Either("stays_off", "never", "is_held_at_stop")
 
 
 def hysteresis_ratio(net_gain_returning, net_gain, gain_slope, travel_max):
-    """By how much friction must fall before the sleeve moves back, κ₊(x_max)/κ(x_max).
+    """Ratio by which friction must fall before the sleeve moves back, κ₊(x_max)/κ(x_max).
     Source: Handbook, chapter 12. Validity: κ(x_max) > 0."""
     return quotient(net_gain_returning + gain_slope * travel_max, net_gain + gain_slope * travel_max)
 
@@ -163,7 +163,7 @@ def torque_returning_min(torque_returning_at_f_min, torque_returning_at_unlockin
 
 
 def _is_held(friction_leaving):
-    """Whether the sleeve rests at its stop at some friction, f_L > 0.
+    """Condition that the sleeve rests at its stop at some friction, f_L > 0.
     Source: Handbook, chapter 12. Validity: Any springs; where it never rests no wall holds the torque."""
     return friction_leaving > 0
 

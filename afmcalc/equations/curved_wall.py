@@ -10,7 +10,7 @@ from .arrays import atan, beside, cos, larger, largest_along, sin, smaller, spre
 
 
 def path_steepening(gain_slope, ball_circle_radius, mean_radius):
-    """How fast the path of the ball's centre steepens, Y'' = (r/R) C_1.
+    """Second derivative of the path of the ball's centre, Y'' = (r/R) C_1.
     Source: Handbook, chapter 12: tan α(x) = tan α_0 + (r/R) C_1 x. Validity: One sleeve has the curved wall; 0 for a
     straight one."""
     return gain_slope * ball_circle_radius / mean_radius

@@ -75,7 +75,7 @@ def heated_depth(mass, density, pairs, area):
 
 
 def fourier_number(conductivity, density, specific_heat, time, depth):
-    """How far the heat has come in a time, k t/(ρ c l²).
+    """Fourier number of a time of heating, k t/(ρ c l²).
     Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.3; handbook, chapter 10."""
     return conductivity * time / (density * specific_heat * depth * depth)
 

@@ -79,7 +79,7 @@ friction_leaving = Same("friction_set")
 
 
 def is_seated(friction, friction_leaving):
-    """Whether the sleeve is at its stop, f < f_L.
+    """Condition that the sleeve is at its stop, f < f_L.
     Source: S21, text of fig. 1 (handbook, chapter 5). Validity: Straight walls: at f_L both laws give the same
     force."""
     return friction < friction_leaving
@@ -209,13 +209,13 @@ def jumping_slope(sleeve_stiffness_at_leaving, pairs, friction_leaving, closing_
 
 
 def is_locked(friction, net_gain_returning, friction_max, net_gain):
-    """Whether the key still keeps the sleeve where it was at f_max, f κ₊ ≥ f_max κ.
+    """Condition that the key still keeps the sleeve where it was at f_max, f κ₊ ≥ f_max κ.
     Source: Handbook, chapter 5 (beyond S21). Validity: Friction falling from f_max, load kept."""
     return friction * net_gain_returning >= friction_max * net_gain * (1 - 1e-12)
 
 
 def is_held_at_stop(control_force, closing_force, pairs, net_gain_returning, friction):
-    """Whether the control spring keeps the sleeve at its stop, F_п2 > F_п1 (1 + z κ₊ f).
+    """Condition that the control spring keeps the sleeve at its stop, F_п2 > F_п1 (1 + z κ₊ f).
     Source: S21, text of fig. 1, with the key's friction reversed (handbook, chapter 5). Validity: Friction falling,
     load kept."""
     return control_force > closing_force * (1 + pairs * net_gain_returning * friction)
@@ -236,7 +236,7 @@ torque_returning_min = Same("torque_returning_at_f_min")
 
 
 def hysteresis_ratio(net_gain, net_gain_returning):
-    """By how much friction must fall before the sleeve moves back, κ₊/κ.
+    """Ratio by which friction must fall before the sleeve moves back, κ₊/κ.
     Source: Handbook, chapter 5 (beyond S21). Validity: κ > 0."""
     return quotient(net_gain_returning, net_gain)
 

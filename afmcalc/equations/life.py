@@ -83,7 +83,7 @@ torque_low_of_side = Same("side_torque_at_low")
 
 
 def is_broken(stress_high, ultimate_strength):
-    """Whether the largest load breaks the part, τ_max ≥ τ_u.
+    """Condition that the largest load breaks the part, τ_max ≥ τ_u.
     Source: Definition of the ultimate strength; whatever the rule of the life. Validity: Static load."""
     return stress_high >= ultimate_strength
 
@@ -92,7 +92,7 @@ cycles = Either("is_broken", "nothing", "cycles_of_line")
 
 
 def is_endless(damaging_stress, endurance_limit):
-    """Whether fatigue sets no limit, τ_eq ≤ τ_limb. Source: Definition of the endurance limit."""
+    """Condition that fatigue sets no limit, τ_eq ≤ τ_limb. Source: Definition of the endurance limit."""
     return damaging_stress <= endurance_limit
 
 

@@ -33,8 +33,8 @@ def potential_torque_risen(potential_torque, loop_gain, risen_load):
 
 
 def potential_torque_gain(pairs, bypass_pairs, closing_force, mean_radius, friction, friction_min, gain, margin):
-    """By how much T_п of the differentiated clutch exceeds that of the all-driving one, z F_п R f z_1 C f_min/{β_н (1 +
-    zC f_min)[1 + (z − z_1) C f_min]}.
+    """Excess of T_п of the differentiated clutch over that of the all-driving one, z F_п R f z_1 C f_min/{β_н (1 + zC
+    f_min)[1 + (z − z_1) C f_min]}.
     Source: Difference of S22 (22) and (8) (M15, M18). Validity: Equal spring force, gain and margin."""
     all_driving = 1 + pairs * gain * friction_min
     differentiated = 1 + (pairs - bypass_pairs) * gain * friction_min

@@ -133,7 +133,7 @@ def coil_upper_stress(lower_stress, endurance, ultimate):
 
 
 def coil_buckling_root(coil_diameter, free_length, modulus_ratio, seating, pi):
-    """What stands under the root of the deflection of buckling, 1 − (1 − G/E)/(½ + G/E) [π D/(ν L_0)]².
+    """Radicand of the deflection of buckling, 1 − (1 − G/E)/(½ + G/E) [π D/(ν L_0)]².
     Source: EN 13906-1 (Haringx 1948); handbook, chapter 11. Validity: Negative where the spring never buckles."""
     slender = pi * coil_diameter / (seating * free_length)
     return 1 - (1 - modulus_ratio) / (0.5 + modulus_ratio) * slender**2

@@ -119,19 +119,19 @@ def slope_in_ratio_min(bypass_pairs, controlled_pairs, gain, friction_ratio_max,
 def friction_driving_slips(friction_driving_min, friction_driving_mean, friction_driving_max, bend_of_path):
     """Frictions f_1 of slips that are uniformly distributed along the common path, 256 of them.
     Source: Handbook, chapter 4. Validity: f_1 and f_2 move together, to their means and on from there."""
-    share = spread(0.0, 1.0, 256, ends=False)
-    below, above = smaller(share / bend_of_path, 1.0), larger((share - bend_of_path) / (1 - bend_of_path), 0.0)
-    rising, further = friction_driving_mean - friction_driving_min, friction_driving_max - friction_driving_mean
-    return friction_driving_min + below * rising + above * further
+    return _along_path(friction_driving_min, friction_driving_mean, friction_driving_max, bend_of_path)
 
 
 def friction_driven_slips(friction_driven_min, friction_driven_mean, friction_driven_max, bend_of_path):
     """Frictions f_2 of slips that are uniformly distributed along the common path, 256 of them.
     Source: Handbook, chapter 4. Validity: f_1 and f_2 move together, to their means and on from there."""
+    return _along_path(friction_driven_min, friction_driven_mean, friction_driven_max, bend_of_path)
+
+
+def _along_path(least, mean, largest, bend):
     share = spread(0.0, 1.0, 256, ends=False)
-    below, above = smaller(share / bend_of_path, 1.0), larger((share - bend_of_path) / (1 - bend_of_path), 0.0)
-    rising, further = friction_driven_mean - friction_driven_min, friction_driven_max - friction_driven_mean
-    return friction_driven_min + below * rising + above * further
+    below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
+    return least + below * (mean - least) + above * (largest - mean)
 
 
 def bend_of_path(friction_driving_min, friction_driving_mean, friction_driving_max, friction_driven_min,
