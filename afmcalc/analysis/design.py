@@ -26,7 +26,7 @@ from ..spec.search import SPRINGS
 from ..units import ENGINEER
 from .check import check, simulating
 from .design_grid import Nearest, Part, Row, Survey, candidate, holding, name_of, parts_of_search, unbeaten, wired
-from .springs import label_of, part_of, ranked, springs
+from .springs import label_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
 _TOLD = ("closing_force", "control_force", "accuracy_factor", "torque_max", "travel_max", "ball_diameter_standard")
@@ -204,10 +204,8 @@ class _Judge:
         for options in product(*(ranked(demand, self.kind, _STACKS) for demand in demands)):
             springs = {}
             for demand, option in zip(demands, options, strict=True):
-                name, part = f"{demand.name}_spring", part_of(option, plain.lists.discs)
-                springs[name] = getattr(plain, name).model_copy(
-                    update={option.kind: part, "stiffness": option.stiffness}
-                )
+                name, update = f"{demand.name}_spring", {option.kind: option.made, "stiffness": option.stiffness}
+                springs[name] = getattr(plain, name).model_copy(update=update)
             yield as_written(plain.model_copy(update=springs))
 
 

@@ -7,6 +7,7 @@ from itertools import count, product
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
+from pydantic import PrivateAttr
 
 from ..engines import Clutch
 from ..engines.parts import INDEX, SpringDemand, SpringName, checks_of_part, spring_demands, values_of_part
@@ -105,6 +106,13 @@ class SpringOption(Result):
     force_up: float | None = quantity("N", "F_↓", "force that friction asks for when pressed", detail=True)
     force_down: float | None = quantity("N", "F_↑", "force that friction leaves when let go", detail=True)
     mass: float = quantity("kg", "m_s", "mass")
+
+    _made: DiscStack | CoilSprings = PrivateAttr()
+
+    @property
+    def made(self) -> DiscStack | CoilSprings:
+        """The part as a spec says it."""
+        return self._made
 
 
 class SpringsResult(Answer):
@@ -362,7 +370,7 @@ def option_of(demand: SpringDemand, part: Part) -> SpringOption:
     fields |= {
         name: known[name] for name in ("outer_diameter", "inner_diameter", "stress", "free_length", "mass", *told)
     }
-    return SpringOption(
+    option = SpringOption(
         number=None, kind="coil" if is_coil else "disc", part=label_of(part, demand.catalogue), force=force,
         force_least=None if low < 0 else float(spring.force(low)), force_largest=float(spring.force(high)),
         stiffness=stiffness, deflection=deflection, length_set=spring.free_length - deflection, length=known["length"],
@@ -372,6 +380,8 @@ def option_of(demand: SpringDemand, part: Part) -> SpringOption:
         travel_setting=setting, turns_setting=None if demand.pitch is None else setting / demand.pitch, force_up=up,
         force_down=down, **fields,
     )  # fmt: skip
+    option._made = part
+    return option
 
 
 def label_of(part: Part, catalogue: tuple[Disc, ...] | None = None) -> str:
@@ -391,19 +401,6 @@ def _titles(listed: tuple[Disc, ...]) -> dict[tuple[float | None, ...], str]:
     return {tuple(getattr(disc, size) for size in _SIZES): disc.title for disc in listed}
 
 
-def part_of(option: SpringOption, catalogue: tuple[Disc, ...] | None = None) -> Part:
-    """Return the part as a spec says it; a disc from the list it was chosen from."""
-    if option.parallel is not None and option.series is not None:
-        disc = next(disc for disc in catalogue or discs() if option.part == disc.title)
-        sizes = {size: getattr(disc, size) for size in _SIZES}
-        return DiscStack.model_construct(**sizes, parallel=option.parallel, series=option.series)
-    wire = (option.outer_diameter - option.inner_diameter) / 2
-    return CoilSprings(
-        wire_diameter=wire, coil_diameter=option.outer_diameter - wire, turns=option.turns,
-        free_length=option.free_length, count=option.count,
-    )  # fmt: skip
-
-
 def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tuple[dict[str, Any], Spec]:
     """Return the keys that the springs picked change, None for none, and the spec with them.
 
@@ -419,7 +416,7 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tup
         block, option = numbered[number]
         if f"{block}.force" in changes:
             raise AfmcalcError("--pick {number}: {block} is picked already", number=number, block=block)
-        part = part_of(option, clutch.spec.lists.discs).model_dump(exclude_none=True)
+        part = option.made.model_dump(exclude_none=True)
         changes |= {f"{block}.force": option.force, f"{block}.stiffness": option.stiffness}
         changes |= {f"{block}.disc": None, f"{block}.coil": None, f"{block}.{option.kind}": part}
         if (option.count or 1) > 1:  # the circle that they stand on
@@ -456,7 +453,7 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
             best = ranked(demand)
             if not best:
                 raise CalculationError("plot springs: nothing fits: {name}", name=term(f"{demand.name} spring"))
-            part = part_of(best[0], demand.catalogue)
+            part = best[0].made
         spring = characteristic(part)
         deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
         at = float(spring.deflection(demand.force))

@@ -6,6 +6,7 @@ for check in checks_of(spec):                                       # with the r
 """
 
 import math
+import re
 import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, cast
@@ -140,7 +141,7 @@ event-clearance | clearance of the ball in the event | y_x ≥ y | m | clearance
 event-spring-let-go | travel in the event, the closing spring pressing | x_max < x_0 | m | travel_max < travel_let_go | error | closing_spring | simulate | simulate | event
 dynamic-factor-exceeded | dynamic factor of the event | T_peak/T ≤ k_д | 1 | dynamic_factor_of_event ≤ dynamic_factor | warning | drive.dynamic_factor | simulate | simulate | event assumed
 """  # noqa: E501
-"""code | name | symbol | unit | value and limit | level | path | part needed | topic | conditions, as in ``_WHEN``."""
+"""Rows of ``check_of``; ``when`` are conditions of ``_WHEN``."""
 
 _REQUIRED = """\
 nominal_torque ≥ nominal_torque
@@ -166,24 +167,23 @@ trips_per_hour ≥ trips_per_hour heat
 """Key of [requirements], whether its value is the largest or the least, the quantity asked, and the part needed."""
 
 
-def _checks() -> Iterator[Check]:
-    for row in _TABLE.splitlines():
-        code, name, symbol, unit, held, level, path, needs, topic, when = (cell.strip() for cell in row.split("|"))
-        value, sign, limit = held.split()
-        number = limit.isdigit()
-        yield Check(
-            code, name, symbol, unit, value, float(limit) if number else limit, sign in "≥>", sign in "<>",
-            cast(Level, level), path or None, cast(Part, needs) or None, topic, tuple(when.split()),
-        )  # fmt: skip
-    for row in _REQUIRED.splitlines():
-        name, sign, value, needs = f"{row} ".split(" ")[:4]
-        yield Check(
-            "requirement-missed", "", "", "", value, "stated", sign == "≥", path=f"requirements.{name}",
-            needs=cast(Part, needs) or None, topic=name,
-        )  # fmt: skip
+def check_of(row: str) -> Check:
+    """Return the check of a row: code, name, symbol, unit, value and limit, level, path, part needed, topic, when."""
+    code, name, symbol, unit, held, level, path, needs, topic, when = map(str.strip, re.split(r" \|(?= |$)", row))
+    value, sign, limit = held.split()
+    return Check(
+        code, name, symbol, unit, value, float(limit) if limit.isdigit() else limit, sign in "≥>", sign in "<>",
+        cast(Level, level), path or None, cast(Part, needs) or None, topic, tuple(when.split()),
+    )  # fmt: skip
 
 
-CHECKS = tuple(_checks())
+def _requirement_of(row: str) -> Check:
+    name, sign, value, needs = f"{row} ".split(" ")[:4]
+    path, part = f"requirements.{name}", cast(Part, needs) or None
+    return Check("requirement-missed", "", "", "", value, "stated", sign == "≥", path=path, needs=part, topic=name)
+
+
+CHECKS = (*map(check_of, _TABLE.splitlines()), *map(_requirement_of, _REQUIRED.splitlines()))
 """Every check but those of the springs that are named as parts."""
 REQUIRED = {check.requirement: check for check in CHECKS if check.requirement}
 """Key of [requirements] → its check; name, symbol and unit are those of the key."""

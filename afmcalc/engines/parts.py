@@ -2,16 +2,16 @@
 
 import math
 from collections.abc import Iterator
-from typing import Any, Literal, NamedTuple, cast
+from typing import Any, Literal, NamedTuple
 
 from ..equations import springs as law
 from ..equations.arrays import Values, chosen, is_array, logarithm, sin, smaller
-from ..findings import Finding, Level, finding
+from ..findings import Finding, finding
 from ..messages import term
 from ..spec.catalogues import Disc
 from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Room
 from .adapter import Clutch
-from .checks import ROUNDING, Check
+from .checks import ROUNDING, Check, check_of
 from .layout import rooms_of
 from .quantities import Apply, call
 from .springs import LEAST_USED, MODULUS, MOST_USED, CoilCharacteristic, DiscCharacteristic, characteristic
@@ -97,40 +97,30 @@ def spring_demands(clutch: Clutch, travel: float = 0.0) -> list[SpringDemand]:
 
 
 _TABLE = """\
-spring-too-weak | force of the spring | F ≤ F_c | N | force ≤ force_at_end | error | force
-spring-slack | travel by which the spring is let go | Δs ≤ s | m | relaxes ≤ deflection | error | preload
-spring-beyond-range | deflection of disc springs | s ≥ s_min | m | deflection_least ≥ cone_least | warning | preload
-spring-beyond-range | deflection of disc springs | s ≤ s_max | m | deflection_most ≤ cone_most | warning | deflection
-disc-overstressed | stress where a disc turns | |σ_OM| ≤ [σ] | Pa | pressure_turning ≤ om_strength | error | stress
-coil-index | index of a coil | w ≥ 4 | 1 | index ≥ index_least | warning | index
-coil-index | index of a coil | w ≤ 20 | 1 | index ≤ index_most | warning | index
-coil-solid | deflection of coil springs | s ≤ s_c | m | deflection_most ≤ deflection_solid | error | deflection
-coil-gaps-closed | deflection of coil springs | s ≤ s_n | m | deflection_most ≤ deflection_of_gaps | warning | deflection
-coil-buckles | deflection of coil springs without guide | s ≤ s_K | m | deflection_most ≤ deflection_buckling | warning | buckling
-coil-overstressed | shear stress of a wire in service | τ_2 ≤ [τ] | Pa | stress_static ≤ wire_strength | error | stress
-coil-stress-solid | shear stress of a wire, solid | τ_c ≤ [τ] | Pa | stress_solid ≤ wire_strength | warning | stress
-coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance | warning | fatigue
-coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance_required | error | fatigue
-spring-does-not-fit | length of the spring | L ≤ [L] | m | length ≤ room_length | error | length
-spring-does-not-fit | deflection of the spring as set | s ≤ [L] | m | deflection ≤ room_length | error | length
-spring-does-not-fit | outer diameter of the spring | D_e ≤ (D_2 − D_1)/2 | m | outer_diameter ≤ room_ring | error | outer diameter
-spring-does-not-fit | outer diameter of the spring | D_e ≤ t_п | m | outer_diameter ≤ room_pitch | error | outer diameter
-spring-does-not-fit | outer diameter of the spring | D_e ≤ D_2 | m | outer_diameter ≤ room_outer | error | outer diameter
-spring-does-not-fit | inner diameter of the spring | D_i ≥ D_1 | m | inner_diameter ≥ room_inner | error | inner diameter
+spring-too-weak | force of the spring | F ≤ F_c | N | force ≤ force_at_end | error | | springs | force |
+spring-slack | travel by which the spring is let go | Δs ≤ s | m | relaxes ≤ deflection | error | | springs | preload |
+spring-beyond-range | deflection of disc springs | s ≥ s_min | m | deflection_least ≥ cone_least | warning | | springs | preload |
+spring-beyond-range | deflection of disc springs | s ≤ s_max | m | deflection_most ≤ cone_most | warning | | springs | deflection |
+disc-overstressed | stress where a disc turns | |σ_OM| ≤ [σ] | Pa | pressure_turning ≤ om_strength | error | | springs | stress |
+coil-index | index of a coil | w ≥ 4 | 1 | index ≥ index_least | warning | | springs | index |
+coil-index | index of a coil | w ≤ 20 | 1 | index ≤ index_most | warning | | springs | index |
+coil-solid | deflection of coil springs | s ≤ s_c | m | deflection_most ≤ deflection_solid | error | | springs | deflection |
+coil-gaps-closed | deflection of coil springs | s ≤ s_n | m | deflection_most ≤ deflection_of_gaps | warning | | springs | deflection |
+coil-buckles | deflection of coil springs without guide | s ≤ s_K | m | deflection_most ≤ deflection_buckling | warning | | springs | buckling |
+coil-overstressed | shear stress of a wire in service | τ_2 ≤ [τ] | Pa | stress_static ≤ wire_strength | error | | springs | stress |
+coil-stress-solid | shear stress of a wire, solid | τ_c ≤ [τ] | Pa | stress_solid ≤ wire_strength | warning | | springs | stress |
+coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance | warning | | springs | fatigue |
+coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance_required | error | | springs | fatigue |
+spring-does-not-fit | length of the spring | L ≤ [L] | m | length ≤ room_length | error | | springs | length |
+spring-does-not-fit | deflection of the spring as set | s ≤ [L] | m | deflection ≤ room_length | error | | springs | length |
+spring-does-not-fit | outer diameter of the spring | D_e ≤ (D_2 − D_1)/2 | m | outer_diameter ≤ room_ring | error | | springs | outer diameter |
+spring-does-not-fit | outer diameter of the spring | D_e ≤ t_п | m | outer_diameter ≤ room_pitch | error | | springs | outer diameter |
+spring-does-not-fit | outer diameter of the spring | D_e ≤ D_2 | m | outer_diameter ≤ room_outer | error | | springs | outer diameter |
+spring-does-not-fit | inner diameter of the spring | D_i ≥ D_1 | m | inner_diameter ≥ room_inner | error | | springs | inner diameter |
 """  # noqa: E501
-"""code | name | symbol | unit | value and limit | level | what a part misses that does not hold it."""
+"""Rows of ``check_of``; the topic is what a part misses that does not hold it."""
 
-
-def _rules() -> Iterator[Check]:
-    for row in _TABLE.splitlines():
-        code, name, symbol, unit, condition, level, misses = row.split(" | ")
-        value, sign, limit = condition.split()
-        yield Check(
-            code, name, symbol, unit, value, limit, sign == "≥", level=cast(Level, level), needs="springs", topic=misses
-        )
-
-
-RULES = tuple(_rules())
+RULES = tuple(map(check_of, _TABLE.splitlines()))
 """What a part is to hold."""
 
 
