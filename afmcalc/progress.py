@@ -25,7 +25,7 @@ _EACH = 0.1
 
 
 WATCHER: "ContextVar[Bar | None]" = ContextVar("watcher", default=None)
-"""What tells of the calculation under way; it ends the calculation by raising an error."""
+"""Watcher of the calculation under way; it ends the calculation by raising an error."""
 
 
 def tell(work: str, done: int, total: int) -> None:

@@ -66,13 +66,13 @@ def accuracy(
 
 
 def _is_of_path(clutch: Quantities) -> bool:
-    """Whether K_т of unlike materials is T(f_max)/T(f_min), whose slopes F11 has."""
+    """True if K_т of unlike materials is T(f_max)/T(f_min), whose slopes F11 has."""
     name = "accuracy_factor_by_ratios"
     return name in clutch and bool(abs(clutch[name] / clutch["accuracy_factor"] - 1) <= 1e-9)
 
 
 def _told(slopes: Mapping[str, Elasticity]) -> Iterator[tuple[str, float]]:
-    """What the result tells of elasticities; a mean friction on which nothing depends is no parameter."""
+    """Elasticities that the result shows; a mean friction on which nothing depends is no parameter."""
     for path, (slope, _) in slopes.items():
         if abs(slope) > _ROUNDING:
             yield path, slope

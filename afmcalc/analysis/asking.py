@@ -56,7 +56,7 @@ class _Question(NamedTuple):
 
 @cache
 def _questions(kind: type[Result]) -> list[_Question]:
-    """What the fields of a result ask."""
+    """Questions that the fields of a result ask."""
     questions = []
     for field, info in kind.model_fields.items():
         if (shown := shown_as(info)).asked:

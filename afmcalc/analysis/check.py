@@ -48,7 +48,7 @@ class CheckRow(Result):
 
     @property
     def is_requirement(self) -> bool:
-        """Whether [requirements] asks it, or the plate of a machine."""
+        """True if [requirements] asks it, or the plate of a machine."""
         return self.code == "requirement-missed"
 
     @property
@@ -188,10 +188,8 @@ def _judged(answers: Answers, without: Collection[str]) -> tuple[list[CheckRow],
 
 
 _PARTS: Mapping[Part | None, str] = {
-    "simulate": term("the event"),
-    "heat": term("heat of a trip"),
-    "tolerance": term("scatter"),
-}
+    "simulate": term("the event"), "heat": term("heat of a trip"), "tolerance": term("scatter"),
+}  # fmt: skip
 _SLIP_ENDS = term("an end of the slip: drive.cut_off, or a longer drive.event.duration")
 
 
@@ -203,11 +201,9 @@ def lacks(clutch: Clutch, check: Check) -> str:
 
 
 _BLOCKS: Mapping[Part | None, str] = {
-    "simulate": term("[drive] with an event"),
-    "heat": term("[drive] with an event and [heat]"),
-    "tolerance": term("[tolerance]"),
-    "effects": term("heat.lining"),
-}
+    "simulate": term("[drive] with an event"), "heat": term("[drive] with an event and [heat]"),
+    "tolerance": term("[tolerance]"), "effects": term("heat.lining"),
+}  # fmt: skip
 """Part → what a spec must have that it can be calculated."""
 
 

@@ -234,7 +234,7 @@ def _counted(missed: Finding) -> str:
 
 
 def _beyond(missed: Finding) -> float:
-    """How far a finding is beyond its limit, as a share of that."""
+    """Excess of a finding over its limit, as a share of that."""
     if not missed.limit or missed.value is None:
         return 1.0
     return abs(missed.value - missed.limit) / abs(missed.limit)
@@ -357,10 +357,8 @@ def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResu
         if sort not in numbers:
             raise AfmcalcError(
                 "--sort {name}: no such quantity{hint}; one of {known}",
-                name=sort,
-                hint=did_you_mean(sort, numbers),
-                known=", ".join(numbers),
-            )
+                name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
+            )  # fmt: skip
         ordered = sorted(ordered, key=lambda row: row.objective(sort))
     return result.model_copy(update={"front": ordered[:top]})
 
@@ -400,10 +398,8 @@ def _missed(row: Row) -> str:
     if second:
         return say(
             "{first} and {second} collide by at least {missing:.4g mm}",
-            first=term(first),
-            second=term(second),
-            missing=value,
-        )
+            first=term(first), second=term(second), missing=value,
+        )  # fmt: skip
     has, wanted = (measured(number, ENGINEER.get(check.unit, check.unit), 5) for number in (value, limit))
     bound = term("at least" if check.least else "at most")
     return say("{name} {has}, {bound} {wanted}", name=term(check.name), has=has, bound=bound, wanted=wanted)

@@ -26,7 +26,7 @@ class Topic(NamedTuple):
     sources: tuple[str, ...]
     result: Result
     derivations: list[Derivation]
-    """How it was calculated, less what topics before it show."""
+    """Derivations, less those that topics before it show."""
     plot: str
     """Kind of its plot, and what is drawn; empty and None where there is no curve."""
     figure: Any
@@ -57,12 +57,10 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     verdict, findings = answers.ask("check")
     findings = [*findings, *(finding for analysis in applying for finding in answers.ask(analysis.name)[1])]
     return Dossier(
-        spec=spec,
-        check=verdict,
-        findings=list(dict.fromkeys(findings)),
+        spec=spec, check=verdict, findings=list(dict.fromkeys(findings)),
         topics=[_topic(analysis, answers, derived.get(analysis.name, [])) for analysis in applying],
         section=_drawn("section", answers),
-    )
+    )  # fmt: skip
 
 
 def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:

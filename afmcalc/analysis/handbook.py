@@ -37,7 +37,7 @@ _EXAMPLES = ("default", "unlike-materials", "indirect", "drive", "constant-torqu
 
 
 class Entry(NamedTuple):
-    """What there is to say of a formula."""
+    """A formula with its numbers, places, proofs and commands."""
 
     equation: Equation
     latex: str
@@ -63,9 +63,9 @@ class Handbook(NamedTuple):
     formulas: dict[str, Entry]
     """Equation function → what there is to say of it."""
     values: dict[str, tuple[Any, str]]
-    """What stands in ``{value …}`` → the number, SI, and its unit."""
+    """Text in ``{value …}`` → the number, SI, and its unit."""
     plots: dict[str, Any]
-    """What stands in ``{plot …}`` → what it draws."""
+    """Text in ``{plot …}`` → what it draws."""
     claims: list[Row]
 
 

@@ -31,11 +31,9 @@ class LayoutResult(Answer):
     mass: float = quantity("kg", "m", "mass, all parts of steel")
     driving_inertia: float = quantity("kg*m^2", "J_k", "inertia of the driving half: housing and outer discs")
     hub_inertia: float | None = quantity(
-        "kg*m^2",
-        "J_h",
-        "inertia between the discs and the balls: inner discs, pressure disc and its sleeve",
+        "kg*m^2", "J_h", "inertia between the discs and the balls: inner discs, pressure disc and its sleeve",
         optional=True,
-    )
+    )  # fmt: skip
     driven_inertia: float = quantity("kg*m^2", "J_2", "inertia of the driven half")
     parts: list[LayoutPart] = described("parts")
 

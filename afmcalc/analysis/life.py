@@ -115,11 +115,9 @@ def life(
 
 
 _SIDES = {
-    "protected": (),
-    "unprotected": ("unprotected",),
-    "protected_forecast": ("forecast",),
+    "protected": (), "unprotected": ("unprotected",), "protected_forecast": ("forecast",),
     "unprotected_forecast": ("unprotected", "forecast"),
-}
+}  # fmt: skip
 """Side, as set and from the mean friction on → its cases."""
 
 
@@ -170,7 +168,7 @@ def _stress(load: Quantities) -> float | None:
 
 
 def _is_unlimited(load: Quantities) -> bool:
-    """Whether the damaging stress stays below the endurance limit."""
+    """True if the damaging stress stays below the endurance limit."""
     stress = _stress(load)
     return stress is not None and stress <= load["endurance_limit"]
 

@@ -14,20 +14,20 @@ StressRule = Literal["mean-stress", "amplitude", "goodman"]
 """Rules for the damaging stress of a life: the paper's, Серенсен–Кинасошвили's, Goodman's."""
 
 SpringOrder = Literal["length", "wear", "mass"]
-"""What is small in the springs told first."""
+"""Quantity that is least in the springs listed first."""
 SpringKind = Literal["any", "disc", "coil"]
 
 Takes = Literal["clutch", "clutches", "names", "search"]
 
 
 class Plot(NamedTuple):
-    """What is drawn of an analysis: ``figures.NAME`` gathers it, ``render.plot`` lays it out."""
+    """Plot of an analysis: ``figures.NAME`` gathers it, ``render.plot`` lays it out."""
 
     name: str
     about: str
-    """What it shows, for the help."""
+    """Description for the help."""
     takes: Takes = "clutches"
-    """What it is of: one clutch, one or more, words (the papers' figures), or a spec with [search]."""
+    """Input: one clutch, one or more, words (the papers' figures), or a spec with [search]."""
     options: tuple[str, ...] = ()
     """Options it heeds; any other that is given is refused."""
     applies: Callable[["Clutch"], bool] = lambda clutch: True
@@ -38,19 +38,19 @@ Told = str | Callable[[Any], str]
 
 
 class Section(NamedTuple):
-    """What a report says of an analysis, in whole sentences."""
+    """Section of a report on an analysis, in whole sentences."""
 
     title: str
     about: Told
-    """What is calculated."""
+    """Subject of the calculation."""
     conclusion: Told
-    """What comes of it."""
+    """Conclusion from the result."""
     sources: tuple[str, ...] = ()
     """Keys of the references it rests on."""
     sources_indirect: tuple[str, ...] = ()
     """The same for an indirect clutch, where its law is another."""
     applies: Callable[["Clutch"], bool] = lambda clutch: True
-    """Whether a report speaks of it, of what can be asked."""
+    """True if a report speaks of it, of what can be asked."""
 
 
 class Analysis(NamedTuple):
@@ -63,13 +63,13 @@ class Analysis(NamedTuple):
     group: str
     """Commands that belong together: what a command takes."""
     applies: Callable[[Any], bool] = lambda clutch: True
-    """Whether a clutch can be asked."""
+    """True if a clutch can be asked."""
     options: tuple[str, ...] = ()
     """Its arguments beside the clutch, of those that ``Answers`` has."""
     explained: bool = False
-    """Whether its steps can be shown."""
+    """True if its steps can be shown."""
     judged: bool = False
-    """Whether ``check`` takes in its findings."""
+    """True if ``check`` takes in its findings."""
     section: Section | None = None
     plot: Plot | None = None
     example: str | None = None
@@ -356,10 +356,8 @@ def schema(command: str | None = None) -> dict[str, Any]:
         hint, results = did_you_mean(command, ANALYSES), ", ".join(ANALYSES)
         raise AfmcalcError(
             "no JSON of a command {command!r}{hint}; described are: spec, {results}",
-            command=command,
-            hint=hint,
-            results=results,
-        )
+            command=command, hint=hint, results=results,
+        )  # fmt: skip
     result = ANALYSES[command].result_class
     parts: dict[str, Any] = {field.name: (field.type, ...) for field in fields(Output)}
     parts["result"] = (result, ...)

@@ -31,7 +31,7 @@ SETTING = 0.05
 """Share of the force that the nut is to set more or less."""
 TOP = 10
 TOLERANCE = 0.1
-"""How far a stiffness may be off, relative."""
+"""Relative deviation of a stiffness that is allowed."""
 MOST_PARALLEL = 6
 """Discs laid into each other; more than three are for friction, not for force."""
 MOST_SERIES = 10_000
@@ -52,11 +52,11 @@ _FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
 _STEPS = 24
 """Mean coil diameters that are tried of a wire."""
 _SIZES = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
-"""What makes a disc one of a size."""
+"""Dimensions of a disc."""
 _SLACK = 1e-9
 """Share by which a part may be beyond a limit by rounding."""
 _BORNE = ("deflection", "stress", "fatigue")
-"""What tells how much of what it bears a part uses."""
+"""Topics of the checks that give the utilisation of a part."""
 _CURVE_POINTS = 121
 
 
@@ -161,10 +161,10 @@ class Table(NamedTuple):
     parts: Part
     values: dict[str, Any]
     misses: dict[str, Floats]
-    """What is not as wished → by how much, relative; 0: it is."""
+    """Quantity → relative deviation from the demand; 0: met."""
 
     def worst(self) -> Floats:
-        """What each row misses most."""
+        """Largest deviation of each row."""
         return np.max(list(self.misses.values()), axis=0)
 
     def part(self, row: int) -> Part:
@@ -176,7 +176,7 @@ class Table(NamedTuple):
 
 
 _BY: Mapping[SpringOrder, str] = {"length": "length", "wear": "stiffness", "mass": "mass"}
-"""What is small of parts that have the same force."""
+"""Order of the parts → the quantity that is least."""
 
 
 def springs(
@@ -224,11 +224,9 @@ def springs(
         if demand.name in named
     ]
     result = SpringsResult(
-        **fields,
-        nearest=nearest or None,
-        named=in_use or None,
+        **fields, nearest=nearest or None, named=in_use or None,
         utilisation=max((option.utilisation for option in in_use), default=None),
-    )
+    )  # fmt: skip
     return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks]
 
 

@@ -87,10 +87,8 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         **_contact(own, unit, by_hertz=chosen is not None and wall.can_be_cut),
     )  # fmt: skip
     return result, [
-        *clutch_findings(spec, own),
-        *failures_of(spec, own, "synthesize"),
-        *_remarks(spec, unit, result, sizes),
-    ]
+        *clutch_findings(spec, own), *failures_of(spec, own, "synthesize"), *_remarks(spec, unit, result, sizes),
+    ]  # fmt: skip
 
 
 def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[str, Any]:
@@ -108,13 +106,11 @@ def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[s
     allowable, basis = min(limits, key=lambda limit: limit[0], default=(None, None))
     force = None if unit.balls is None else float(clutch["contact_force"])
     return {
-        "contact_force": force,
-        "contact_force_allowable": allowable,
-        "contact_basis": basis,
+        "contact_force": force, "contact_force_allowable": allowable, "contact_basis": basis,
         "contact_utilisation": force / allowable if force is not None and allowable else None,
         "contact_force_hertz": hertz,
         "contact_pressure": float(clutch["contact_pressure"]) if force is not None and by_hertz else None,
-    }
+    }  # fmt: skip
 
 
 def _unit(clutch: Clutch) -> ControlUnit:
@@ -135,11 +131,9 @@ def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
     unit = data["control_unit"]
     unit.pop("gain", None)
     unit |= {
-        "wall_angle": result.wall_angle,
-        "ball_circle_radius": result.ball_circle_radius,
-        "face_gap": result.face_gap,
+        "wall_angle": result.wall_angle, "ball_circle_radius": result.ball_circle_radius, "face_gap": result.face_gap,
         "edge_clearance": result.edge_clearance,
-    }
+    }  # fmt: skip
     if result.ball_diameter_standard is not None:
         unit["ball_diameter"] = result.ball_diameter_standard
     return data

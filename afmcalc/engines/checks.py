@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ..spec.models import Spec
 
 Part = Literal["simulate", "heat", "tolerance", "effects", "springs", "layout"]
-"""What is calculated beside the quantities of a clutch."""
+"""Parts that are calculated beside the quantities of a clutch."""
 ROUNDING = 1e-9
 """Share of a limit within which a value is on it."""
 
@@ -35,7 +35,7 @@ class Known(Protocol):
 
 
 class Beside(NamedTuple):
-    """What a part tells, beside the quantities of a clutch."""
+    """Values of a part, beside the quantities of a clutch."""
 
     part: Mapping[str, Any]
     clutch: Known
@@ -59,7 +59,7 @@ class Check(NamedTuple):
     """The same, or a number that the spec states."""
     least: bool = False
     strict: bool = False
-    """Whether a value on the limit fails."""
+    """True if a value on the limit fails."""
     level: Level = "error"
     path: str | None = None
     """Key of the spec that it belongs to."""
@@ -84,7 +84,7 @@ class Check(NamedTuple):
         return _number(known.get(self.limit)) if isinstance(self.limit, str) else self.limit
 
     def passes(self, value: Any, limit: Any) -> Any:
-        """Whether a value holds a limit, but for rounding; NaN does not."""
+        """True if a value holds a limit, but for rounding; NaN does not."""
         low, high = (limit, value) if self.least else (value, limit)
         return low < high * (1 - ROUNDING) if self.strict else low <= high * (1 + ROUNDING)
 
@@ -276,7 +276,7 @@ def _required(spec: "Spec", check: Check, name: str) -> Iterator[Check]:
 
 
 def _after_event(spec: "Spec", check: Check) -> Check:
-    """What the unprotected side bears takes the dynamic factor of the event, where none is given."""
+    """Replace the dynamic factor of the unprotected side by that of the event, where none is given."""
     factor = "unprotected" in check.value or check.value == "cycles_least"
     open_factor = spec.drive.event is not None and spec.drive.dynamic_factor is None
     return check._replace(needs="simulate") if factor and open_factor else check

@@ -35,7 +35,7 @@ class Elasticity(NamedTuple):
 
     @property
     def kink(self) -> bool:
-        """Whether the slopes on both sides differ."""
+        """True if the slopes on both sides differ."""
         return self.slope != self.larger
 
 

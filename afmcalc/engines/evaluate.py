@@ -15,7 +15,7 @@ BLOCK = 16_000
 """Points calculated at a time: as many as an array may have that the allocator keeps (128 KiB); a larger one it gives
 back to the system each time, and fetching its pages anew takes longer than all the arithmetic."""
 Output = str | Callable[[Clutch], Values]
-"""What is asked of the clutch at every point: a quantity, or a function of it."""
+"""Output at every point: a quantity, or a function of the clutch."""
 
 
 def evaluate(

@@ -37,26 +37,26 @@ SpringName = Literal["closing", "control"]
 
 
 class SpringDemand(NamedTuple):
-    """What one spring of a clutch is to give, and what happens to it."""
+    """Force and stiffness that one spring of a clutch is to give, its room and its service."""
 
     name: SpringName
     force: float
-    """As set, N."""
+    """Force as set, N."""
     stiffness: float | None
     """N/m; None: any."""
     relaxes: float
-    """How much longer it gets in service, m."""
+    """Extension in service, m."""
     room: Room
     pitch: float | None
     """Of the nut, m."""
     friction: tuple[float, float] | None
     """w_M of the cones of a stack on each other, w_R of its edges."""
     compresses: float = 0.0
-    """How much shorter it gets in service, m."""
+    """Compression in service, m."""
     follows: int | None = None
     """Pairs whose wear it follows; None: wear does not reach it."""
     stroke: float | None = None
-    """How far it goes and comes at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
+    """Stroke at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
     cycles: float | None = None
     """Trips asked for; None: not told."""
     catalogue: tuple[Disc, ...] | None = None
@@ -121,7 +121,7 @@ spring-does-not-fit | inner diameter of the spring | D_i ≥ D_1 | m | inner_dia
 """Rows of ``check_of``; the topic is what a part misses that does not hold it."""
 
 RULES = tuple(map(check_of, _TABLE.splitlines()))
-"""What a part is to hold."""
+"""Checks of a part."""
 
 
 class PartCheck(NamedTuple):
@@ -131,7 +131,7 @@ class PartCheck(NamedTuple):
     value: Any
     limit: Any
     scale: Any
-    """What a miss is told by."""
+    """Scale of the relative excess."""
 
     @property
     def utilisation(self) -> float:
@@ -140,7 +140,7 @@ class PartCheck(NamedTuple):
 
     @property
     def beyond(self) -> Any:
-        """By how much it is missed, relative; not positive: it is held."""
+        """Relative excess over the limit; not positive: it is held."""
         over = self.limit - self.value if self.rule.least else self.value - self.limit
         return over / self.scale
 
@@ -149,14 +149,12 @@ def checks_of_part(known: dict[str, Any]) -> list[PartCheck]:
     """Return what a part is to hold, held or not, from its values; of columns NaN is not asked."""
     return [
         PartCheck(
-            rule,
-            known[rule.value],
-            known[rule.limit],
+            rule, known[rule.value], known[rule.limit],
             known["deflection_end" if rule.topic in ("preload", "deflection") else rule.limit],
         )
         for rule in RULES
         if isinstance(rule.limit, str) and _asked(known.get(rule.value)) and _asked(known.get(rule.limit))
-    ]
+    ]  # fmt: skip
 
 
 def _asked(value: Any) -> bool:

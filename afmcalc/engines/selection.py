@@ -42,7 +42,7 @@ KEYS: dict[str, tuple[Part, ...]] = {
     "uniform-wear": (pressure.UNIFORM_WEAR,), "motor_power": (machine.GIVEN,), "amplitude": (life.AMPLITUDE,),
     "goodman": (life.GOODMAN,),
 }  # fmt: skip
-"""What a spec gives, or says → the laws that it brings; those of the sleeve have an order of their own."""
+"""Quantity or option of a spec → the laws that it brings; those of the sleeve have an order of their own."""
 RULES = ("amplitude", "goodman")
 CURVED = ("gain_slope", "constant-torque")
 DISCS = ("closing_disc", "control_disc")

@@ -85,10 +85,8 @@ def paper_figure(name: str) -> PaperFigure:
     if wanted not in FIGURES:
         raise AfmcalcError(
             "no figure {name!r}{hint}; there are: {figures}",
-            name=name,
-            hint=did_you_mean(wanted, FIGURES),
-            figures=", ".join(FIGURES),
-        )
+            name=name, hint=did_you_mean(wanted, FIGURES), figures=", ".join(FIGURES),
+        )  # fmt: skip
     paper, _, number = wanted.partition("-")
     return getattr(import_module(f".{PAPERS[paper]}", __package__), f"figure_{number}")()
 

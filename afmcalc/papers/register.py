@@ -92,10 +92,8 @@ def check_papers(papers: list[str]) -> None:
         if paper not in PAPERS:
             raise AfmcalcError(
                 "--paper {paper}: no such paper{hint}; papers: {papers}",
-                paper=paper,
-                hint=did_you_mean(paper, PAPERS),
-                papers=", ".join(PAPERS),
-            )
+                paper=paper, hint=did_you_mean(paper, PAPERS), papers=", ".join(PAPERS),
+            )  # fmt: skip
 
 
 def is_numbered(formula: Formula) -> bool:
@@ -130,9 +128,7 @@ def equations(
     numbered = [entry for entry in chosen if is_numbered(entry)]
     slips = [m for m in misprints() if not papers or m.where.split()[0] in papers] if show_misprints else None
     result = EquationsResult(
-        numbered=len(numbered),
-        accounted=sum(is_accounted(entry) for entry in numbered),
-        formulas=None if show_misprints else chosen,
-        misprints=slips,
-    )
+        numbered=len(numbered), accounted=sum(is_accounted(entry) for entry in numbered),
+        formulas=None if show_misprints else chosen, misprints=slips,
+    )  # fmt: skip
     return result, []

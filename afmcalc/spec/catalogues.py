@@ -19,23 +19,23 @@ class Disc(NamedTuple):
     inner_diameter: float
     thickness: float
     reduced_thickness: float | None
-    """As made with flats, of discs thicker than 6 mm."""
+    """Thickness as made with flats, of discs thicker than 6 mm."""
     free_height: float
     printed_force: float | None
     """Force printed in the standard, at ¾ of the cone height, N."""
     source: str = ""
     """Of a list of one's own."""
     designation: str = ""
-    """As one's own list has it, such as by a standard of one's country."""
+    """Designation of one's own list, such as by a standard of one's country."""
 
     @property
     def name(self) -> str:
-        """As the standard, or one's own list, calls it."""
+        """Name in the standard, or in one's own list."""
         return self.series if self.source else f"{self.series} {self.outer_diameter / 1e-3:g}"
 
     @property
     def title(self) -> str:
-        """As a list of parts calls it."""
+        """Name in a list of parts."""
         if self.designation:
             return self.designation
         return f"{self.name} ({self.source})" if self.source else f"DIN EN 16983 {self.name}"

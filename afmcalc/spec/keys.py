@@ -29,13 +29,13 @@ def keys() -> dict[str, Key]:
 
 
 def is_whole(path: str) -> bool:
-    """Whether the key counts something."""
+    """True if the key counts something."""
     key = keys().get(path)
     return key is not None and key.about is not None and key.about.whole
 
 
 def scatter_at(path: str) -> Quantity | None:
-    """What a number that scatters may be; None when the path is none of it."""
+    """Unit and bounds of a number that scatters; None when the path is none of it."""
     return scattering(path, Spec)
 
 

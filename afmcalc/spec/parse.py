@@ -13,7 +13,7 @@ from .source import Source
 
 _STANDARD_INPUT, BUILT_IN = say("standard input"), say("built-in default")
 PREFIX = "example:"
-"""What makes the name of an example a source."""
+"""Prefix that makes the name of an example a source."""
 
 
 def _folder() -> Path:
@@ -138,7 +138,7 @@ def parse(source: Source) -> dict[str, object]:
 
 
 def is_json(source: Source) -> bool:
-    """Whether a text is meant as JSON."""
+    """True if a text is meant as JSON."""
     return source.text.lstrip()[:1] == "{" or source.endswith(".json")
 
 

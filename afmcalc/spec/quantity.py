@@ -78,7 +78,7 @@ def factor(text: str, unit: str) -> Decimal:
 
 
 def _fits(text: str, unit: str) -> bool:
-    """Whether a text is a unit of the dimension of ``unit``."""
+    """True if a text is a unit of the dimension of ``unit``."""
     try:
         return product(text).exponents == product(unit).exponents
     except ValueError:
@@ -92,10 +92,8 @@ def allowed(unit: str) -> str:
         return say("give {kind} such as {example}", kind=term(kind), example=example)
     return say(
         'give {kind}: a number in SI ({unit}) or a string with a unit such as "{example}"',
-        kind=term(kind),
-        unit=term(unit, "unit"),
-        example=example,
-    )
+        kind=term(kind), unit=term(unit, "unit"), example=example,
+    )  # fmt: skip
 
 
 _LONGEST = 100
@@ -109,11 +107,9 @@ _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}(?!\d)")
 """A number whose comma may separate thousands."""
 
 _RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
-    "N": (lambda force: 0 < force < 20, "kN", math.inf),
-    "m": (lambda length: length >= 0.5, "mm", 10.0),
-    "rad/s": (lambda speed: speed > 1000, "rpm", math.inf),
-    "W": (lambda power: 0 < power < 500, "kW", math.inf),
-}
+    "N": (lambda force: 0 < force < 20, "kN", math.inf), "m": (lambda length: length >= 0.5, "mm", 10.0),
+    "rad/s": (lambda speed: speed > 1000, "rpm", math.inf), "W": (lambda power: 0 < power < 500, "kW", math.inf),
+}  # fmt: skip
 """SI unit → whether a number is rarely meant in it, the unit that may be meant, the largest number meant in SI."""
 
 

@@ -38,14 +38,12 @@ MOVED: Mapping[str, str] = {
     "search.control_stiffness": "search.control_spring.stiffness", "search.ball_diameters": "catalogues.balls",
 }  # fmt: skip
 """Key of a requirements file before 0.4 → where it is in a spec; others of wanted and limits are requirements."""
-_OLD = frozenset(("wanted", "limits", "fixed", "variants"))
-"""What only a requirements file has."""
+OLD = frozenset(("wanted", "limits", "fixed", "variants"))
+"""Tables that only a requirements file has."""
 
 
-def moved_in(data: Mapping[str, object], given: Iterable[str]) -> dict[str, str]:
-    """Keys of a requirements file among those ``given``, each with its new place; empty for a spec."""
-    if _OLD.isdisjoint(data):
-        return {}
+def moved_in(given: Iterable[str]) -> dict[str, str]:
+    """Keys of a requirements file among those ``given``, each with its new place."""
     places = {}
     for path in given:
         table, _, name = path.partition(".")

@@ -61,9 +61,9 @@ class Leaf(Expression):
 
     text: str
     own: bool = False
-    """Whether it is a number of the equation itself."""
+    """True if it is a number of the equation itself."""
     value: float = field(default=math.nan, compare=False)
-    """What it stands for: a law may ask whether there is such a thing."""
+    """Value that it stands for: a law may ask whether there is one."""
 
     def __gt__(self, other: float) -> bool:
         """Compare what it stands for."""
