@@ -14,17 +14,8 @@ if TYPE_CHECKING:
 
 __version__ = "0.3.0"
 __all__ = [
-    "AfmcalcError",
-    "Clutch",
-    "FileError",
-    "Spec",
-    "SpecError",
-    "build",
-    "compare",
-    "design",
-    "load",
-    "read_spec",
-]
+    "AfmcalcError", "Clutch", "FileError", "Spec", "SpecError", "build", "compare", "design", "load", "read_spec",
+]  # fmt: skip
 
 _HOMES = {"errors": ("AfmcalcError", "FileError", "SpecError"), "spec": ("Spec", "read_spec")}
 """Module → public names of it; all others are of ``python``."""

@@ -24,7 +24,7 @@ T = TypeVar("T")
 
 
 def given(value: T | None) -> T:
-    """Return what is there, as the rules of a spec or of requirements, or who asks, see to."""
+    """Return a value, asserting that it is not None: validation guarantees it."""
     assert value is not None
     return value
 
@@ -90,12 +90,9 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
     at = traceback.extract_tb(error.__traceback__)[-1]
     fault = told(
         "this is a fault of afmcalc {version}, not of what it was given: {kind}: {why} ({file}, line {line})",
-        version=__version__,
-        kind=type(error).__name__,
-        why=" ".join(str(error).split())[:200],
-        file=os.path.basename(at.filename),
-        line=at.lineno,
-    )
+        version=__version__, kind=type(error).__name__, why=" ".join(str(error).split())[:200],
+        file=os.path.basename(at.filename), line=at.lineno,
+    )  # fmt: skip
     report = told(
         "please report it: this line, the command line and the spec; AFMCALC_TRACEBACK=1 before the command shows "
         "where it comes from"
@@ -104,19 +101,16 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
 
 
 EXTRAS = {
-    "plot": ("matplotlib",),
-    "cad": ("ezdxf",),
-    "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
+    "plot": ("matplotlib",), "cad": ("ezdxf",), "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
     "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "latex2mathml", "markdown_it"),
-}
+}  # fmt: skip
 """Optional dependencies, as pip knows them → modules they bring."""
 
 
 def need(extra: str, *modules: str) -> None:
     """Make sure that the modules of an extra, or these of it, are installed, without importing them.
 
-    Raises:
-        AfmcalcError: one is missing; it says how to get it.
+    Raises AfmcalcError: one is missing; it says how to get it.
     """
     missing = [name for name in modules or EXTRAS[extra] if find_spec(name) is None]
     if missing:
@@ -145,7 +139,7 @@ class Place(NamedTuple):
     """The whole line."""
 
     def __str__(self) -> str:
-        """As editors take it."""
+        """Line and column, as editors take them."""
         return f"{self.line}:{self.column}"
 
     def shown(self) -> tuple[str, str]:
@@ -159,7 +153,7 @@ class Place(NamedTuple):
 
 
 class Label(str):
-    """What a text is called in messages."""
+    """Name of a text in messages."""
 
     name: str
     """The same as it was given, so that what is in no file can be translated."""
@@ -171,7 +165,7 @@ class Label(str):
         return made
 
     def origin(self, path: str) -> str:
-        """What gave the value at a dotted path: the text, or an option of the command line."""
+        """Origin of the value at a dotted path: the text, or an option of the command line."""
         return self.name
 
     def place(self, path: str, *, key: bool = False) -> Place | None:
@@ -187,9 +181,9 @@ class Problem(NamedTuple):
     given: str | None
     """The value given, as the user wrote it; None when a key is missing."""
     message: str
-    """What is wrong and what is allowed."""
+    """The fault, and what is allowed."""
     at_key: bool = False
-    """Whether the key itself is wrong, not its value."""
+    """True if the key itself is wrong, not its value."""
     place: Place | None = None
     """Where it stands in the text it was read from, as far as that is known."""
 
@@ -220,7 +214,7 @@ class SpecError(AfmcalcError, ValueError):
         super().__init__(joined(lines, "\n"))
 
     def where(self, problem: Problem) -> str:
-        """What gave the value, with line and column, as far as they are known."""
+        """Origin of the value, with line and column, as far as they are known."""
         origin = self.source.origin(problem.path)
         return joined([origin, str(problem.place)], ":") if problem.place else origin
 
@@ -258,10 +252,8 @@ def chosen_language(
         AfmcalcError: what is asked for is unknown, or its texts are missing.
     """
     asked = {
-        OPTION: lang,
-        VARIABLE: environment.get(VARIABLE),
-        "": _system_language(environment, of_system) or ENGLISH.name,
-    }
+        OPTION: lang, VARIABLE: environment.get(VARIABLE), "": _system_language(environment, of_system) or ENGLISH.name,
+    }  # fmt: skip
     by, name = next((by, name) for by, name in asked.items() if name)
     languages = sorted({ENGLISH.name, *WRITTEN, *known()})
     if name == ENGLISH.name:

@@ -126,7 +126,7 @@ class Text(str):
 
     template: str
     values: Mapping[str, object] | None
-    """What fills it; None where it is no template."""
+    """Values that fill it; None where it is no template."""
     plural: str
     """Template for an ``amount`` other than 1, where there is one."""
     amount: int
@@ -341,7 +341,7 @@ def fitting(text: str, encoding: str) -> str:
 
 
 def is_unicode(stream: Any) -> bool:
-    """Whether a stream takes any text."""
+    """True if a stream takes any text."""
     return (getattr(stream, "encoding", "") or "").lower().replace("-", "").startswith("utf")
 
 

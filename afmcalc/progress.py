@@ -25,7 +25,7 @@ _EACH = 0.1
 
 
 WATCHER: "ContextVar[Bar | None]" = ContextVar("watcher", default=None)
-"""What tells of the calculation under way; it ends the calculation by raising an error."""
+"""Watcher of the calculation under way; it ends the calculation by raising an error."""
 
 
 def tell(work: str, done: int, total: int) -> None:
@@ -74,8 +74,7 @@ class Bar:
     def advance(self, work: str, done: int, total: int) -> None:
         """Note how much of a piece of work is behind.
 
-        Raises:
-            AfmcalcError: the whole takes longer than somebody agreed to.
+        Raises AfmcalcError: the whole takes longer than somebody agreed to.
         """
         now = time.monotonic()
         if work != self._work or done < self._last[0]:
@@ -87,8 +86,7 @@ class Bar:
     def pulse(self) -> None:
         """Note that the part under way goes on; the others are taken to last as long as it does at least.
 
-        Raises:
-            AfmcalcError: the whole takes longer than somebody agreed to.
+        Raises AfmcalcError: the whole takes longer than somebody agreed to.
         """
         done, total = self._last
         if done < total:

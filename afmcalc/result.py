@@ -41,11 +41,11 @@ class Shown:
     unit_in: str = ""
     """Attribute that holds the SI unit of the value, where the unit is no constant."""
     is_unit: bool = False
-    """Whether the value is the unit of other fields."""
+    """True if the value is the unit of other fields."""
     error_of: str = ""
     """Field whose standard error this is; people see it beside the figure."""
     code: bool = False
-    """Whether the value is a name that a user types: it is never translated."""
+    """True if the value is a name that a user types: it is never translated."""
     detail: bool = False
     """Left out of tables for people when the table is long."""
     details: bool = False
@@ -53,21 +53,21 @@ class Shown:
     data: bool = False
     """A list for programs: CSV writes it, people are spared it."""
     across: bool = False
-    """Whether people see the records of a list side by side, quantities as rows."""
+    """True if people see the records of a list side by side, quantities as rows."""
     folds: bool = False
-    """Whether a table tells what is the same in all of its rows once, in a line above it."""
+    """True if a table tells what is the same in all of its rows once, in a line above it."""
     by: str = ""
     """Field of the records whose every value gets a table of its own, for people."""
     ranked: bool = False
-    """Whether a dictionary is shown with its largest magnitude first."""
+    """True if a dictionary is shown with its largest magnitude first."""
     keys_are: str = "parameter"
     """What the keys of a dictionary are called."""
     in_words: Callable[[str], str] | None = None
     """``name`` → what people read in place of a name, of each in a list, or of each key of a dictionary."""
     steps: bool = False
-    """Whether a list holds the steps of an explanation."""
+    """True if a list holds the steps of an explanation."""
     asked: bool = False
-    """Whether the value is a quantity of a clutch, as ``analysis.asking`` asks it."""
+    """True if the value is a quantity of a clutch, as ``analysis.asking`` asks it."""
     quantity: str = ""
     """Its name, where it is not that of the field."""
 
@@ -150,13 +150,13 @@ class Answer(Result):
     """Base of what a command calculates; asked from Python it carries the rest of what the command prints."""
 
     findings_first: ClassVar[bool] = False
-    """Whether the findings are what the command is called for (CSV then lists them)."""
+    """True if the findings are what the command is called for (CSV then lists them)."""
     of_several: ClassVar[bool] = False
-    """Whether it is of more clutches than the one of the spec."""
+    """True if it is of more clutches than the one of the spec."""
     many_lists: ClassVar[bool] = False
-    """Whether it holds several lists that belong together: CSV has one figure of any of them in each row."""
+    """True if it holds several lists that belong together: CSV has one figure of any of them in each row."""
     rows_with_values: ClassVar[bool] = False
-    """Whether CSV has the single values in every row of its list."""
+    """True if CSV has the single values in every row of its list."""
 
     _output: Output = PrivateAttr()
     _render: Callable[[Output, str], str] = PrivateAttr()

@@ -59,14 +59,9 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     elif ratio is not None and abs(ratio - 1) > 1e-12:
         narrower = "min-friction" if ratio > 1 else "mean-friction"
     result = answer(
-        AdjustResult,
-        own,
-        min_friction=at_min,
-        mean_friction=at_mean,
-        scatter_ratio=ratio,
-        narrower=narrower,
+        AdjustResult, own, min_friction=at_min, mean_friction=at_mean, scatter_ratio=ratio, narrower=narrower,
         pairs_threshold=_threshold(own),
-    )
+    )  # fmt: skip
     findings = clutch_findings(spec, own)
     if narrower != "equal" and not results[narrower].holds_nominal:
         findings.append(

@@ -48,7 +48,7 @@ class CheckRow(Result):
 
     @property
     def is_requirement(self) -> bool:
-        """Whether [requirements] asks it, or the plate of a machine."""
+        """True if [requirements] asks it, or the plate of a machine."""
         return self.code == "requirement-missed"
 
     @property
@@ -188,10 +188,8 @@ def _judged(answers: Answers, without: Collection[str]) -> tuple[list[CheckRow],
 
 
 _PARTS: Mapping[Part | None, str] = {
-    "simulate": term("the event"),
-    "heat": term("heat of a trip"),
-    "tolerance": term("scatter"),
-}
+    "simulate": term("the event"), "heat": term("heat of a trip"), "tolerance": term("scatter"),
+}  # fmt: skip
 _SLIP_ENDS = term("an end of the slip: drive.cut_off, or a longer drive.event.duration")
 
 
@@ -203,11 +201,9 @@ def lacks(clutch: Clutch, check: Check) -> str:
 
 
 _BLOCKS: Mapping[Part | None, str] = {
-    "simulate": term("[drive] with an event"),
-    "heat": term("[drive] with an event and [heat]"),
-    "tolerance": term("[tolerance]"),
-    "effects": term("heat.lining"),
-}
+    "simulate": term("[drive] with an event"), "heat": term("[drive] with an event and [heat]"),
+    "tolerance": term("[tolerance]"), "effects": term("heat.lining"),
+}  # fmt: skip
 """Part → what a spec must have that it can be calculated."""
 
 
@@ -251,16 +247,10 @@ def _row(check: Check, known: Known, ambient: float) -> Iterator[CheckRow]:
     if passed and check.value in (known.get("open") or ()):
         passed = None  # where a slip has not ended it may be more
     yield CheckRow(
-        code=check.code.partition("/")[0],
-        name=term(check.name),
-        symbol=term(check.symbol),
-        value=_finite(value),
-        limit=_finite(limit),
-        unit=check.unit.removesuffix(" abs"),
-        utilisation=_finite(used),
-        passed=passed,
+        code=check.code.partition("/")[0], name=term(check.name), symbol=term(check.symbol), value=_finite(value),
+        limit=_finite(limit), unit=check.unit.removesuffix(" abs"), utilisation=_finite(used), passed=passed,
         **{name: getattr(check, name) for name in ("least", "level", "path", "needs")},
-    )
+    )  # fmt: skip
 
 
 def _finite(value: Any) -> float | None:

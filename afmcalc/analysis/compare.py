@@ -50,8 +50,7 @@ class CompareResult(Answer):
 def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[CompareResult, list[Finding]]:
     """Set the main quantities of several clutches side by side, or one clutch as every variant.
 
-    Raises:
-        AfmcalcError: the variants of several clutches.
+    Raises AfmcalcError: the variants of several clutches.
     """
     if variants:
         if len(clutches) > 1:
@@ -110,16 +109,8 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tu
     counted = (remark for remark in findings if remark.level != "info")
     own, travels = clutch.quantities, clutch.spec.kind.travels
     row = answer(
-        ComparedClutch,
-        own,
-        name=name and term(name, "name"),
-        variant=clutch.spec.variant,
-        basis=basis,
-        **({} if travels else {"travel_max": None}),
-        errors=judged.errors,
-        warnings=judged.warnings,
-        passed=judged.verdict.passed,
-        sentence=judged.verdict.sentence,
-        checks=judged.checks,
-    )
+        ComparedClutch, own, name=name and term(name, "name"), variant=clutch.spec.variant, basis=basis,
+        **({} if travels else {"travel_max": None}), errors=judged.errors, warnings=judged.warnings,
+        passed=judged.verdict.passed, sentence=judged.verdict.sentence, checks=judged.checks,
+    )  # fmt: skip
     return row, [of_clutch(remark, called) for remark in dict.fromkeys((*clutch_findings(clutch.spec, own), *counted))]

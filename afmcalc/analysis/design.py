@@ -26,7 +26,7 @@ from ..spec.search import SPRINGS
 from ..units import ENGINEER
 from .check import check, simulating
 from .design_grid import Nearest, Part, Row, Survey, candidate, holding, name_of, parts_of_search, unbeaten, wired
-from .springs import label_of, part_of, ranked, springs
+from .springs import label_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
 _TOLD = ("closing_force", "control_force", "accuracy_factor", "torque_max", "travel_max", "ball_diameter_standard")
@@ -110,9 +110,7 @@ class DesignResult(Answer):
 def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     """Search the grid of a spec: the front, or what excludes the nearest candidate.
 
-    Raises:
-        SpecError: no [search], or too many candidates.
-        AfmcalcError: an objective that no clutch has.
+    Raises SpecError: no [search], or too many candidates; AfmcalcError: an objective that no clutch has.
     """
     objectives = list(spec.objectives or _DEFAULT)
     parts = parts_of_search(spec)
@@ -124,14 +122,10 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     front = _numbered(survey, objectives, places, judge)
     missed = None if front else _binding(spec, survey, judge)
     result = DesignResult(
-        candidates=survey.candidates,
-        feasible=survey.feasible - judge.failed,
-        objectives=objectives,
-        compromise=next((row.number for row in front if row.mark), None),
-        excluded=excluded,
-        front=front,
+        candidates=survey.candidates, feasible=survey.feasible - judge.failed, objectives=objectives,
+        compromise=next((row.number for row in front if row.mark), None), excluded=excluded, front=front,
         binding=missed,
-    )
+    )  # fmt: skip
     return result, [*spec.label.findings, *([_none(result, missed)] if missed else [])]
 
 
@@ -210,10 +204,8 @@ class _Judge:
         for options in product(*(ranked(demand, self.kind, _STACKS) for demand in demands)):
             springs = {}
             for demand, option in zip(demands, options, strict=True):
-                name, part = f"{demand.name}_spring", part_of(option, plain.lists.discs)
-                springs[name] = getattr(plain, name).model_copy(
-                    update={option.kind: part, "stiffness": option.stiffness}
-                )
+                name, update = f"{demand.name}_spring", {option.kind: option.made, "stiffness": option.stiffness}
+                springs[name] = getattr(plain, name).model_copy(update=update)
             yield as_written(plain.model_copy(update=springs))
 
 
@@ -242,7 +234,7 @@ def _counted(missed: Finding) -> str:
 
 
 def _beyond(missed: Finding) -> float:
-    """How far a finding is beyond its limit, as a share of that."""
+    """Excess of a finding over its limit, as a share of that."""
     if not missed.limit or missed.value is None:
         return 1.0
     return abs(missed.value - missed.limit) / abs(missed.limit)
@@ -339,8 +331,7 @@ def _changes(spec: Spec, changes: Mapping[str, Any]) -> dict[str, Any]:
 def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow, Spec]:
     """Return a clutch of a front by its number, or as the compromise, and its spec.
 
-    Raises:
-        CalculationError: no such number, or a front without a compromise.
+    Raises CalculationError: no such number, or a front without a compromise.
     """
     number = result.compromise if pick == "compromise" else pick
     for row in result.front:
@@ -358,8 +349,7 @@ def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow
 def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResult:
     """Return the result with so many rows of its front, by a quantity of theirs; their numbers stay.
 
-    Raises:
-        AfmcalcError: to be sorted by what is no number of a row.
+    Raises AfmcalcError: to be sorted by what is no number of a row.
     """
     ordered = result.front
     if sort is not None and ordered:
@@ -367,10 +357,8 @@ def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResu
         if sort not in numbers:
             raise AfmcalcError(
                 "--sort {name}: no such quantity{hint}; one of {known}",
-                name=sort,
-                hint=did_you_mean(sort, numbers),
-                known=", ".join(numbers),
-            )
+                name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
+            )  # fmt: skip
         ordered = sorted(ordered, key=lambda row: row.objective(sort))
     return result.model_copy(update={"front": ordered[:top]})
 
@@ -410,10 +398,8 @@ def _missed(row: Row) -> str:
     if second:
         return say(
             "{first} and {second} collide by at least {missing:.4g mm}",
-            first=term(first),
-            second=term(second),
-            missing=value,
-        )
+            first=term(first), second=term(second), missing=value,
+        )  # fmt: skip
     has, wanted = (measured(number, ENGINEER.get(check.unit, check.unit), 5) for number in (value, limit))
     bound = term("at least" if check.least else "at most")
     return say("{name} {has}, {bound} {wanted}", name=term(check.name), has=has, bound=bound, wanted=wanted)

@@ -34,7 +34,7 @@ Function = Callable[[Floats], Floats]
 SAMPLES, ROWS = 400, 40
 """Values looked at: of a quantity, and of what is calculated for one clutch at a time."""
 REACH, REACH_OF_EVENTS = 100.0, 5.0
-"""How far from the present value they go where the key has no bound, and where an event is simulated for each."""
+"""Ratio to the present value up to which they go where the key has no bound, and where each simulates an event."""
 _SAME = 1e-12
 """Relative difference that rounding can make."""
 _JUMP = 1e-2
@@ -80,7 +80,7 @@ class SolveResult(Asking, Answer):
 
 
 def is_quantity(name: str) -> bool:
-    """Whether a name is that of a numeric quantity, or of one in a case."""
+    """True if a name is that of a numeric quantity, or of one in a case."""
     inner, _, case = name.rpartition("_at_")
     return TERMS[name].unit != "" if name in TERMS else case in CASES and is_quantity(inner)
 
@@ -108,8 +108,7 @@ def targets() -> dict[str, str]:
 def parse_target(text: str) -> tuple[str, float, list[Finding]]:
     """Read ``NAME=VALUE``, the value in SI or with a unit; a number that is rarely meant in SI is asked after.
 
-    Raises:
-        AfmcalcError: no such target, or no such value.
+    Raises AfmcalcError: no such target, or no such value.
     """
     given, _, value = (part.strip() for part in text.partition("="))
     path = path_of(given)
@@ -139,11 +138,8 @@ def solve(
 
     The key is given by path, name or symbol, the target as ``parse_target`` returns it; ``beyond_limit`` goes past the
     gain limit of the variant. Without a root the result has the value that comes nearest, and the last finding,
-    ``not-attainable``, says so.
-
-    Raises:
-        CalculationError: the target does not depend on the key, or no value of it gives a number.
-        AfmcalcError: no such key, or a target that the clutch does not have.
+    ``not-attainable``, says so. Raises CalculationError: the target does not depend on the key, or no value of it gives
+    a number; AfmcalcError: no such key, or a target that the clutch does not have.
     """
     key, arrays = find_key(name, clutch.spec, "--for"), _in_arrays(clutch, target)
     whole, now, shown, place = is_whole(key.path), _present(clutch, key), _shown(unit_of(target)), _shown(key.unit)
@@ -219,7 +215,7 @@ def _present(clutch: Clutch, key: Key) -> float:
 
 
 def _in_arrays(clutch: Clutch, target: str) -> bool:
-    """Whether a target is a quantity, not asked of one clutch at a time; refuse one that the clutch does not have."""
+    """True if a target is a quantity, not asked of one clutch at a time; refuse one that the clutch does not have."""
     if target in REQUIRED and (REQUIRED[target].needs or _asked(target) not in clutch.quantities):
         _judged_value(clutch, target)
         return False

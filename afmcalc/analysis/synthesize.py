@@ -67,8 +67,7 @@ class SynthesisResult(Asking, Answer):
 def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
     """Design the control unit of a clutch, with ``balls`` to choose from, m, ascending; None: those of the spec.
 
-    Raises:
-        SpecError: the spec lacks what synthesis needs.
+    Raises SpecError: the spec lacks what synthesis needs.
     """
     spec, unit = clutch.spec, _unit(clutch)
     sizes = balls or spec.lists.balls or diameters()
@@ -82,19 +81,14 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
     if chosen is None:
         unknown |= {"edge_clearance_standard": None}
     result = answer(
-        SynthesisResult,
-        own,
-        ball_diameter_standard=chosen,
+        SynthesisResult, own, ball_diameter_standard=chosen,
         ball_designation=None if chosen is None else ball_designation(chosen),
-        wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None,
-        **unknown,
+        wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None, **unknown,
         **_contact(own, unit, by_hertz=chosen is not None and wall.can_be_cut),
-    )
+    )  # fmt: skip
     return result, [
-        *clutch_findings(spec, own),
-        *failures_of(spec, own, "synthesize"),
-        *_remarks(spec, unit, result, sizes),
-    ]
+        *clutch_findings(spec, own), *failures_of(spec, own, "synthesize"), *_remarks(spec, unit, result, sizes),
+    ]  # fmt: skip
 
 
 def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[str, Any]:
@@ -112,13 +106,11 @@ def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[s
     allowable, basis = min(limits, key=lambda limit: limit[0], default=(None, None))
     force = None if unit.balls is None else float(clutch["contact_force"])
     return {
-        "contact_force": force,
-        "contact_force_allowable": allowable,
-        "contact_basis": basis,
+        "contact_force": force, "contact_force_allowable": allowable, "contact_basis": basis,
         "contact_utilisation": force / allowable if force is not None and allowable else None,
         "contact_force_hertz": hertz,
         "contact_pressure": float(clutch["contact_pressure"]) if force is not None and by_hertz else None,
-    }
+    }  # fmt: skip
 
 
 def _unit(clutch: Clutch) -> ControlUnit:
@@ -139,11 +131,9 @@ def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
     unit = data["control_unit"]
     unit.pop("gain", None)
     unit |= {
-        "wall_angle": result.wall_angle,
-        "ball_circle_radius": result.ball_circle_radius,
-        "face_gap": result.face_gap,
+        "wall_angle": result.wall_angle, "ball_circle_radius": result.ball_circle_radius, "face_gap": result.face_gap,
         "edge_clearance": result.edge_clearance,
-    }
+    }  # fmt: skip
     if result.ball_diameter_standard is not None:
         unit["ball_diameter"] = result.ball_diameter_standard
     return data

@@ -6,6 +6,7 @@ for check in checks_of(spec):                                       # with the r
 """
 
 import math
+import re
 import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, cast
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from ..spec.models import Spec
 
 Part = Literal["simulate", "heat", "tolerance", "effects", "springs", "layout"]
-"""What is calculated beside the quantities of a clutch."""
+"""Parts that are calculated beside the quantities of a clutch."""
 ROUNDING = 1e-9
 """Share of a limit within which a value is on it."""
 
@@ -34,7 +35,7 @@ class Known(Protocol):
 
 
 class Beside(NamedTuple):
-    """What a part tells, beside the quantities of a clutch."""
+    """Values of a part, beside the quantities of a clutch."""
 
     part: Mapping[str, Any]
     clutch: Known
@@ -58,7 +59,7 @@ class Check(NamedTuple):
     """The same, or a number that the spec states."""
     least: bool = False
     strict: bool = False
-    """Whether a value on the limit fails."""
+    """True if a value on the limit fails."""
     level: Level = "error"
     path: str | None = None
     """Key of the spec that it belongs to."""
@@ -83,7 +84,7 @@ class Check(NamedTuple):
         return _number(known.get(self.limit)) if isinstance(self.limit, str) else self.limit
 
     def passes(self, value: Any, limit: Any) -> Any:
-        """Whether a value holds a limit, but for rounding; NaN does not."""
+        """True if a value holds a limit, but for rounding; NaN does not."""
         low, high = (limit, value) if self.least else (value, limit)
         return low < high * (1 - ROUNDING) if self.strict else low <= high * (1 + ROUNDING)
 
@@ -140,7 +141,7 @@ event-clearance | clearance of the ball in the event | y_x ≥ y | m | clearance
 event-spring-let-go | travel in the event, the closing spring pressing | x_max < x_0 | m | travel_max < travel_let_go | error | closing_spring | simulate | simulate | event
 dynamic-factor-exceeded | dynamic factor of the event | T_peak/T ≤ k_д | 1 | dynamic_factor_of_event ≤ dynamic_factor | warning | drive.dynamic_factor | simulate | simulate | event assumed
 """  # noqa: E501
-"""code | name | symbol | unit | value and limit | level | path | part needed | topic | conditions, as in ``_WHEN``."""
+"""Rows of ``check_of``; ``when`` are conditions of ``_WHEN``."""
 
 _REQUIRED = """\
 nominal_torque ≥ nominal_torque
@@ -166,24 +167,23 @@ trips_per_hour ≥ trips_per_hour heat
 """Key of [requirements], whether its value is the largest or the least, the quantity asked, and the part needed."""
 
 
-def _checks() -> Iterator[Check]:
-    for row in _TABLE.splitlines():
-        code, name, symbol, unit, held, level, path, needs, topic, when = (cell.strip() for cell in row.split("|"))
-        value, sign, limit = held.split()
-        number = limit.isdigit()
-        yield Check(
-            code, name, symbol, unit, value, float(limit) if number else limit, sign in "≥>", sign in "<>",
-            cast(Level, level), path or None, cast(Part, needs) or None, topic, tuple(when.split()),
-        )  # fmt: skip
-    for row in _REQUIRED.splitlines():
-        name, sign, value, needs = f"{row} ".split(" ")[:4]
-        yield Check(
-            "requirement-missed", "", "", "", value, "stated", sign == "≥", path=f"requirements.{name}",
-            needs=cast(Part, needs) or None, topic=name,
-        )  # fmt: skip
+def check_of(row: str) -> Check:
+    """Return the check of a row: code, name, symbol, unit, value and limit, level, path, part needed, topic, when."""
+    code, name, symbol, unit, held, level, path, needs, topic, when = map(str.strip, re.split(r" \|(?= |$)", row))
+    value, sign, limit = held.split()
+    return Check(
+        code, name, symbol, unit, value, float(limit) if limit.isdigit() else limit, sign in "≥>", sign in "<>",
+        cast(Level, level), path or None, cast(Part, needs) or None, topic, tuple(when.split()),
+    )  # fmt: skip
 
 
-CHECKS = tuple(_checks())
+def _requirement_of(row: str) -> Check:
+    name, sign, value, needs = f"{row} ".split(" ")[:4]
+    path, part = f"requirements.{name}", cast(Part, needs) or None
+    return Check("requirement-missed", "", "", "", value, "stated", sign == "≥", path=path, needs=part, topic=name)
+
+
+CHECKS = (*map(check_of, _TABLE.splitlines()), *map(_requirement_of, _REQUIRED.splitlines()))
 """Every check but those of the springs that are named as parts."""
 REQUIRED = {check.requirement: check for check in CHECKS if check.requirement}
 """Key of [requirements] → its check; name, symbol and unit are those of the key."""
@@ -223,19 +223,15 @@ _WHEN: Mapping[str, Callable[[Any], Any]] = {
     "recommended": lambda spec: spec.kind.gain_limit == "recommended",
     "controlled": lambda spec: spec.kind.controlled and not spec.kind.travels,
     "key": lambda spec: spec.kind.travels and (is_array(friction := spec.control_unit.key_friction) or friction),
-    "lasting": _is_lasting,
-    "faces": lambda spec: spec.friction_group.inner_radius is not None,
-    "no-faces": lambda spec: spec.friction_group.inner_radius is None,
-    "pockets": _has_pockets,
-    "several": _has_several_balls,
-    "single": lambda spec: not _has_several_balls(spec),
+    "lasting": _is_lasting, "faces": lambda spec: spec.friction_group.inner_radius is not None,
+    "no-faces": lambda spec: spec.friction_group.inner_radius is None, "pockets": _has_pockets,
+    "several": _has_several_balls, "single": lambda spec: not _has_several_balls(spec),
     "chosen": lambda spec: spec.control_unit.ball_diameter is None,
     "given": lambda spec: spec.control_unit.ball_diameter is not None,
     "hertz": lambda spec: spec.control_unit.allowable_contact_force is None or spec.control_unit.contact is not None,
-    "event": lambda spec: spec.drive.event is not None,
-    "no-event": lambda spec: spec.drive.event is None,
+    "event": lambda spec: spec.drive.event is not None, "no-event": lambda spec: spec.drive.event is None,
     "assumed": lambda spec: spec.drive.dynamic_factor is not None and spec.fatigue is not None,
-}
+}  # fmt: skip
 """Condition of a check on a spec."""
 
 
@@ -280,7 +276,7 @@ def _required(spec: "Spec", check: Check, name: str) -> Iterator[Check]:
 
 
 def _after_event(spec: "Spec", check: Check) -> Check:
-    """What the unprotected side bears takes the dynamic factor of the event, where none is given."""
+    """Replace the dynamic factor of the unprotected side by that of the event, where none is given."""
     factor = "unprotected" in check.value or check.value == "cycles_least"
     open_factor = spec.drive.event is not None and spec.drive.dynamic_factor is None
     return check._replace(needs="simulate") if factor and open_factor else check

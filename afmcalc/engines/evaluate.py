@@ -15,7 +15,7 @@ BLOCK = 16_000
 """Points calculated at a time: as many as an array may have that the allocator keeps (128 KiB); a larger one it gives
 back to the system each time, and fetching its pages anew takes longer than all the arithmetic."""
 Output = str | Callable[[Clutch], Values]
-"""What is asked of the clutch at every point: a quantity, or a function of it."""
+"""Output at every point: a quantity, or a function of the clutch."""
 
 
 def evaluate(
@@ -23,11 +23,9 @@ def evaluate(
 ) -> dict[str, Floats]:
     """Evaluate what is asked of the clutch with arrays of one size, SI, in place of numbers at some paths of its spec.
 
-    Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand
-    for all their elements: those are validated, then the arrays go through the same engine as numbers do.
-
-    Raises:
-        SpecError: a value no spec may have.
+    Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand for all their
+    elements: those are validated, then the arrays go through the same engine as numbers do. Raises SpecError: a value
+    no spec may have.
     """
     import numpy as np
 

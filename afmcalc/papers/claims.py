@@ -85,10 +85,8 @@ def paper_figure(name: str) -> PaperFigure:
     if wanted not in FIGURES:
         raise AfmcalcError(
             "no figure {name!r}{hint}; there are: {figures}",
-            name=name,
-            hint=did_you_mean(wanted, FIGURES),
-            figures=", ".join(FIGURES),
-        )
+            name=name, hint=did_you_mean(wanted, FIGURES), figures=", ".join(FIGURES),
+        )  # fmt: skip
     paper, _, number = wanted.partition("-")
     return getattr(import_module(f".{PAPERS[paper]}", __package__), f"figure_{number}")()
 
@@ -190,15 +188,11 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
     ]
     shown = [paper_figure(name) for name in figures or FIGURES if figures or not papers or name.split("-")[0] in papers]
     result = ReproduceResult(
-        rows=rows,
-        reproduced=verdicts.count("reproduced"),
-        corrected=verdicts.count("reproduced with correction"),
-        not_reproduced=verdicts.count("not reproduced"),
-        undecided=verdicts.count("undecided"),
-        as_expected=not findings,
-        curves=[row for figure in shown for row in _curves(figure)],
+        rows=rows, reproduced=verdicts.count("reproduced"), corrected=verdicts.count("reproduced with correction"),
+        not_reproduced=verdicts.count("not reproduced"), undecided=verdicts.count("undecided"),
+        as_expected=not findings, curves=[row for figure in shown for row in _curves(figure)],
         points=[point for figure in shown for point in _points(figure)] if figures else None,
-    )
+    )  # fmt: skip
     return result, findings
 
 
@@ -206,19 +200,14 @@ def _curves(figure: PaperFigure) -> list[CurveRow]:
     """Sum up the curves of a figure."""
     return [
         CurveRow(
-            figure=figure.name,
-            curve=curve.number or curve.label,
-            label=curve.label,
+            figure=figure.name, curve=curve.number or curve.label, label=curve.label,
             axes=say("{y} over {x}", y=term(axis.symbol or axis.name), x=term(figure.x.symbol or figure.x.name)),
-            first=curve.y[0],
-            least=min(curve.y),
-            largest=max(curve.y),
-            last=curve.y[-1],
+            first=curve.y[0], least=min(curve.y), largest=max(curve.y), last=curve.y[-1],
             corrections=joined(map(term, figure.corrections), "; "),
         )
         for axis, panel in zip(figure.y, figure.panels, strict=True)
         for curve in panel
-    ]
+    ]  # fmt: skip
 
 
 def _points(figure: PaperFigure) -> list[CurvePoint]:

@@ -87,19 +87,13 @@ def _sources() -> dict[str, Any]:
 
 
 def check_papers(papers: list[str]) -> None:
-    """Refuse a paper that there is not.
-
-    Raises:
-        AfmcalcError: no such paper.
-    """
+    """Refuse a paper that there is not. Raises AfmcalcError: no such paper."""
     for paper in papers:
         if paper not in PAPERS:
             raise AfmcalcError(
                 "--paper {paper}: no such paper{hint}; papers: {papers}",
-                paper=paper,
-                hint=did_you_mean(paper, PAPERS),
-                papers=", ".join(PAPERS),
-            )
+                paper=paper, hint=did_you_mean(paper, PAPERS), papers=", ".join(PAPERS),
+            )  # fmt: skip
 
 
 def is_numbered(formula: Formula) -> bool:
@@ -113,15 +107,11 @@ def is_accounted(formula: Formula) -> bool:
 
 
 def equations(
-    papers: list[str],
-    ids: list[str],
-    *,
-    show_misprints: bool = False,
+    papers: list[str], ids: list[str], *, show_misprints: bool = False
 ) -> tuple[EquationsResult, list[Finding]]:
     """Look up papers, or formulas such as ``S21 (15)``, in the register, all where none are asked for.
 
-    Raises:
-        AfmcalcError: no such paper or formula.
+    Raises AfmcalcError: no such paper or formula.
     """
     check_papers(papers)
     chosen = [entry for entry in register() if not papers or entry.id.split()[0] in papers]
@@ -138,9 +128,7 @@ def equations(
     numbered = [entry for entry in chosen if is_numbered(entry)]
     slips = [m for m in misprints() if not papers or m.where.split()[0] in papers] if show_misprints else None
     result = EquationsResult(
-        numbered=len(numbered),
-        accounted=sum(is_accounted(entry) for entry in numbered),
-        formulas=None if show_misprints else chosen,
-        misprints=slips,
-    )
+        numbered=len(numbered), accounted=sum(is_accounted(entry) for entry in numbered),
+        formulas=None if show_misprints else chosen, misprints=slips,
+    )  # fmt: skip
     return result, []

@@ -29,9 +29,7 @@ _REPLACED = {
     "control_unit.gain_slope": ("control_unit.pocket",),
     "control_unit.pocket": ("control_unit.gain_slope",),
     "friction_group.mean_radius": (
-        "friction_group.inner_radius",
-        "friction_group.outer_radius",
-        "friction_group.radius_model",
+        "friction_group.inner_radius", "friction_group.outer_radius", "friction_group.radius_model",
     ),
     "closing_spring.force": ("adjustment.nominal_torque",),
     "adjustment.nominal_torque": ("closing_spring.force", "control_spring.force"),
@@ -45,7 +43,7 @@ _REPLACED = {
         for group in ("driving", "driven")
         for end in ("min", "mean", "max")
     },
-}
+}  # fmt: skip
 """Key → keys it stands in for: where it is set, they are taken out of the spec."""
 
 _SEARCH = "search."

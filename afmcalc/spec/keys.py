@@ -9,26 +9,13 @@ from .models import Spec
 from .tolerance import scattering
 
 ALIASES = {
-    "C": "control_unit.gain",
-    "z": "friction_group.pairs",
-    "z1": "friction_group.driving_pairs",
-    "R": "friction_group.mean_radius",
-    "F": "closing_spring.force",
-    "f_min": "friction.min",
-    "f_cp": "friction.mean",
-    "f_mean": "friction.mean",
-    "f_max": "friction.max",
-    "c1": "closing_spring.stiffness",
-    "c2": "control_spring.stiffness",
-    "beta": "adjustment.margin",
-    "T_n": "adjustment.nominal_torque",
-    "r": "control_unit.ball_circle_radius",
-    "alpha": "control_unit.wall_angle",
-    "f1": "control_unit.key_friction",
-    "d": "control_unit.hub_diameter",
-    "gain_slope": "control_unit.gain_slope",
-    "speed": "drive.speed",
-}
+    "C": "control_unit.gain", "z": "friction_group.pairs", "z1": "friction_group.driving_pairs",
+    "R": "friction_group.mean_radius", "F": "closing_spring.force", "f_min": "friction.min", "f_cp": "friction.mean",
+    "f_mean": "friction.mean", "f_max": "friction.max", "c1": "closing_spring.stiffness",
+    "c2": "control_spring.stiffness", "beta": "adjustment.margin", "T_n": "adjustment.nominal_torque",
+    "r": "control_unit.ball_circle_radius", "alpha": "control_unit.wall_angle", "f1": "control_unit.key_friction",
+    "d": "control_unit.hub_diameter", "gain_slope": "control_unit.gain_slope", "speed": "drive.speed",
+}  # fmt: skip
 """Symbols that stand for a path on the command line."""
 
 
@@ -42,13 +29,13 @@ def keys() -> dict[str, Key]:
 
 
 def is_whole(path: str) -> bool:
-    """Whether the key counts something."""
+    """True if the key counts something."""
     key = keys().get(path)
     return key is not None and key.about is not None and key.about.whole
 
 
 def scatter_at(path: str) -> Quantity | None:
-    """What a number that scatters may be; None when the path is none of it."""
+    """Unit and bounds of a number that scatters; None when the path is none of it."""
     return scattering(path, Spec)
 
 

@@ -135,10 +135,8 @@ class FrictionRange(RuledBlock):
             worst = self.lining
             message = say(
                 "excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max",
-                name=worst.name,
-                low=worst.friction_min,
-                high=worst.friction_max,
-            )
+                name=worst.name, low=worst.friction_min, high=worst.friction_max,
+            )  # fmt: skip
             yield from ((name, message) for name in ("min", "mean", "max") if getattr(self, name) is not None)
         elif low is not None and high is not None and low > high:
             yield "max", say("must not be below min ({low:g})", low=low)
@@ -204,7 +202,7 @@ class Friction(FrictionRange):
 
     @property
     def unlike(self) -> bool:
-        """Whether the two groups have materials of their own."""
+        """True if the two groups have materials of their own."""
         return self.driving is not None
 
     @property
@@ -244,7 +242,7 @@ SNAPS = 1.4
 SHEAR_MODULUS = 81.5e9
 """Of patented drawn wire (EN 13906-1), Pa."""
 ROUNDED = 0.005
-"""How far a stiffness written to three figures may be off, relative."""
+"""Relative deviation of a stiffness written to three figures."""
 
 
 def _bigger(name: str, value: float | None, other: str, least: float | None) -> Iterable[Broken]:
@@ -341,7 +339,7 @@ class _Spring(RuledBlock):
 
     @property
     def part(self) -> DiscStack | CoilSprings | None:
-        """What it is made of, if that is known."""
+        """Part that it is made of, if that is known."""
         return self.disc or self.coil
 
 
@@ -559,7 +557,7 @@ def bore_of(source: Any) -> Any:
 
 
 def around_the_shaft(source: Any) -> Iterable[Broken]:
-    """What is around the shaft of a spec is wider."""
+    """Parts around the shaft of a spec are wider than it."""
     if (shaft := source.shaft) is None:
         return
     if (bore := source.envelope and source.envelope.bore) is not None and bore < shaft.diameter:
@@ -723,7 +721,7 @@ class Spec(Block):
 
     @property
     def label(self) -> Source:
-        """What errors call it: the file it was read from, and the like."""
+        """Name in errors: the file it was read from, and the like."""
         return self._origin.label
 
     def refused(self, path: str, message: str, given: str | None = None) -> SpecError:

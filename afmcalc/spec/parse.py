@@ -13,7 +13,7 @@ from .source import Source
 
 _STANDARD_INPUT, BUILT_IN = say("standard input"), say("built-in default")
 PREFIX = "example:"
-"""What makes the name of an example a source."""
+"""Prefix that makes the name of an example a source."""
 
 
 def _folder() -> Path:
@@ -60,9 +60,7 @@ _LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\
 def text_of(source: str | PathLike[str] | None) -> Source:
     """Return the text of a spec as given, with what to call it in messages.
 
-    Raises:
-        FileError: it cannot be read.
-        SpecError: it is no text, or too long for a spec.
+    Raises FileError: it cannot be read; SpecError: it is no text, or too long for a spec.
     """
     return decoded(*bytes_of(source))
 
@@ -140,7 +138,7 @@ def parse(source: Source) -> dict[str, object]:
 
 
 def is_json(source: Source) -> bool:
-    """Whether a text is meant as JSON."""
+    """True if a text is meant as JSON."""
     return source.text.lstrip()[:1] == "{" or source.endswith(".json")
 
 

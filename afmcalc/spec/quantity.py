@@ -12,37 +12,20 @@ from ..messages import Text, did_you_mean, joined, localized, say, term
 from ..units import BASES, ZEROS, UnknownUnitError, product, words
 
 EXAMPLES = {
-    "N": ("a force", "2 kN"),
-    "m": ("a length", "100 mm"),
-    "N*m": ("a torque", "200 N*m"),
-    "N/m": ("a stiffness", "20 N/mm"),
-    "1/m": ("a slope of the gain", "18.75 1/m"),
-    "rad": ("an angle", "30 deg"),
-    "Pa": ("a pressure or stress", "400 MPa"),
-    "m^3": ("a section modulus", "15 cm^3"),
-    "rad/s": ("a speed of rotation", "1430 rpm"),
-    "W": ("a power", "11 kW"),
-    "m/s": ("a speed", "0.3 m/s"),
-    "s": ("a time", "10 ms"),
-    "kg": ("a mass", "2 kg"),
-    "kg*m^2": ("a moment of inertia", "8 kg*m^2"),
-    "N*m/rad": ("a torsional stiffness", "8 kN*m/rad"),
-    "kg/m^3": ("a density", "7850 kg/m^3"),
-    "K abs": ("a temperature", "20 degC"),
-    "J/kg/K": ("a specific heat", "480 J/kg/K"),
-    "W/m/K": ("a thermal conductivity", "50 W/m/K"),
-    "W/K": ("a cooling per kelvin", "2.5 W/K"),
-    "J/m^2": ("a work per area", "1 J/mm^2"),
-    "m^3/J": ("a wear per energy", "2e-5 mm^3/J"),
+    "N": ("a force", "2 kN"), "m": ("a length", "100 mm"), "N*m": ("a torque", "200 N*m"),
+    "N/m": ("a stiffness", "20 N/mm"), "1/m": ("a slope of the gain", "18.75 1/m"), "rad": ("an angle", "30 deg"),
+    "Pa": ("a pressure or stress", "400 MPa"), "m^3": ("a section modulus", "15 cm^3"),
+    "rad/s": ("a speed of rotation", "1430 rpm"), "W": ("a power", "11 kW"), "m/s": ("a speed", "0.3 m/s"),
+    "s": ("a time", "10 ms"), "kg": ("a mass", "2 kg"), "kg*m^2": ("a moment of inertia", "8 kg*m^2"),
+    "N*m/rad": ("a torsional stiffness", "8 kN*m/rad"), "kg/m^3": ("a density", "7850 kg/m^3"),
+    "K abs": ("a temperature", "20 degC"), "J/kg/K": ("a specific heat", "480 J/kg/K"),
+    "W/m/K": ("a thermal conductivity", "50 W/m/K"), "W/K": ("a cooling per kelvin", "2.5 W/K"),
+    "J/m^2": ("a work per area", "1 J/mm^2"), "m^3/J": ("a wear per energy", "2e-5 mm^3/J"),
     "1": ("a plain number", "0.3"),
-}
+}  # fmt: skip
 """SI unit of a field → the quantity, and an example of a value."""
 
-_FOREIGN = {
-    "J": say("an energy"),
-    "m^2": say("an area"),
-    "K": say("a temperature difference"),
-}
+_FOREIGN = {"J": say("an energy"), "m^2": say("an area"), "K": say("a temperature difference")}
 """SI unit of a dimension that no field has → name of the quantity."""
 
 _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН", "мм", "см", "МПа", "мс", "кг")
@@ -95,7 +78,7 @@ def factor(text: str, unit: str) -> Decimal:
 
 
 def _fits(text: str, unit: str) -> bool:
-    """Whether a text is a unit of the dimension of ``unit``."""
+    """True if a text is a unit of the dimension of ``unit``."""
     try:
         return product(text).exponents == product(unit).exponents
     except ValueError:
@@ -109,10 +92,8 @@ def allowed(unit: str) -> str:
         return say("give {kind} such as {example}", kind=term(kind), example=example)
     return say(
         'give {kind}: a number in SI ({unit}) or a string with a unit such as "{example}"',
-        kind=term(kind),
-        unit=term(unit, "unit"),
-        example=example,
-    )
+        kind=term(kind), unit=term(unit, "unit"), example=example,
+    )  # fmt: skip
 
 
 _LONGEST = 100
@@ -126,11 +107,9 @@ _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}(?!\d)")
 """A number whose comma may separate thousands."""
 
 _RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
-    "N": (lambda force: 0 < force < 20, "kN", math.inf),
-    "m": (lambda length: length >= 0.5, "mm", 10.0),
-    "rad/s": (lambda speed: speed > 1000, "rpm", math.inf),
-    "W": (lambda power: 0 < power < 500, "kW", math.inf),
-}
+    "N": (lambda force: 0 < force < 20, "kN", math.inf), "m": (lambda length: length >= 0.5, "mm", 10.0),
+    "rad/s": (lambda speed: speed > 1000, "rpm", math.inf), "W": (lambda power: 0 < power < 500, "kW", math.inf),
+}  # fmt: skip
 """SI unit → whether a number is rarely meant in it, the unit that may be meant, the largest number meant in SI."""
 
 

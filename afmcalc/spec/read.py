@@ -7,8 +7,7 @@ from copy import deepcopy
 from os import PathLike
 
 from .edit import Overrides, apply_overrides
-from .fields import Broken
-from .keys import keys
+from .fields import Broken, keys_below
 from .make import make_spec
 from .models import Spec
 from .parse import BUILT_IN, is_json, parse, text_of
@@ -54,9 +53,9 @@ def data_of(source: Source, overrides: Overrides) -> tuple[dict[str, object], So
     """
     data = parse(source)
     _locate(data, source.name)
-    changed = apply_overrides(data, overrides)
+    changed = apply_overrides(data, overrides) if overrides else {}
     _locate(data, "")
-    in_si, known = is_json(source), keys()
+    in_si, known = is_json(source), keys_below(Spec)
     questions, broken = [], []
     for path, value in given_in(data).items():
         # center and ends of what scatters are in the unit of its key

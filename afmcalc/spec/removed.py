@@ -25,34 +25,25 @@ _BALLS = ("gain", "wall_angle", "ball_circle_radius")
 _FACES = say("friction_group.inner_radius and friction_group.outer_radius")
 
 MOVED: Mapping[str, str] = {
-    "variants": "search.variant",
-    "springs": "search.springs",
-    "wanted.nominal_torque": "adjustment.nominal_torque",
-    "wanted.method": "adjustment.method",
-    "wanted.margin": "adjustment.margin",
+    "variants": "search.variant", "springs": "search.springs", "wanted.nominal_torque": "adjustment.nominal_torque",
+    "wanted.method": "adjustment.method", "wanted.margin": "adjustment.margin",
     "limits.contact_force": "control_unit.allowable_contact_force",
-    "limits.gain_limit": say("no key: the limit of the gain is always held"),
-    "fixed.face_width": _FACES,
-    "fixed.closing_room": "closing_spring.room",
-    "fixed.control_room": "control_spring.room",
+    "limits.gain_limit": say("no key: the limit of the gain is always held"), "fixed.face_width": _FACES,
+    "fixed.closing_room": "closing_spring.room", "fixed.control_room": "control_spring.room",
     **{f"fixed.{name}": f"control_unit.{name}" for name in _UNIT},
     **{f"search.{name}": f"search.friction_group.{name}" for name in _PACK},
     **{f"search.{name}": f"search.control_unit.{name}" for name in _BALLS},
-    "search.closing_force": "requirements.closing_force",
-    "search.closing_forces": "search.closing_spring.force",
+    "search.closing_force": "requirements.closing_force", "search.closing_forces": "search.closing_spring.force",
     "search.closing_stiffness": "search.closing_spring.stiffness",
-    "search.control_stiffness": "search.control_spring.stiffness",
-    "search.ball_diameters": "catalogues.balls",
-}
+    "search.control_stiffness": "search.control_spring.stiffness", "search.ball_diameters": "catalogues.balls",
+}  # fmt: skip
 """Key of a requirements file before 0.4 → where it is in a spec; others of wanted and limits are requirements."""
-_OLD = frozenset(("wanted", "limits", "fixed", "variants"))
-"""What only a requirements file has."""
+OLD = frozenset(("wanted", "limits", "fixed", "variants"))
+"""Tables that only a requirements file has."""
 
 
-def moved_in(data: Mapping[str, object], given: Iterable[str]) -> dict[str, str]:
-    """Keys of a requirements file among those ``given``, each with its new place; empty for a spec."""
-    if _OLD.isdisjoint(data):
-        return {}
+def moved_in(given: Iterable[str]) -> dict[str, str]:
+    """Keys of a requirements file among those ``given``, each with its new place."""
     places = {}
     for path in given:
         table, _, name = path.partition(".")

@@ -180,10 +180,8 @@ def _pairs(given: Table) -> Iterator[Broken]:
         )
         message = say(
             "a {variant} clutch needs at least {least}: {bypass} and 1 driven",
-            variant=variant.name,
-            least=least,
-            bypass=bypass,
-        )
+            variant=variant.name, least=least, bypass=bypass,
+        )  # fmt: skip
         yield "friction_group.pairs", message
 
 

@@ -17,7 +17,7 @@ _SEARCHED = 1 << 20
 
 
 class Source(Label):
-    """What a text is called in messages; carries the text, so that an error can show the line."""
+    """Name of a text in messages; carries the text, so that an error can show the line."""
 
     text: str
     overridden: Mapping[str, str]
@@ -50,7 +50,7 @@ class Source(Label):
             return {}
 
     def origin(self, path: str) -> str:
-        """What gave the value at a dotted path: the text, or an option of the command line."""
+        """Origin of the value at a dotted path: the text, or an option of the command line."""
         return next((by for gone, by in self.overridden.items() if f"{path}.".startswith(f"{gone}.")), "") or self.name
 
     def place(self, path: str, *, key: bool = False) -> Place | None:

@@ -21,7 +21,7 @@ _TRUTH = {"true": "true", "yes": "true", "on": "true", "false": "false", "no": "
 
 
 _Cure: TypeAlias = tuple[str, int, int]
-"""What is wrong with a stretch of a line, where it begins and ends."""
+"""Message on a stretch of a line, where it begins and ends."""
 
 
 def toml_problem(text: str, error: ValueError) -> Problem:
@@ -44,7 +44,7 @@ def json_problem(text: str, error: json.JSONDecodeError) -> Problem:
 
 
 def _cured(text: str, at: int, why: str, of_key: Callable[[str, str], _Cure | None]) -> tuple[str, Place]:
-    """What is wrong at a place, as people say it or, where its cure is not known, as the parser does; and the place."""
+    """Message on a place, in plain words or, where the cure is not known, those of the parser; and the place."""
     begin = text.rfind("\n", 0, at) + 1
     line = text[begin : begin + 1000].partition("\n")[0].rstrip("\r")
     if cure := of_key(line, why) or _of_value(line, at - begin):
@@ -54,7 +54,7 @@ def _cured(text: str, at: int, why: str, of_key: Callable[[str, str], _Cure | No
 
 
 def _of_key(line: str, why: str) -> _Cure | None:
-    """What is wrong with the key of a line."""
+    """Fault of the key of a line."""
     match = _KEY.match(line)
     if match is None:
         return None
@@ -72,7 +72,7 @@ def _of_key(line: str, why: str) -> _Cure | None:
 
 
 def _of_value(line: str, column: int) -> _Cure | None:
-    """What is wrong with the value at a column of a line, or before it."""
+    """Fault of the value at a column of a line, or before it."""
     signs = [sign.end() for sign in re.finditer(r"[=:][ \t]*", line) if sign.start() <= column]
     if not signs:
         return None
@@ -111,4 +111,4 @@ _VALUES: tuple[tuple[str, Callable[[re.Match[str]], str | None]], ...] = (
     (r"([^\W\d][\w-]*)", _word),
     (r"", lambda match: say("a value is missing")),
 )
-"""What people write for a value → how it is put right; the first that fits."""
+"""Pattern of a wrong value → how it is put right; the first that fits."""

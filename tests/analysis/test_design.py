@@ -151,12 +151,12 @@ def passing(one, springs):
 
 
 def with_springs(clutch, kind):
-    from afmcalc.analysis.springs import part_of, ranked
+    from afmcalc.analysis.springs import ranked
     from afmcalc.engines.parts import spring_demands
 
     (demand,) = spring_demands(clutch._engine)
     for option in ranked(demand, kind, 5):
-        part = part_of(option, clutch._engine.spec.lists.discs).model_dump(exclude_none=True)
+        part = option.made.model_dump(exclude_none=True)
         yield clutch.with_({f"closing_spring.{option.kind}": part, "closing_spring.stiffness": option.stiffness})
 
 

@@ -57,17 +57,14 @@ class ExplainResult(Answer):
 def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[ExplainResult, list[Finding]]:
     """Run a calculation and explain every law it applied; the findings are those of the calculation.
 
-    Raises:
-        AfmcalcError: no such calculation.
+    Raises AfmcalcError: no such calculation.
     """
     if command not in EXPLAINED:
         hint = did_you_mean(command, EXPLAINED)
         raise AfmcalcError(
             "explain: no calculation {command!r}{hint}; explained are {analyses}",
-            command=command,
-            hint=hint,
-            analyses=", ".join(EXPLAINED),
-        )
+            command=command, hint=hint, analyses=", ".join(EXPLAINED),
+        )  # fmt: skip
     clutch = noting(spec)
     _, findings = ANALYSES[command].function(clutch, **({"model": model} if model else {}))
     steps = [*where_largest(steps_of(clutch))]
@@ -116,7 +113,7 @@ def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
 
 
 def _has_formula(step: NotedStep) -> bool:
-    """Whether a law is a formula; one that compares numbers, as for the friction of the largest torque, is none."""
+    """True if a law is a formula; one that compares numbers, as for the friction of the largest torque, is none."""
     with suppress(TypeError):
         return bool(_formula_text(step))
     return False
@@ -152,18 +149,18 @@ def _equation(step: NotedStep) -> Equation:
 
 
 def _result(step: NotedStep) -> Term:
-    """What a step gives; in some cases it has a name of its own, as K_т,w."""
+    """Term of the result of a step; in some cases it has a name of its own, as K_т,w."""
     own = next((case for case in step.case.split() if not CASES[case]), None)
     return Term(*term_of(f"{step.name}_at_{own}")) if own else _equation(step).result
 
 
 class Circumstance(NamedTuple):
-    """What a value is for."""
+    """Circumstance that a value is for."""
 
     at: str | None = None
     """Friction it is for, such as ``f_max``, whether it falls, and the like."""
     setting: Method | None = None
-    """How the spring is set; None: as it is."""
+    """Setting of the spring; None: as it is."""
     side: str | None = None
     """Side of the clutch that the load is on, where that is the unprotected one."""
 
@@ -188,7 +185,7 @@ def _formula_text(step: NotedStep, *, special: bool = True) -> FormulaText:
 
 
 def _print_differs(function: str) -> str:
-    """What the papers print in the place of an equation."""
+    """Text that the papers print in the place of an equation."""
     said = [
         say("{id} prints {printed} ({misprint})", id=term(one.id), printed=term(one.printed), misprint=one.misprint)
         for one in register()
@@ -201,26 +198,16 @@ def _step(step: NotedStep) -> Step:
     equation, formula, case = _equation(step), _formula_text(step), _circumstance(step.case)
     result = _result(step)
     return Step(
-        symbol=result.symbol,
-        symbol_latex=symbol_latex(result.symbol),
-        name=result.meaning or equation.about,
-        at=case.at,
-        setting=case.setting,
-        side=case.side,
-        formula=formula.text(),
-        substituted=formula.text_with_numbers(),
-        value=float(step.value),
-        unit=result.unit,
-        source=equation.source,
-        print_differs=_print_differs(equation.name) or None,
-        function=equation.name,
-        formula_latex=formula.latex(),
+        symbol=result.symbol, symbol_latex=symbol_latex(result.symbol), name=result.meaning or equation.about,
+        at=case.at, setting=case.setting, side=case.side, formula=formula.text(),
+        substituted=formula.text_with_numbers(), value=float(step.value), unit=result.unit, source=equation.source,
+        print_differs=_print_differs(equation.name) or None, function=equation.name, formula_latex=formula.latex(),
         substituted_latex=formula.latex_with_numbers(),
-    )
+    )  # fmt: skip
 
 
 class Meaning(NamedTuple):
-    """What a symbol of a formula stands for."""
+    """Meaning of a symbol of a formula."""
 
     symbol: str
     text: str
@@ -251,13 +238,13 @@ class Derivation(NamedTuple):
     unit: str
     symbol_latex: str
     formula: str
-    """What it equals, LaTeX; empty where an earlier derivation has shown it."""
+    """Formula, LaTeX; empty where an earlier derivation has shown it."""
     where: list[Meaning]
     """Symbols that no formula before has explained so."""
     rows: list[CaseRow]
     source: str
     differs: str
-    """What the paper prints instead."""
+    """Text that the paper prints instead."""
 
 
 _FEW = 4
@@ -277,7 +264,7 @@ def derivations(sections: Mapping[str, Iterable[NotedStep]]) -> dict[str, list[D
 
 
 class _Report:
-    """What a report has shown so far."""
+    """Formulas and meanings that a report has shown so far."""
 
     def __init__(self) -> None:
         self.numbers: dict[str, int] = {}

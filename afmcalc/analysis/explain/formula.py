@@ -61,9 +61,9 @@ class Leaf(Expression):
 
     text: str
     own: bool = False
-    """Whether it is a number of the equation itself."""
+    """True if it is a number of the equation itself."""
     value: float = field(default=math.nan, compare=False)
-    """What it stands for: a law may ask whether there is such a thing."""
+    """Value that it stands for: a law may ask whether there is one."""
 
     def __gt__(self, other: float) -> bool:
         """Compare what it stands for."""
@@ -299,16 +299,9 @@ def symbol_latex(name: str) -> str:
 
 
 _GREEK = {
-    "α": "\\alpha ",
-    "β": "\\beta",
-    "κ": "\\kappa ",
-    "ν": "\\nu",
-    "π": "\\pi ",
-    "τ": "\\tau",
-    "ψ": "\\psi",
-    "Δ": "\\Delta ",
-    "∂": "\\partial ",
-}
+    "α": "\\alpha ", "β": "\\beta", "κ": "\\kappa ", "ν": "\\nu", "π": "\\pi ", "τ": "\\tau", "ψ": "\\psi",
+    "Δ": "\\Delta ", "∂": "\\partial ",
+}  # fmt: skip
 _INDEXED = re.compile(r"((?:\\[a-z]+|[^\W_]|\))(?:\^\{\\prime\})?)_((?:[^\W²]|[.,+])+)")
 """A letter with an index: F_п, ΔT_2, T'_п."""
 _FUNCTION = re.compile(r"\b(sin|cos|tan|ln) ?(?=[\w\\(])")
