@@ -106,6 +106,7 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
 EXTRAS = {
     "plot": ("matplotlib",),
     "cad": ("ezdxf",),
+    "pdf": ("typst",),
     "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
     "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "latex2mathml", "markdown_it"),
 }

@@ -1,7 +1,7 @@
 """From document to tables of text cells and lines of text, shared by all formats for people and the report."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import compress
 from typing import Any, NamedTuple
 
@@ -26,10 +26,6 @@ class TextTable(NamedTuple):
     """Line above the table: what is the same in all rows."""
     meanings: str = ""
     """Line above the table: what the symbols in the header mean."""
-
-
-SweepDrawing = Callable[[TextTable, bool, int | None], list[str]]
-"""``curve(block, unicode, width)`` → lines under a table of a sweep, none under any other."""
 
 
 def title(output: Output) -> str:

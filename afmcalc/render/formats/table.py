@@ -10,7 +10,6 @@ from ...messages import fitting, is_unicode, translate
 from ...result import Output
 from ..document import document
 from ..layout import (
-    SweepDrawing,
     TextTable,
     blocks,
     findings_lines,
@@ -41,30 +40,14 @@ _GAP = 2
 _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 
-def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) -> str:
-    """Lay out tables, curves and findings; a terminal has a width, rules and colours, a pipe has none of them.
-
-    ``curve`` draws under a sweep, by default a small curve of characters.
-    """
-    curve = curve or _small_curve
+def render(output: Output, terminal: bool) -> str:
+    """Lay out tables and findings; a terminal has a width, rules and colours, a pipe has none of them."""
     laid_out = document(output.result)
     tables, steps = blocks(laid_out), step_lines(laid_out)
     if not is_unicode(sys.stdout):
         tables = [_spelled(block) for block in tables]
-    if terminal or _width():
-        text = _rich(output, tables, steps, curve, terminal=terminal)
-    else:
-        text = _plain(output, tables, steps, curve)
+    text = _rich(output, tables, steps, terminal=terminal) if terminal or _width() else _plain(output, tables, steps)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
-
-
-def _small_curve(block: TextTable, unicode: bool, width: int | None) -> list[str]:
-    """Draw a sweep along one axis in few rows, from three points on; only then is the module of plots imported."""
-    if block.source is None or block.source.axes != 1 or len(block.rows) < 3:
-        return []
-    from ..plot.text import small_curve
-
-    return small_curve(block, unicode, width)
 
 
 def _spelled(block: TextTable) -> TextTable:
@@ -88,7 +71,7 @@ def columns() -> int | None:
     return shutil.get_terminal_size().columns if asked is None and sys.stdout.isatty() else asked
 
 
-def _plain(output: Output, tables: list[TextTable], steps: list[str], curve: SweepDrawing) -> str:
+def _plain(output: Output, tables: list[TextTable], steps: list[str]) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output), *filter(None, [lead(output)])]
     for block in map(padded, unfolded(tables)):
@@ -97,7 +80,6 @@ def _plain(output: Output, tables: list[TextTable], steps: list[str], curve: Swe
         for row in (block.header, *block.rows):
             cells = zip(row, columns, strict=True)
             lines.append("  ".join(cell.rjust(width) if right else cell.ljust(width) for cell, (width, right) in cells))
-        lines += curve(block, is_unicode(sys.stdout), None)
     lines += steps
     if output.findings:
         lines += ["", *findings_lines(output.findings)]
@@ -108,7 +90,7 @@ def _widths(block: TextTable) -> list[int]:
     return [max(map(len, column)) for column in zip(block.header, *block.rows, strict=True)]
 
 
-def _rich(output: Output, tables: list[TextTable], steps: list[str], curve: SweepDrawing, *, terminal: bool) -> str:
+def _rich(output: Output, tables: list[TextTable], steps: list[str], *, terminal: bool) -> str:
     """Lay out within the width there is: folded rather than cut; rules and colours only in a terminal."""
     from rich.console import Console
     from rich.text import Text
@@ -135,8 +117,6 @@ def _rich(output: Output, tables: list[TextTable], steps: list[str], curve: Swee
             _print_in_two(console, whole, above)
         else:
             _print_stacked(console, block)
-        for line in curve(block, is_unicode(sys.stdout), width):
-            console.print(Text(line), no_wrap=True, crop=True)
     for line in steps:
         console.print(Text(line, style="" if line.startswith(" ") else "bold"))
     if output.findings:
