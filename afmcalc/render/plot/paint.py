@@ -107,11 +107,11 @@ def _folded(text: str, letters: int = LETTERS, typeset: Callable[[str], str] = m
 
 def _span(axes: Any, span: Dimension, ends: Sequence[float], number: int) -> None:
     """Draw a dimension line beside the axes, its text along it."""
-    over, x, colour = axes.get_yaxis_transform(), 1.04 + 0.05 * number, COLOURS[span.style]
+    over, x, colour = axes.get_yaxis_transform(), 1.03 + 0.06 * number, COLOURS[span.style]
     how = {"xycoords": over, "textcoords": over, "annotation_clip": False, "color": colour}
     arrow = {"arrowstyle": "<|-|>", "color": colour, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", (x, ends[1]), (x, ends[0]), arrowprops=arrow, **how)
-    axes.annotate(mathtext(span.label), (x - 0.01, sum(ends) / 2), ha="right", va="center", rotation=90, **how)
+    axes.annotate(mathtext(span.label), (x + 0.01, sum(ends) / 2), ha="left", va="center", rotation=90, **how)
 
 
 def _ticks(axes: Any) -> None:
