@@ -82,8 +82,8 @@ def _add(space: "Modelspace", shape: Shape, unit: float) -> None:
         case Circle(_, centre, radius, hole=hole):
             for each in filter(None, (radius, hole)):
                 space.add_circle(centre, each, dxfattribs=on)
-        case Inscription(text, at, height, anchor, upright):
-            _write(space, text, at, height, anchor, 90.0 * upright)
+        case Inscription():
+            _write(space, shape)
         case Length(label, height, start, end, line, upright, shrunk=shrunk):
             base, turn = ((line, 0.0), 90) if upright else ((0.0, line), 0)
             more = _style(height, shrunk) | {"text": _plain(label), "dxfattribs": on}
@@ -104,11 +104,13 @@ def _style(height: float, shrunk: float = 1.0, **more: float) -> dict[str, Any]:
     return {"dimstyle": "SHOP", "override": {"dimscale": _CAPITAL * height / _TEXT, "dimlfac": 1 / shrunk} | more}
 
 
-def _write(space: "Modelspace", text: str, at: Point, height: float, anchor: str, turn: float) -> None:
+def _write(space: "Modelspace", text: Inscription) -> None:
     from ezdxf.enums import TextEntityAlignment
 
-    on = {"layer": "DIMENSIONS", "style": _STYLE, "height": _CAPITAL * height, "rotation": turn}
-    space.add_text(_plain(text), dxfattribs=on).set_placement(at, align=TextEntityAlignment[_ALIGNED[anchor]])
+    shown = _plain(text.text) if text.ours else printable(text.text)
+    on: dict[str, Any] = {"layer": text.layer.upper(), "style": _STYLE, "rotation": 90.0 * text.upright}
+    on["height"] = _CAPITAL * text.height
+    space.add_text(shown, dxfattribs=on).set_placement(text.at, align=TextEntityAlignment[_ALIGNED[text.anchor]])
 
 
 def _plain(text: str) -> str:

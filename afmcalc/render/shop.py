@@ -254,7 +254,7 @@ def _section_dimensions(sheet: ShopSheet, drawing: ShopDrawing, contours: dict[s
         sign = (1.0, 3.5), (3.0, 0.0), (7.0, 7.0), (16.0, 7.0)
         for line in (sign, ((0.0, 0.0), (3.0, 0.0)), ((1.0, 3.5), (5.0, 3.5))):
             yield Stroke("dimensions", tuple((knee[0] + a * k, knee[1] + b * k) for a, b in line))
-        yield Inscription(rough, (knee[0] + 7 * k, knee[1] + 2.5 * k), text)
+        yield Inscription(rough, (knee[0] + 7 * k, knee[1] + 2.5 * k), text, ours=False)
 
 
 def _end_view(sheet: ShopSheet, drawing: ShopDrawing, centre: Point, shrunk: float) -> Iterator[Shape]:

@@ -71,9 +71,8 @@ def faults(figure):
         canvas.draw()
     wide, high = figure.bbox.size
     outside = [text.get_text() for text, x0, y0, x1, y1 in texts if min(x0, y0, wide - x1, high - y1) < -1]
-    for note in figure.findobj(Annotation):
-        if note.arrow_patch and not figure.bbox.padded(1).contains(*note.arrow_patch.get_window_extent().max):
-            outside.append("arrow")
+    arrows = [note.arrow_patch.get_window_extent() for note in figure.findobj(Annotation) if note.arrow_patch]
+    outside += ["arrow" for box in arrows if not figure.bbox.padded(1).contains(*box.max)]
     apart = [each for each in texts if not isinstance(each[0], Annotation)]
     some = 0.5 * figure.dpi / 72
     covered = [
