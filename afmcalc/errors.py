@@ -101,7 +101,10 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
 
 
 EXTRAS = {
-    "plot": ("matplotlib",), "cad": ("ezdxf",), "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
+    "plot": ("matplotlib",),
+    "cad": ("ezdxf",),
+    "pdf": ("typst",),
+    "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
     "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "latex2mathml", "markdown_it"),
 }  # fmt: skip
 """Optional dependencies, as pip knows them → modules they bring."""

@@ -7,7 +7,7 @@ from typer import Option
 from ..analysis.registry import SpringKind, SpringOrder
 from ..errors import AfmcalcError
 from ..messages import say
-from .clutch import FrictionOption, SweepOption, axes_of, curve_of, friction_of
+from .clutch import FrictionOption, SweepOption, axes_of, friction_of
 from .files import write
 from .options import Common, SpecArgument, with_common
 
@@ -21,8 +21,6 @@ HistoryOption = Annotated[
     Option("--history", metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI)."),
 ]
 
-PlotOption = Annotated[bool, Option("--plot", help="Draw the event, or the sweep, below the table.")]
-
 
 @with_common
 def simulate(
@@ -30,7 +28,6 @@ def simulate(
     friction: FrictionOption = None,
     sweep: SweepOption = None,
     history: HistoryOption = None,
-    plot: PlotOption = False,
     *,
     common: Common,
 ) -> None:
@@ -46,7 +43,7 @@ def simulate(
     \b
     afmcalc simulate drive.toml
     afmcalc simulate drive.toml --friction 0.2 --history event.csv
-    afmcalc simulate drive.toml --sweep drive.shaft_stiffness --plot
+    afmcalc simulate drive.toml --sweep drive.shaft_stiffness
     afmcalc simulate drive.toml --output drive-with-factor.toml
     """  # noqa: D301
     from ..analysis.simulate import with_dynamic_factor
@@ -55,20 +52,9 @@ def simulate(
         raise AfmcalcError("simulate --output and --history write files beside the result: name one for each")
     common.keep(spec, beside=history, spec=True)
     printed = common.to_standard_output()
-    curve = curve_of(plot, sweep, printed) if sweep else None
-    if plot and printed.chosen_format != "table":
-        raise AfmcalcError("--plot draws under a table, not with --format {name}", name=printed.chosen_format)
     points = [friction_of(text) for text in friction or ()]
     clutch = printed.clutch(spec)
-    result = printed.calculate(clutch, curve, friction=points, sweeps=axes_of(sweep, clutch)).result
-    if plot and not sweep:
-        from ..analysis.answers import Answers
-        from ..analysis.figures import Request, gathered
-        from ..render.plot import sheet_of
-
-        with common.bar():
-            sheet = sheet_of("simulate", gathered("simulate", Request([Answers(clutch)])))
-        common.draw(sheet, "\n")
+    result = printed.calculate(clutch, friction=points, sweeps=axes_of(sweep, clutch)).result
     if history:
         _write_history(clutch, points, history, common)
     if common.output:

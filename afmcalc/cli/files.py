@@ -5,11 +5,13 @@ import sys
 from collections.abc import Iterable
 from contextlib import suppress
 from itertools import combinations
+from typing import Literal, get_args
 
 from ..errors import AfmcalcError, FileError, reason
 from ..messages import is_unicode
 from .signals import put_off, unreported
 
+Picture = Literal["png", "svg", "pdf", "dxf"]
 _FORMATS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
 """Endings of what is no result."""
@@ -50,16 +52,14 @@ def is_pdf(output: str | None) -> bool:
     return _ending(output) == ".pdf"
 
 
-def picture_of(output: str | None) -> str | None:
-    """Return the kind of picture that goes to a file, by its name, None for text; refuse any other name."""
+def picture_of(output: str | None) -> Picture:
+    """Return the kind of picture that goes to a file, by its name, SVG for text; refuse any other name."""
     if output in (None, "-"):
-        return None
-    ending = _ending(output).removeprefix(".")
-    if ending not in ("png", "svg", "pdf", "dxf"):
-        raise AfmcalcError(
-            "--output {output}: end it in .png, .svg or .pdf (plot section, pocket: or .dxf)", output=output
-        )
-    return ending
+        return "svg"
+    for ending in get_args(Picture):
+        if _ending(output) == f".{ending}":
+            return ending
+    raise AfmcalcError("--output {output}: end it in .png, .svg or .pdf (plot section, pocket: or .dxf)", output=output)
 
 
 def _ending(path: str | None) -> str:

@@ -24,8 +24,6 @@ from .streams import tell
 if TYPE_CHECKING:
     from ..engines import Clutch
     from ..findings import Finding
-    from ..render.layout import SweepDrawing
-    from ..render.plot.chart import Sheet
     from ..result import Output
     from ..spec import Spec
 
@@ -186,12 +184,12 @@ class Common:
         self.keep(source)
         return self.build(source)
 
-    def calculate(self, clutch: "Clutch", curve: "SweepDrawing | None" = None, **options: object) -> "Output":
-        """Run the analysis of the command on a clutch and print its result; ``curve`` draws the plot below a sweep."""
+    def calculate(self, clutch: "Clutch", **options: object) -> "Output":
+        """Run the analysis of the command on a clutch and print its result."""
         from ..spec import resolved
 
         result, findings = self.ask(clutch, **options)
-        return self.emit(result, findings, resolved(clutch.spec), curve)
+        return self.emit(result, findings, resolved(clutch.spec))
 
     def without_clutch(self, *arguments: object, **options: object) -> None:
         """Run the analysis of a command that reads no spec, and print its result; refuses overrides."""
@@ -205,14 +203,9 @@ class Common:
         with self.bar():
             return ANALYSES[self.command].function(*arguments, **options)
 
-    def emit(
-        self,
-        result: Any,
-        findings: "list[Finding]",
-        spec: dict[str, Any] | None = None,
-        curve: "SweepDrawing | None" = None,
-    ) -> "Output":
+    def emit(self, result: Any, findings: "list[Finding]", spec: dict[str, Any] | None = None) -> "Output":
         """Render the output of a command in the chosen format, to standard output or a file."""
+        from ..render import renderer
         from ..result import Output
 
         chosen = self.chosen_format
@@ -220,14 +213,7 @@ class Common:
             findings = [finding for finding in findings if finding.level == "error"]
         output = Output(command=self.command, version=__version__, spec=spec, result=result, findings=findings)
         terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
-        if curve:
-            from ..render.formats import table
-
-            text = table.render(output, terminal, curve)
-        else:
-            from ..render import renderer
-
-            text = renderer(self.csv_dialect if chosen == "csv" else chosen)(output, terminal)
+        text = renderer(self.csv_dialect if chosen == "csv" else chosen)(output, terminal)
         if chosen == "json" and self.output in (None, "-") and not is_unicode(sys.stdout):
             from ..render.formats import in_ascii
 
@@ -243,13 +229,6 @@ class Common:
     def write(self, text: str, *, utf8: bool = False) -> None:
         """Write to the file, or to standard output."""
         write(text, self.output, force=self.force, utf8=utf8)
-
-    def draw(self, sheet: "Sheet", before: str = "") -> None:
-        """Draw a sheet on standard output, below a text."""
-        from ..render.formats.table import columns
-        from ..render.plot.text import draw_sheet
-
-        write(before + draw_sheet(sheet, unicode=is_unicode(sys.stdout), width=columns()), None)
 
     def save(self, content: bytes, path: str) -> None:
         """Write a file, and report it."""

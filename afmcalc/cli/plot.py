@@ -13,6 +13,7 @@ from .options import Common, common_options, need_drawing
 if TYPE_CHECKING:
     from ..analysis.answers import Answers
     from ..analysis.figures import Request
+    from ..render.drawing import Drawing
 
 _SHOP = ("dxf", "svg")
 """Drawings of the pocket for the shop."""
@@ -21,7 +22,7 @@ _SHOP = ("dxf", "svg")
 _KINDS = [name for name in PLOTS if name != "paper"]
 
 
-@common_options("File, .png, .svg, .pdf (section, pocket: .dxf); without it drawn as text.")
+@common_options("File, .png, .svg, .pdf (section, pocket: .dxf); without it SVG to standard output.")
 def plot(
     what: Annotated[
         str,
@@ -58,63 +59,62 @@ def plot(
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
     """  # noqa: D301
-    from ..analysis.figures import Request, check_request, gathered, plot_of
+    from ..analysis.figures import Request, check_request, gathered, plot_of, shop_drawing_of
+    from ..render import shop
     from ..render.plot import sheet_of
+    from ..render.plot.figure import save
 
     chosen = plot_of(what)
-    what = chosen.name
-    ending = picture_of(common.output)
+    what, output = chosen.name, common.output
+    ending = picture_of(output)
     of_clutches = chosen.takes not in ("names", "search")
     sources: list[str | None] = [*(subjects or ())] or ([None] if of_clutches else [])
-    refuse(common.output, force=common.force, inputs=sources)
+    refuse(output, force=common.force, inputs=sources)
     if sources.count("-") > 1:
         raise AfmcalcError("standard input (-) can be read once only")
     request = Request(sources, sweep, model)
     check_request(what, request)
-    if what == "pocket" and ending in _SHOP and common.output:
-        _for_the_shop(request, ending, common.output, common)
-        return
-    if ending == "dxf" and what != "section":
-        raise AfmcalcError(
-            "--output {output}: only plot pocket and plot section are drawn as .dxf", output=common.output
-        )
-    if ending == "dxf":
-        need("cad")
-    if ending and (what, ending) not in (("section", "svg"), ("section", "dxf")):
-        need_drawing("plot")
+    if ending == "dxf" and what not in _DRAWN:
+        raise AfmcalcError("--output {output}: only plot pocket and plot section are drawn as .dxf", output=output)
+    _need(what, ending)
     if of_clutches:
         request = request._replace(subjects=_answers(what, request, common))
     elif chosen.takes == "search":
         request = request._replace(subjects=[common.read(source) for source in request.subjects])
     with common.bar():
-        figure = gathered(what, request)
-        if ending == "dxf" and common.output:
-            from ..render import dxf
-
-            common.save(dxf.section(figure, request.subjects[0].clutch.spec), common.output)
-            return
-        sheet = sheet_of(what, figure)
-    if ending and common.output:
-        from ..render.plot.figure import save
-
-        common.save(save(sheet, ending), common.output)  # type: ignore[arg-type]
-        return
-    if what == "pocket":
-        raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)")
-    common.draw(sheet)
+        if what == "pocket" and ending in _SHOP:
+            content = _for_the_shop(shop.pocket(shop_drawing_of(what, request)), ending)
+        elif ending == "dxf":
+            drawing = shop.section(gathered(what, request), request.subjects[0].clutch.spec)
+            content = _for_the_shop(drawing, ending)
+        else:
+            content = save(sheet_of(what, gathered(what, request)), ending)
+    if output in (None, "-"):
+        common.write(content.decode(), utf8=True)
+    else:
+        common.save(content, str(output))
 
 
-def _for_the_shop(request: "Request", ending: str, output: str, common: Common) -> None:
-    """Write the pocket in true millimetres."""
-    from ..analysis.figures import shop_drawing_of
-    from ..render import dxf, shop
+_DRAWN = ("section", "pocket")
 
+
+def _need(what: str, ending: str) -> None:
+    """Require what writes a picture: of a curve matplotlib, of a drawing ezdxf or Typst."""
     if ending == "dxf":
         need("cad")
-    subjects = _answers("pocket", request, common)
-    with common.bar():
-        drawing = shop_drawing_of("pocket", request._replace(subjects=subjects))
-    common.save(dxf.pocket(drawing) if ending == "dxf" else shop.svg(drawing), output)
+    elif what not in _DRAWN:
+        need_drawing("plot")
+    elif ending != "svg":
+        need("plot")
+        need("pdf")
+
+
+def _for_the_shop(drawing: "Drawing", ending: str) -> bytes:
+    """Write a sheet for the shop."""
+    from ..render.dxf import dxf
+    from ..render.svg import svg
+
+    return dxf(drawing) if ending == "dxf" else svg(drawing).encode()
 
 
 def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":

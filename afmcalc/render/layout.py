@@ -1,7 +1,7 @@
 """From document to tables of text cells and lines of text, shared by all formats for people and the report."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import compress
 from typing import Any, NamedTuple
 
@@ -26,10 +26,6 @@ class TextTable(NamedTuple):
     """Line above the table: what is the same in all rows."""
     meanings: str = ""
     """Line above the table: what the symbols in the header mean."""
-
-
-SweepDrawing = Callable[[TextTable, bool, int | None], list[str]]
-"""``curve(block, unicode, width)`` → lines under a table of a sweep, none under any other."""
 
 
 def title(output: Output) -> str:
@@ -179,60 +175,27 @@ def _pointed(column: Sequence[str]) -> list[str]:
     return [text.rjust(width) for text in (heading, *filled)]
 
 
-def unfolded(tables: list[TextTable]) -> list[TextTable]:
-    """Return tables for a page of any width: with records as columns where ``is_across``, else as rows."""
-    return [part for block in tables for part in (turned(block) if is_across(block) else [block])]
+def unfolded(tables: Iterable[TextTable]) -> list[TextTable]:
+    """Return tables, with their records as columns where these are always compared side by side."""
+    return [_turned(block) if block.source is not None and block.source.shown.across else block for block in tables]
 
 
-_SHORT = 24
-"""Largest width of a cell in a table whose records may become its columns."""
-
-
-def is_across(block: TextTable) -> bool:
-    """Whether the records of a table are always its columns."""
-    return block.source is not None and block.source.shown.across
-
-
-def may_turn(block: TextTable) -> bool:
-    """Whether the records of a table may become its columns where the table is too wide."""
-    short = all(len(cell) <= _SHORT for row in block.rows for cell in row)
-    return is_across(block) or (block.source is not None and not block.source.axes and short)
-
-
-def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[TextTable]:
-    """Set the records of a table side by side, quantities as rows, in as many tables as a width of characters asks for.
+def _turned(block: TextTable) -> TextTable:
+    """Set the records of a table side by side, quantities as rows.
 
     Text that is the same in all records goes into the title; the first column whose text differs gives the new header.
-    No tables where not even one record has room.
     """
     assert block.source is not None
-    shared: list[tuple[str, Column, list[str]]] = []
-    others: list[tuple[str, Column, list[str]]] = []
+    shared: list[str] = []
+    others: list[tuple[Column, list[str]]] = []
     for head, column, right, *texts in zip(block.header, block.source.columns, block.numeric, *block.rows, strict=True):
-        same = len(texts) > 1 and not right and len(set(texts)) == 1
-        (shared if same else others).append((head, column._replace(units=None), texts))
-    common = "; ".join(f"{head}: {texts[0]}" for head, _, texts in shared)
-    title = f"{block.title} ({common})" if common else block.title
-    (corner, _, heads), *rest = others
-    whole = quantities(heads, [(column, texts) for _, column, texts in rest], title)._replace(legend=block.legend)
-    widths = [max(map(len, record)) for record in zip(*(texts for *_, texts in others), strict=True)]
-    ends = (max(len(row[place]) for row in whole.rows) for place in (0, 1, -1))
-    if width is None or sum(ends) + sum(widths) + gap * (len(widths) + 2) <= width:
-        return [whole]
-    room = width - max(len(head) for head, *_ in others)
-    if max(widths) + gap > room:
-        return []
-    tables: list[TextTable] = []
-    start = 0
-    for stop in range(1, len(heads) + 1):
-        if stop == len(heads) or sum(widths[start : stop + 1]) + gap * (stop + 1 - start) > room:
-            rows = [[head, *texts[start:stop]] for head, _, texts in rest]
-            header = [corner, *heads[start:stop]]
-            about = ("", "", "") if start else (title, block.legend, block.meanings)
-            flush = [False] + [True] * (stop - start)
-            tables.append(TextTable(about[0], header, rows, flush, None, *about[1:]))
-            start = stop
-    return tables
+        if len(texts) > 1 and not right and len(set(texts)) == 1:
+            shared.append(f"{head}: {texts[0]}")
+        else:
+            others.append((column._replace(units=None), texts))
+    (_, heads), *rest = others
+    title = f"{block.title} ({'; '.join(shared)})" if shared else block.title
+    return quantities(heads, rest, title)._replace(legend=block.legend)
 
 
 def step_lines(laid_out: Document) -> list[str]:

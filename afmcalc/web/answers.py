@@ -25,7 +25,7 @@ from ..messages import localized, spoken, told, translate
 from ..render.document import Column, document
 from ..render.layout import TextTable, blocks, cells, ranked
 from ..render.plot import sheet_of
-from ..render.plot.chart import Sheet
+from ..render.plot.chart import Chart, Line, Sheet
 from ..render.plot.figure import inline_svg
 from ..render.report import Subject, render
 from ..render.report.chapters import chapters
@@ -39,6 +39,7 @@ from ..spec import Spec, make_spec, resolved, to_toml
 from ..spec.parse import parse
 from ..spec.source import Source
 from ..spec.write import written
+from .curve import curve
 from .form import Base, State, editable, refusal
 
 Job = Mapping[str, Any]
@@ -66,18 +67,20 @@ def _live(state: State, job: Job) -> Answer:
     """Show a clutch after each change; its numbers beside those of the pinned one."""
     answers, pinned = Answers(build(state.spec)), job["pinned"]
     checked, findings = check_at_once(answers)
-    before, inputs = None, []
+    before, inputs, curves = None, [], list[Line]()
     if pinned:
         old, new = pinned.texts, state.texts
         inputs = [
             (path, translate(key.description), old.get(path, ""), new.get(path, "")) for path, key in editable().items()
         ]
         with suppress(AfmcalcError):
-            before = Answers(build(pinned.spec)).ask("torque")[0]
+            then = Answers(build(pinned.spec))
+            before = then.ask("torque")[0]
+            curves = sheet_of("torque", gathered("torque", Request([then]))).panels[0].lines
     fragments = {
         "verdict": fragment("verdict", checked, ranked(findings)),
         "section": _figure("section", answers, 1),
-        "torque": _figure("torque", answers, 2),
+        "torque": _figure("torque", answers, 2, curves),
         "numbers": fragment("numbers", *_numbers(answers.ask("torque")[0], before)),
         "compare": fragment("compare", [each for each in inputs if each[2] != each[3]]) if pinned else "",
     }
@@ -107,16 +110,19 @@ def _numbers(result: Result, pinned: Result | None) -> tuple[list[Quantity], lis
     return singles, [row(column, [".min", ".mean", ".max"]) for column in now.triples if not column.hidden]
 
 
-def _figure(name: str, answers: Answers, number: int) -> str:
+def _figure(name: str, answers: Answers, number: int, pinned: Sequence[Line] = ()) -> str:
     try:
         sheet = sheet_of(name, gathered(name, Request([answers])))
     except CalculationError as error:
         return fragment("answer", [], [], [], [str(error)])
-    return fragment("figure", sheet.title, *_drawn(sheet, number))
+    return fragment("figure", sheet.title, *_drawn(sheet, number, pinned))
 
 
-def _drawn(sheet: Sheet, number: int) -> tuple[Markup, str]:
-    """Draw a sheet as part of a page, with its caption; ``number`` is that of no other drawing of the page."""
+def _drawn(sheet: Sheet, number: int, pinned: Sequence[Line] = ()) -> tuple[Markup, str]:
+    """Return a sheet as part of a page, with its caption; ``number`` is that of no other drawing of the page."""
+    if isinstance(sheet.panels[0], Chart):
+        charts = (fragment("curve", sheet.title, curve(chart, pinned)) for chart in sheet.panels)
+        return Markup("").join(map(Markup, charts)), sheet.below
     return drawing(inline_svg(sheet), sheet.title, number), sheet.below
 
 

@@ -45,7 +45,7 @@ class Line(NamedTuple):
     filled: bool = False
     """Filled markers instead of open ones: points that stand out."""
     names: Sequence[str] = ()
-    """Text beside each point, as far as there is room."""
+    """Name of each point; those of the first and the last stand beside them."""
 
 
 class Guide(NamedTuple):
@@ -64,8 +64,7 @@ class Guide(NamedTuple):
 class Dimension(NamedTuple):
     """A dimension line beside the axes, between two values of y."""
 
-    label: Sequence[str]
-    """Its lines."""
+    label: str
     low: float
     high: float
     style: int
@@ -100,8 +99,8 @@ class Chart:
 
     @property
     def labels(self) -> list[str]:
-        """What the legend says."""
-        entries: list[Any] = [*self.areas, *self.lines, *self.guides]
+        """Entries of the legend."""
+        entries: list[Area | Line | Guide] = [*self.areas, *self.lines, *self.guides]
         return [entry.label for entry in entries if entry.label]
 
 
@@ -110,8 +109,8 @@ class Sheet:
     """What one plot command draws: panels one below the other, title above, caption below."""
 
     title: str
-    panels: list[Any]
-    """Each a ``Chart``, or an object with ``paint(axes, theme)`` and ``height``."""
+    panels: Sequence[Any]
+    """Charts, or one ``Drawing``."""
     caption: str = ""
     name: str | None = None
     """Name of the user's (a spec's), beside the title; set as it is."""

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from ...messages import joined, named, term, told, translate
 from ...spec.keys import is_whole
-from ..units import display, measured
+from ..units import display
 from .chart import Area, Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
 if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no other analysis than its own
@@ -37,7 +37,7 @@ def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
     lines = [line_of(curve, name, curve.friction) for name in (*methods, *extra)]
     bands = [sorted((line.y[0] or 0.0, line.y[-1] or 0.0)) for line in lines[:2]]
     spans = [
-        Dimension((f"ΔT_{number + 1} =", measured(high - low, "N*m")), low, high, number)
+        Dimension(stated(f"ΔT_{number + 1}", high - low, "N*m"), low, high, number)
         for number, (low, high) in enumerate(bands)
     ]
     guide = guide_at(term("clutch's nominal torque {stated}"), "T_н", curve.nominal_torque, "N*m")

@@ -112,11 +112,6 @@ def _front(result: "DesignResult", x: str, y: str, by_pairs: bool) -> Chart:
         marker = variants.index(variant) if len(variants) > 1 else place
         points = _points(label, rows, x, y)
         lines.append(points._replace(style=_COLOURED[place % len(_COLOURED)], marker=marker))
-    # each number of pairs is named once, at the end of the line that reaches furthest
-    for z in pairs if len(pairs) > 1 else ():
-        alike = [number for number, (_, other) in enumerate(sorted(groups)) if other == z]
-        furthest = max(alike, key=lambda number: lines[number].x[-1] or 0.0)
-        lines[furthest] = lines[furthest]._replace(tag=f"z = {z}")
     for row in result.front:
         if row.mark:
             marked = _points(told("compromise: no. {number}", number=str(row.number)), [row], x, y)

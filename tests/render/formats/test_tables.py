@@ -105,14 +105,26 @@ def test_variants_stand_side_by_side(answered):
     assert shown == [[display(row["accuracy_factor"], "1") for row in part] for part in (rows[:4], rows[4:])]
 
 
-@pytest.mark.parametrize("width", [40, 80, 200])
-def test_records_that_do_not_fit_are_columns(width, afmcalc, answered, monkeypatch):
+@pytest.mark.parametrize("width", [40, 80, 120])
+def test_columns_that_do_not_fit_stand_in_a_table_of_their_own(width, afmcalc, answered, monkeypatch):
+    """Each with the number of its row; no word is lost or parted, and in a pipe nothing is folded."""
     data = answered(*FRONT, "--json").json["result"]["front"]
     monkeypatch.setenv("COLUMNS", str(width))
-    lines = afmcalc(*FRONT).out.splitlines()
+    narrow = afmcalc(*FRONT).out
+    lines = narrow.splitlines()
     assert max(map(len, lines)) <= width
-    shown = [cell for row in lines if row.startswith("K_т ") for cell in re.findall(r" (\d+\.\d+)", row)]
-    assert shown == ([display(row["accuracy_factor"], "1") for row in data] if width < 200 else [])
+    assert not re.search("[─━│┃\x1b]", narrow)
+    heads = [number for number, line in enumerate(lines) if line.startswith("no. ")]
+    assert len(heads) == {40: 3, 80: 2, 120: 1}[width]
+    for head in heads:
+        assert [int(line.split()[0]) for line in lines[head + 1 : head + 1 + len(data)]] == [
+            row["number"] for row in data
+        ]
+    (head,) = (head for head in heads if "K_т" in lines[head])
+    shown = [line.split() for line in lines[head + 1 : head + 1 + len(data)]]
+    factors = [display(row["accuracy_factor"], "1") for row in data]
+    assert [factor in row for factor, row in zip(factors, shown, strict=True)] == [True] * len(data)
+    assert set(answered(*FRONT).out.split()) == set(narrow.split())
 
 
 NARROW = {
@@ -131,7 +143,9 @@ def test_a_narrow_table_has_every_number_and_key_whole(command, afmcalc, monkeyp
         assert "…\n" not in out
         return collections.Counter(re.findall(r"\d+\.\d+|\b[a-z_]+\.[a-z_]*[a-z]\b", out))
 
-    assert whole(60) == whole(300)
+    narrow, wide = whole(60), whole(300)
+    assert narrow >= wide, "what tells the rows stands in each part of a table"
+    assert set(narrow) == set(wide)
 
 
 ASKED = {
