@@ -14,13 +14,27 @@ from ..units import typeset
 from .plot import sheet_of
 from .plot.schemes import SCHEMES
 from .report.blocks import (
-    Block, Bullets, Code, Document, Paragraph, Piece, Reasoning, Section, Step, Table, Text, listed, piece, text,
+    Block,
+    Bullets,
+    Code,
+    Document,
+    Paragraph,
+    Piece,
+    Reasoning,
+    Section,
+    Step,
+    Table,
+    Text,
+    listed,
+    piece,
+    text,
 )  # fmt: skip
 from .report.chapters import broken
 from .report.formulas import formula
 from .report.html import page
 from .report.markup import said
 from .report.page import figure_of
+from .report.title import today
 from .symbols import value_latex
 from .units import measured, worded
 
@@ -35,7 +49,7 @@ def book(handbook: Handbook) -> Document:
     about = told("What afmcalc calculates and why: every formula is set from the function that calculates it.")
     program, name = f"afmcalc {__version__}", told("Handbook")
     cover = [Paragraph(text(about))]
-    return Document(spoken(), program, program, name, cover, _Book(handbook).chapters(), name, paper="book")
+    return Document(spoken(), program, program, name, cover, _Book(handbook).chapters(), name, today(), paper="book")
 
 
 class _Book:

@@ -201,6 +201,8 @@ class Document:
     body: Sequence[Section]
     running: str
     """What heads each sheet that has no frame."""
+    date: str
+    """Day of the file, ISO 8601."""
     contents: bool = True
     paper: Literal["plain", "framed", "report", "book"] = "plain"
     short: bool = False

@@ -25,12 +25,31 @@ from ..plot.figure import inline_svg
 from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
 from .blocks import (
-    Block, Bullets, Code, Definitions, Document, Drawing, Entries, Figure, Findings, Frame, Heading, Paragraph, Piece, Section,
-    Signatures, Table, Text, listed, piece, text,
+    Block,
+    Bullets,
+    Code,
+    Definitions,
+    Document,
+    Drawing,
+    Entries,
+    Figure,
+    Findings,
+    Frame,
+    Heading,
+    Paragraph,
+    Piece,
+    Section,
+    Signatures,
+    Table,
+    Text,
+    listed,
+    piece,
+    text,
 )  # fmt: skip
 from .chapters import Chapter, chapters, explained, peaks
 from .html import page
 from .markup import MISPRINT, cell, cited, name_of, plain, said
+from .title import today
 from .words import SHORT, form, titled, told
 
 
@@ -108,7 +127,7 @@ def _report(subject: Subject, latin: Mapping[str, str]) -> Document:
     dossier, short, title = subject.dossier, subject.short, subject.title
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
     kind = message("Calculation report")
-    paper = "plain" if short else "report" if title.form == "report" else form().paper
+    paper = "report" if title.form == "report" and not short else form().paper
     verdict = Paragraph(said(translate(dossier.check.verdict.sentence)), f"sum {dossier.check.grade}", "verdict")
     return Document(
         language=spoken(),
@@ -118,12 +137,20 @@ def _report(subject: Subject, latin: Mapping[str, str]) -> Document:
         cover=[_entries(subject), _signatures(title), verdict],
         body=_Parts(subject, latin).sections(),
         running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
+        date=_day(title),
         contents=not short,
         paper=paper,
         short=short,
         author=title.author or "",
         frame=_frame(title, f"{name}. {kind}") if paper == "framed" else None,
     )
+
+
+def _day(title: TitleBlock) -> str:
+    """Day of the title block, today where that is no date of ISO 8601."""
+    with suppress(ValueError):
+        return date.fromisoformat(title.date or "").isoformat()
+    return today()
 
 
 class _Parts:
@@ -239,7 +266,8 @@ class _Parts:
     def _calculation(self) -> Iterator[Block]:
         if not self.short:
             lead = message(
-                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what comes out, in the units of the tables."
+                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what comes out, "
+                "in the units of the tables."
             )
             notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
             notes += [] if self.dossier.spec.friction.unlike else [message("All pairs are alike: f_1 = f_2 = f.")]
