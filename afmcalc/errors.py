@@ -103,10 +103,10 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
 EXTRAS = {
     "plot": ("matplotlib",),
     "cad": ("ezdxf",),
-    "pdf": ("typst",),
-    "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
-    "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "latex2mathml", "markdown_it"),
-}  # fmt: skip
+    "report": ("matplotlib", "markdown_it"),
+    "pdf": ("matplotlib", "markdown_it", "typst"),
+    "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "markdown_it"),
+}
 """Optional dependencies, as pip knows them → modules they bring."""
 
 

@@ -3,7 +3,6 @@
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
@@ -21,7 +20,7 @@ from ..analysis.registry import ANALYSES
 from ..analysis.sweep import parse_axis
 from ..engines import build
 from ..errors import AfmcalcError, CalculationError
-from ..messages import localized, spoken, told, translate
+from ..messages import localized, told, translate
 from ..render.document import Column, document
 from ..render.layout import TextTable, blocks, cells, ranked
 from ..render.plot import sheet_of
@@ -29,10 +28,9 @@ from ..render.plot.chart import Chart, Line, Sheet
 from ..render.plot.figure import inline_svg
 from ..render.report import Subject, render
 from ..render.report.chapters import chapters
-from ..render.report.markup import drawing
-from ..render.report.page import template
+from ..render.report.html import drawing
 from ..render.report.title import text_as_given, title_block
-from ..render.report.words import FORMS
+from ..render.symbols import native
 from ..render.units import display_unit
 from ..result import Result
 from ..spec import Spec, make_spec, resolved, to_toml
@@ -40,6 +38,7 @@ from ..spec.parse import parse
 from ..spec.source import Source
 from ..spec.write import written
 from .curve import curve
+from .filled import template
 from .form import Base, State, editable, refusal
 
 Job = Mapping[str, Any]
@@ -60,7 +59,7 @@ def answer(state: State, job: Job) -> Answer:
 
 def fragment(name: str, *arguments: object) -> str:
     """Fill a macro of the page."""
-    return str(getattr(template("parts.html", Path(__file__).parent).module, name)(*arguments))
+    return str(getattr(template("parts.html").module, name)(*arguments))
 
 
 def _live(state: State, job: Job) -> Answer:
@@ -123,7 +122,7 @@ def _drawn(sheet: Sheet, number: int, pinned: Sequence[Line] = ()) -> tuple[Mark
     if isinstance(sheet.panels[0], Chart):
         charts = (fragment("curve", sheet.title, curve(chart, pinned)) for chart in sheet.panels)
         return Markup("").join(map(Markup, charts)), sheet.below
-    return drawing(inline_svg(sheet), sheet.title, number), sheet.below
+    return Markup(drawing(inline_svg(sheet), native(sheet.title), number)), sheet.below  # noqa: S704
 
 
 def _analysed(state: State, job: Job) -> Answer:
@@ -153,8 +152,7 @@ def _report(state: State, job: Job) -> Answer:
         page = render(Subject(told_of, given, title, base.digest, spec.label, state.overrides, __version__))
         html = fragment("report", page)
     else:
-        lined = FORMS.get(spoken(), FORMS["en"]).lined
-        html = fragment("explanation", [chapter for chapter in chapters(told_of) if chapter.blocks], lined)
+        html = fragment("explanation", [chapter for chapter in chapters(told_of) if chapter.steps])
     return {"html": html, "command": state.command("report", "--output", "report.html")}
 
 

@@ -4,7 +4,6 @@ import contextlib
 import os
 import shlex
 import stat
-import sys
 import threading
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
@@ -44,7 +43,6 @@ def test_a_file_that_exists_is_replaced_by_force_alone(name, line, undrawn, afmc
 def test_of_two_files_neither_is_lost(line, names, afmcalc, tmp_path, monkeypatch):
     """None is written where one exists; nor where they are one, by name, by a link to nothing, or a hard link."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("AFMCALC_BROWSER", sys.executable)
     arguments, (first, second) = shlex.split(line), names
 
     def refused(said, *given):
@@ -101,7 +99,6 @@ def test_nothing_is_written_over_what_is_read(line, afmcalc, tmp_path, monkeypat
         assert "is read itself" in run.err
     assert target.read_bytes() == before
     if command == "report":
-        monkeypatch.setenv("AFMCALC_BROWSER", sys.executable)
         target.rename(tmp_path / "x.pdf")
         assert afmcalc("report", tmp_path / "x.pdf", "-o", tmp_path / "x.html", "--pdf", "--force").code == 2
         assert (tmp_path / "x.pdf").read_bytes() == before

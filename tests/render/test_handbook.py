@@ -66,7 +66,7 @@ def test_both_languages_have_the_same_parts():
 @pytest.mark.slow
 def test_every_link_of_the_page_leads_somewhere_in_it(book, monkeypatch):
     """And the Russian one has no Latin word of four letters but of sources, terms, code, formulas and indices."""
-    monkeypatch.setattr("afmcalc.render.handbook.inline_svg", lambda sheet: FRAME)
+    monkeypatch.setattr("afmcalc.render.report.page.inline_svg", lambda sheet: FRAME)
     with speaking(language("ru")):
         page = render(book("ru"))
     ids = re.findall(r'\bid="([^"]+)"', page)

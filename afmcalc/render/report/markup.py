@@ -1,46 +1,56 @@
-"""What may stand in the page as markup: our own drawings, subscripts."""
+"""Texts in pieces: symbols with their indices, powers, sources by their numbers."""
 
 import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from markupsafe import Markup, escape
-
 from ...analysis.explain.explain import Derivation
+from ...messages import printable, translate
 from ...messages import told as message
-from ...messages import translate
 from ...papers.register import citations
 from ...spec.keys import keys
-from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
-from ..symbols import native, split
+from ..symbols import split
+from .blocks import Drawing, Piece, Text, piece, text
 
 
-def symbol(text: str, ours: bool = True) -> Markup:
-    """Set a symbol with subscripts; what is quoted is not ``ours``, and what is set already stays.
+def plain(words: str | None) -> Text:
+    """Set a text of a user's as it is; characters that are not seen are spelled."""
+    return text(printable(words or "", lines=True))
 
-    >>> symbol("T_н < -1")
-    Markup('T<sub>н</sub> &lt; −1')
+
+def said(words: str, ours: bool = True) -> Text:
+    """Set a text with its symbols; what is quoted is not ``ours``.
+
+    >>> said("T_н < -1")
+    ('T', Piece(kind='sub', body=('н',), to=''), ' < −1')
     """
-    if isinstance(text, Markup):
-        return text
-    lower = Markup("<sub>{}</sub>").format
-    pieces: list[Any] = [lower(piece) if low else escape(piece) for piece, low in split(_MINUS.sub("−", text), ours)]
-    return Markup("").join(pieces)
+    pieces = split(_MINUS.sub("−", printable(words, lines=True)), ours)
+    return text(*(piece("sub", each) if low else each for each, low in pieces))
 
 
-def cell(text: str) -> Markup:
+def cell(words: str) -> Text:
     """Set a cell of a table: a key as code, a power of ten as one, anything else with its symbols.
 
-    >>> cell("control_unit.gain"), cell("no limit (3.3493e+15)"), cell("1e-11")
-    (Markup('<code>control_unit.gain</code>'), Markup('no limit (3.3493·10<sup>15</sup>)'), Markup('10<sup>−11</sup>'))
+    >>> str(cell("no limit (3.3493e+15)")), cell("1e-11")
+    ('no limit (3.3493·1015)', ('10', Piece(kind='sup', body=('−11',), to='')))
     """
-    if text in keys():
-        return Markup("<code>{}</code>").format(text)
-    return Markup(_POWER.sub(_power, symbol(text)))  # noqa: S704
+    if words in keys():
+        return text(piece("code", words))
+    return text(*(part for each in said(words) for part in (_powers(each) if isinstance(each, str) else (each,))))
 
 
-def _power(number: re.Match[str]) -> str:
-    mantissa = "" if number[1] == "1" else f"{number[1]}·"
-    return f"{mantissa}10<sup>{int(number[2])}</sup>".replace("-", "−")
+def _powers(words: str) -> Iterable[str | Piece]:
+    before, *powers = _POWER.split(words)
+    yield before
+    for mantissa, power, after in zip(powers[::3], powers[1::3], powers[2::3], strict=True):
+        yield "10" if mantissa == "1" else f"{mantissa}·10".replace("-", "−")
+        yield piece("sup", str(int(power)).replace("-", "−"))
+        yield after
+
+
+_POWER = re.compile(r"([\d.]+|\(.* ± .*\))e([+-]\d+)")
+_MINUS = re.compile(r"(?<![\w.\]})-])-(?=\d)")
 
 
 def name_of(path: str) -> str:
@@ -48,20 +58,24 @@ def name_of(path: str) -> str:
     return _REST.split(translate(keys()[path].description))[0]
 
 
+_REST = re.compile(r"; |: | \(")
+
+
 def marks(step: Derivation) -> list[str]:
     """Misprints of what is printed instead of a formula that its source does not name."""
     return [mark for mark in dict.fromkeys(MISPRINT.findall(step.differs)) if mark not in MISPRINT.findall(step.source)]
 
 
-def cited(page: str) -> tuple[str, dict[str, int]]:
+MISPRINT = re.compile(r"\bM\d+\b")
+
+
+def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
     """Set a number where a text cites a source; which source has which number, counted from its first mention."""
     numbers: dict[str, int] = {}
     sources = citations()
 
     def cite(found: re.Match[str]) -> str:
-        key = next((key for key in sources if found[key]), None)
-        if key is None:
-            return found[0]
+        key = next(key for key in sources if found[key])
         number = numbers.setdefault(key, len(numbers) + 1)
         name = f"{found[key]} " if sources[key][1] and found[key] != key else ""
         if formulas := found["formulas"]:
@@ -72,8 +86,34 @@ def cited(page: str) -> tuple[str, dict[str, int]]:
         return name + mark
 
     named = "|".join(rf"(?P<{key}>(?<!\w)(?:{pattern})(?!\w))" for key, (pattern, _) in sources.items())
-    page = re.sub(rf"(?s:<pre>.*?</pre>|<[^>]*>)|(?:{named}){_WHERE}", cite, page)
-    return _BRACKETED.sub(lambda found: found[1] if found[1][:1] == "[" else f"({found[1]})", page), numbers
+    pattern = re.compile(f"(?:{named}){_WHERE}")
+    return [_changed(block, lambda words: pattern.sub(cite, words)) for block in blocks], numbers
+
+
+def _changed(node: Any, change: Callable[[str], str]) -> Any:
+    """Change every text of a block, in the order in which it is read."""
+    if isinstance(node, Piece) and node.kind == "sources":
+        return piece("sources", _bracketed(_changed(node.body, change)))
+    if isinstance(node, Drawing):
+        return Drawing(_LETTERING.sub(lambda found: change(found[0]), node.svg))
+    if isinstance(node, Text):
+        return text(*(change(each) if isinstance(each, str) else _changed(each, change) for each in node))
+    if isinstance(node, list | tuple):
+        return [_changed(each, change) for each in node]
+    if not is_dataclass(node) or isinstance(node, type):
+        return node
+    return replace(node, **{field.name: _changed(getattr(node, field.name), change) for field in fields(node)})
+
+
+_LETTERING = re.compile("(?<=>)[^<]+")
+
+
+def _bracketed(note: Text) -> Text:
+    """Set a note of sources, in square brackets, in round ones, or in none where it begins with a number in its own."""
+    parts: list[Any] = [*note]
+    parts[0], parts[-1] = parts[0][1:], parts[-1][:-1] if parts[1:] else parts[0][1:-1]
+    inside = text(*parts)
+    return inside if str(inside).startswith("[") else text("(", inside, ")")
 
 
 _WHERE = (
@@ -81,39 +121,3 @@ _WHERE = (
     r"|,? (?P<place>(?:chapters?|ch\.|sec\.|fig\.|гл\.|разд\.|рис\.) \d[\d-]*(?: (?:and|и) \d+)?))?"
 )
 """Formulas or chapter of a source, behind its name."""
-_BRACKETED = re.compile(r'(?<=<span class="sources">)\[(.*?)\](?=</span>)')
-"""A note of sources, which needs no brackets where it begins with a number in brackets."""
-MISPRINT = re.compile(r"\bM\d+\b")
-_REST = re.compile(r"; |: | \(")
-
-
-def css_string(text: str) -> Markup:
-    """Set a text as a string of a style sheet: whatever is no letter or digit by its code point.
-
-    >>> css_string("A 1</style>")
-    Markup('"A\\\\20 1\\\\3c \\\\2f style\\\\3e "')
-    """
-    plain = "".join(sign if sign.isalnum() else f"\\{ord(sign):x} " for sign in text)
-    return Markup(f'"{plain}"')  # noqa: S704
-
-
-_POWER = re.compile(r"([\d.]+|\(.* ± .*\))e([+-]\d+)")
-_MINUS = re.compile(r"(?<![\w.\]})-])-(?=\d)")
-
-
-def drawing(svg: str, name: str, number: object) -> Markup:
-    """Make one of our drawings part of the page: its own ids, the page's colours and width, a name to read out."""
-    svg = svg[svg.index("<svg") :]
-    svg = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>", "", svg, flags=re.DOTALL)
-    prefix = f"fig{number}-"
-    svg = re.sub(r'\bid="([^"]+)"', rf'id="{prefix}\1"', svg)
-    svg = re.sub(r"url\(#", f"url(#{prefix}", svg)
-    svg = re.sub(r'href="#', f'href="#{prefix}', svg)
-    lines = [(colour, f"--line-{index}") for index, colour in enumerate(COLOURS[:4])]
-    inks = (INK, "--ink"), (GRID, "--grid"), (SHADE, "--shade"), (WRONG, "--bad"), (PAPER, "--paper")
-    for colour, variable in (*inks, *lines):
-        svg = svg.replace(colour, f"var({variable})")
-    opening, _, rest = svg.partition(">")
-    opening = re.sub(r'\s(?:width|height|version|xmlns(?::\w+)?)="[^"]*"', "", opening)
-    label = escape(native(name))
-    return Markup(f'{opening} role="img" aria-label="{label}">{rest.strip()}')  # noqa: S704

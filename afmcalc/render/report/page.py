@@ -1,37 +1,56 @@
 """From what was calculated of a clutch to the page of its report."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
-from functools import cache
-from itertools import chain, count, islice
-from pathlib import Path
-from typing import Any, NamedTuple
+from itertools import chain, count
+from typing import Any, Literal, NamedTuple
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
-from markupsafe import Markup
-
+from ...analysis.check import CheckRow
 from ...analysis.dossier import Dossier
 from ...analysis.explain.explain import Meaning
 from ...findings import Finding
-from ...messages import localized, named, percent, printable, spoken, term, translate
+from ...messages import localized, named, percent, printable, spoken, translate
 from ...messages import told as message
 from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
-from ..layout import ranked
+from ..layout import TextTable, ranked
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
+from .blocks import (
+    Block,
+    Bullets,
+    Code,
+    Definitions,
+    Document,
+    Drawing,
+    Entries,
+    Figure,
+    Findings,
+    Frame,
+    Heading,
+    Paragraph,
+    Piece,
+    Section,
+    Signatures,
+    Table,
+    Text,
+    listed,
+    piece,
+    text,
+)  # fmt: skip
 from .chapters import Chapter, chapters, explained, peaks
-from .frame import frame
-from .markup import MISPRINT, cell, cited, css_string, drawing, marks, name_of, symbol
-from .words import FORMS, SHORT, Form, told
+from .html import page
+from .markup import MISPRINT, cell, cited, name_of, plain, said
+from .title import today
+from .words import SHORT, form, titled, told
 
 
 @dataclass(frozen=True)
@@ -68,126 +87,313 @@ class _SpecLine(NamedTuple):
     value: str
     unit: str
     numeric: bool
-    overridden: bool = False
+
+    def cells(self, changed: Collection[str]) -> list[Text]:
+        """Row of a table; what was ``changed`` says so."""
+        mark = [" ", piece("soft", f"({message('overridden')})")] if self.path in changed else []
+        set_so = cell if self.numeric or self.path == "adjustment.method" else plain
+        return [said(self.symbol), text(said(self.about), *mark), set_so(self.value), text(self.unit)]
 
 
-class _Figure(NamedTuple):
-    """A drawing with its number."""
-
-    number: int
-    sheet: Sheet
-    svg: Markup
-
-
-@cache
-def template(name: str, folder: Path | None = None) -> Template:
-    """A page to be filled, in any language: nothing of it is worked out beforehand.
-
-    One of another folder may take in those that stand here.
-    """
-    here = Path(__file__).parent
-    environment = Environment(
-        loader=FileSystemLoader([folder or here, here]),
-        optimized=False,
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        finalize=lambda value: printable(value, lines=True) if type(value) is str else value,
-    )
-    environment.filters |= {
-        "symbol": symbol,
-        "cell": cell,
-        "display": display,
-        "display_unit": display_unit,
-        "css": css_string,
-        "in_words": in_words,
-        "marks": marks,
-        "term": term,
-        "translate": translate,
-        "worded": worded,
-        "three": _three,
-    }
-    environment.globals.update(told=told, _=message, frame=frame)
-    return environment.get_template(name)
-
-
-def _three(share: float) -> str:
-    """Share of a limit in three digits, in more where it would be shown as the whole."""
-    return localized(next((text for digits in range(3, 10) if float(text := f"{share:.{digits}g}") != 1), "1"))
+def _in_a_line(group: tuple[str, Iterable[_SpecLine]]) -> Text:
+    """Write the numbers of a group of a spec one after the other."""
+    title, lines = group
+    shown = [line for line in lines if line.symbol and line.numeric]
+    each = [
+        text(said(line.symbol), " = ", cell(line.value), f" {line.unit}" if line.unit != "–" else "") for line in shown
+    ]
+    return text(f"{title}: ", listed(each, "; "), ". ") if shown else text()
 
 
 def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
+    return page(report(subject))
+
+
+def report(subject: Subject) -> Document:
+    """Lay a report out; the same subject gives the same document."""
     with latin_symbols((subject.symbols or {"en": "latin"}.get(spoken())) == "latin") as latin:
-        head, start, main = _page(subject, latin).partition("<main>")
-    main, numbers = cited(main)
+        laid_out = _report(subject, latin)
+    body, numbers = cited(laid_out.body)
     sources = references()
-    entry = Markup("<div><dt>{}</dt><dd>{}</dd></div>\n").format
-    listed = Markup().join(entry(number, sources[key]) for key, number in numbers.items())
-    return head + start + (_LIST.sub(lambda found: f"{found[1]}{listed}{found[2]}" if numbers else "", main))
+    entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
+    body = [
+        replace(each, body=[Definitions("references", entries)]) if each.key == "references" else each for each in body
+    ]
+    return replace(laid_out, body=[each for each in body if entries or each.key != "references"])
 
 
-_LIST = re.compile(r'(<section id="references">.*?<dl class="references">\n?)(</dl>\n</section>\n)', re.DOTALL)
-"""The list of sources, which only a page that cites one has."""
-
-
-def _page(subject: Subject, latin: Mapping[str, str]) -> str:
-    dossier, short, form = subject.dossier, subject.short, FORMS.get(spoken(), FORMS["en"])
-    parts, loads = ([], peaks(dossier)) if short else (chapters(dossier), [])
-    if short:
-        form = form._replace(sections=SHORT, appendices=(), always=())
-    drawn = _section(dossier, short) | {chapter.topic.name: chapter.sheets for chapter in parts}
-    # what is said of the papers has an appendix of its own
-    findings, rows = ranked(dossier.findings), dossier.check.checks
-    required, held = ([row for row in rows if row.is_requirement is asked] for asked in (True, False))
-    remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
-    mended = _mended(parts, remarks, chain(*drawn.values()))
-    has = {
-        "requirements": required, "peaks": loads, "symbols": spoken() != "en" or subject.symbols != "papers",
-        "misprints": mended, "source": subject.with_source,
-    }  # fmt: skip
-    labels = _labels(form, has)
-    counts = {"requirements": bool(required), "checks": 1, "spec": not short, "peaks": 1, "misprints": 1}
-    counts |= {chapter.topic.name: len(chapter.tables) for chapter in parts}
-    order = chain(*((chapter.topic.name for chapter in parts) if name == "calculation" else [name] for name in labels))
-    tables = _numbered((name, counts.get(name, 0)) for name in order)
+def _report(subject: Subject, latin: Mapping[str, str]) -> Document:
+    dossier, short, title = subject.dossier, subject.short, subject.title
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
-    most = max(_LEAST, _MOST - len(required))
-    changed = _changed(subject.overrides)
-    title = dict(subject.title)
-    groups: dict[str, list[_SpecLine]] = {}
-    for line in _spec_lines(_with_frictions(dossier.spec)):
-        groups.setdefault(line.group, []).append(line._replace(overridden=line.path in changed))
-    return template("page.html").render(
-        subject=subject,
-        name=name,
-        running=" · ".join(part for part in (name, subject.title.drawing, subject.title.revision) if part),
-        entries=_entries(subject, form),
-        people=[(who, title[who]) for who in form.people if title[who] or who in form.signed],
-        overridden=[name_of(path) if path in keys() else path for path in changed],
-        sentence=translate(dossier.check.verdict.sentence),
-        groups=groups,
-        count=len(held),
-        limits=sorted(held, key=lambda row: -(row.utilisation or 0.0))[:most] if short else held,
-        peaks=loads,
-        chapters=parts,
-        figures=_figures(drawn),
-        tables=tables,
-        labels=labels,
-        sections=[*labels],
-        symbols=lambda: _symbols(parts, chain(*groups.values()), dossier, latin),
-        form=form,
-        # a title block would take the room of what has two pages
-        paper="plain" if short else "report" if subject.title.form == "report" else form.paper,
+    kind = message("Calculation report")
+    paper = "report" if title.form == "report" and not short else form().paper
+    verdict = Paragraph(said(translate(dossier.check.verdict.sentence)), f"sum {dossier.check.grade}", "verdict")
+    return Document(
         language=spoken(),
-        findings=[finding for finding in findings if finding not in remarks],
-        remarks=remarks,
-        misprints=mended,
-        next=_next(dossier),
-        latin=latin,
+        program=f"afmcalc {subject.version}",
+        kind=kind,
+        name=printable(name),
+        cover=[_entries(subject), _signatures(title), verdict],
+        body=_Parts(subject, latin).sections(),
+        running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
+        date=_day(title),
+        contents=not short,
+        paper=paper,
+        short=short,
+        author=title.author or "",
+        frame=_frame(title, f"{name}. {kind}") if paper == "framed" else None,
     )
+
+
+def _day(title: TitleBlock) -> str:
+    """Day of the title block, today where that is no date of ISO 8601."""
+    with suppress(ValueError):
+        return date.fromisoformat(title.date or "").isoformat()
+    return today()
+
+
+class _Parts:
+    """The sections of a report: what stands in each, and its numbers of tables and figures."""
+
+    def __init__(self, subject: Subject, latin: Mapping[str, str]) -> None:
+        dossier, short = subject.dossier, subject.short
+        self.subject, self.dossier, self.short, self.latin = subject, dossier, short, latin
+        self.chapters, self.peaks = ([], peaks(dossier)) if short else (chapters(dossier), [])
+        # what is said of the papers has an appendix of its own
+        findings, rows = ranked(dossier.findings), dossier.check.checks
+        self.required, self.held = ([row for row in rows if row.is_requirement is asked] for asked in (True, False))
+        self.remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
+        self.findings = [finding for finding in findings if finding not in self.remarks]
+        self.drawn = _section(dossier, short) | {chapter.topic.name: chapter.sheets for chapter in self.chapters}
+        self.mended = _mended(self.chapters, self.remarks, chain(*self.drawn.values()))
+        self.lines = [*_spec_lines(_with_frictions(dossier.spec))]
+        self._tables, self._figures = count(1), count(1)
+
+    def sections(self) -> list[Section]:
+        """Lay out each section that has content, and each appendix under its letter, in their order."""
+        has: dict[str, object] = {
+            "requirements": self.required, "peaks": self.peaks, "misprints": self.mended,
+            "symbols": spoken() != "en" or self.subject.symbols != "papers", "source": self.subject.with_source,
+        }  # fmt: skip
+        set_so = form()._replace(sections=SHORT, appendices=(), always=()) if self.short else form()
+        sections, appendices = (
+            [name for name in names if name in set_so.always or has.get(name, True)]
+            for names in (set_so.sections, set_so.appendices)
+        )
+        self.labels = {name: str(number) for number, name in enumerate(sections, 1)}
+        lettered = zip(appendices, set_so.letters, strict=False)
+        self.labels |= {name: message("Appendix {letter}", letter=letter) for name, letter in lettered}
+        return [
+            Section(
+                name,
+                label,
+                text(told("next" if self.short and name == "conclusion" else name)),
+                [*getattr(self, f"_{name}")()],
+                name in appendices,
+            )
+            for name, label in self.labels.items()
+        ]
+
+    def _requirements(self) -> Iterator[Block]:
+        if not self.required:
+            yield Paragraph(text(message("The spec states no requirements; the clutch is calculated as it is given.")))
+            return
+        number = next(self._tables)
+        lead = message("What the clutch is to hold, and what it uses of each limit:")
+        yield Paragraph(text(lead, " ", see("table", number), "."))
+        yield from judged(self.required, number, message("Requirements"))
+
+    def _checks(self) -> Iterator[Block]:
+        held, many = self.held, len(self.held)
+        if self.short:
+            most = max(_LEAST, _MOST - len(self.required))
+            held = sorted(held, key=lambda row: -(row.utilisation or 0.0))[:most]
+        lead = message("Every limit the clutch is held against; utilisation 1 is the limit:")
+        if len(held) < many:
+            lead = message(
+                "The {shown} limits of which the clutch uses most, of {count}; utilisation 1 is the limit:",
+                shown=len(held), count=many,
+            )  # fmt: skip
+        number = next(self._tables)
+        yield Paragraph(text(lead, " ", see("table", number), "."))
+        yield from judged(held, number, message("Limits and their utilisation"))
+        if self.findings and not self.short:
+            yield Heading(3, text(message("Findings")))
+            yield findings_of(self.findings)
+        if self.remarks and not self.short:
+            at = piece("link", self.labels["misprints"], "misprints")
+            lead = message("Remarks that concern misprints of the papers:")
+            yield Paragraph(text(lead, " ", at, "."), "note")
+
+    def _spec(self) -> Iterator[Block]:
+        figures = self._shown("spec")
+        drawing = message("The clutch in section:")
+        lead = text(drawing, " ", see("figure", *(each.number for each in figures)), ". ") if figures else text()
+        lead = text(lead, message("The values calculated with:"), " ")
+        if self.short:
+            yield Paragraph(text(lead, *map(_in_a_line, self._groups().items())))
+        else:
+            number = next(self._tables)
+            yield Paragraph(text(lead, see("table", number), "."))
+            rows: list[list[Text]] = []
+            changed = _changed(self.subject.overrides)
+            for group, lines in self._groups().items():
+                rows += [[text(group)], *(line.cells(changed) for line in lines)]
+            heads = map(text, (message("Symbol"), message("Quantity"), message("Value"), message("Unit")))
+            title = text(message("Values calculated with"))
+            yield Table("keys", title, [*heads], rows, [False, False, True, False], number)
+        yield from figures
+
+    def _groups(self) -> dict[str, list[_SpecLine]]:
+        groups: dict[str, list[_SpecLine]] = {}
+        for line in self.lines:
+            groups.setdefault(line.group, []).append(line)
+        return groups
+
+    def _shown(self, name: str) -> list[Figure]:
+        """Draw what a section shows: each panel by itself, for between them a sheet may end."""
+        return [
+            figure_of(next(self._figures), sheet, [replace(sheet, title="", panels=[panel]) for panel in sheet.panels])
+            for sheet in self.drawn.get(name, ())
+        ]
+
+    def _peaks(self) -> Iterator[Block]:
+        number = next(self._tables)
+        yield Paragraph(text(message("What a trip loads and heats:"), " ", see("table", number), "."))
+        yield quantities(self.peaks[0]._replace(title=told("peaks")), number)
+
+    def _calculation(self) -> Iterator[Block]:
+        if not self.short:
+            lead = message(
+                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what comes out, "
+                "in the units of the tables."
+            )
+            notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
+            notes += [] if self.dossier.spec.friction.unlike else [message("All pairs are alike: f_1 = f_2 = f.")]
+            yield Paragraph(listed([text(lead), *map(said, notes)], " "))
+        for place, chapter in enumerate(self.chapters, 1):
+            label = f"{self.labels['calculation']}.{place}"
+            topic = chapter.topic
+            yield Section(topic.name, label, text(translate(topic.title)), [*self._chapter(chapter)])
+
+    def _chapter(self, chapter: Chapter) -> Iterator[Block]:
+        topic, tables = chapter.topic, [quantities(table, next(self._tables)) for table in chapter.tables]
+        figures = self._shown(topic.name)
+        results = [see("table", *(each.number for each in tables))] if tables else []
+        results += [see("figure", *(each.number for each in figures))] if figures else []
+        parts: list[Text | Piece | str] = [said(translate(topic.about)), message("Results:"), listed(results)]
+        parts[1:1] = [piece("sources", f"[{', '.join(topic.sources)}]")] if topic.sources else []
+        yield Paragraph(text(listed(parts, " "), "."))
+        yield from tables
+        yield from figures
+        if chapter.steps:
+            yield Heading(4, text(message("Derivation")))
+            yield from chapter.steps
+
+    def _conclusion(self) -> Iterator[Block]:
+        check = self.dossier.check
+        if not self.short:
+            yield Paragraph(said(translate(check.verdict.sentence)), f"sum {check.grade}")
+            yield Bullets([said(translate(topic.conclusion)) for topic in self.dossier.topics if topic.conclusion])
+            yield Heading(3, text(told("next")))
+        yield Bullets([*map(said, _next(self.dossier))], "next")
+
+    def _references(self) -> Iterator[Block]:
+        yield from ()  # when all else is laid out it is known what they are
+
+    def _symbols(self) -> Iterator[Block]:
+        if self.latin:
+            yield Paragraph(text(message("In brackets: as the papers write a symbol.")))
+        rows = _symbols(self.chapters, self.lines, self.dossier, self.latin)
+        yield Definitions(
+            "symbols",
+            [
+                (text(said(symbol, False), *([" (", said(papers, False), ")"] if papers else [])), said(words))
+                for symbol, papers, words in rows
+            ],
+        )
+
+    def _misprints(self) -> Iterator[Block]:
+        number = next(self._tables)
+        lead = message("Where this calculation departs from the print of its sources, by the number that stands there:")
+        yield Paragraph(text(lead, " ", see("table", number), "."))
+        heads = map(text, (message("No."), message("Where"), message("Printed"), message("Should be")))
+        rows = [
+            [
+                text(each.id),
+                said(translate(each.where)),
+                said(translate(each.printed), False),
+                said(translate(each.correct)),
+            ]
+            for each in self.mended
+        ]
+        yield Table("misprints", text(told("misprints")), [*heads], rows, number=number, named=True)
+        if self.remarks:
+            yield findings_of(self.remarks)
+
+    def _source(self) -> Iterator[Block]:
+        if overrides := self.subject.overrides:
+            lead = message("Overridden on the command line")
+            yield Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
+        yield Code(printable(self.subject.given, lines=True))
+
+
+def see(what: Literal["table", "figure"], *numbers: int) -> Text:
+    """Name tables or figures, each with a link to it."""
+    name = {"table": "table {number}", "figure": "figure {number}"}[what]
+    return listed([piece("link", message(name, number=number), f"{what}-{number}") for number in numbers])
+
+
+def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterator[Block]:
+    """Lay out limits with what is used of each."""
+    heads = "Verdict", "Check", "Condition", "Value", "Limit", "Unit", "Utilisation"
+    cells = [
+        [
+            text(piece("grade", translate(row.grade), row.grade)),
+            said(worded(row.name)),
+            said(row.symbol),
+            text(display(row.value, row.shown_unit)),
+            text("≥ " if row.least else "≤ ", display(row.limit, row.shown_unit)),
+            text(display_unit(row.shown_unit)),
+            text("–" if row.utilisation is None else _three(row.utilisation)),
+        ]
+        for row in rows
+    ]
+    numeric = [False, False, False, True, True, False, True]
+    yield Table("judged", text(title), [text(translate(head)) for head in heads], cells, numeric, number)
+    if any(row.shown_unit == "K abs" for row in rows):
+        note = message("The share of a temperature is that of the rise which its limit allows.")
+        yield Paragraph(text(note), "note")
+
+
+def quantities(block: TextTable, number: int = 0) -> Table:
+    """Lay out a table of numbers."""
+    role = "quantities" if block.header[-1] == translate("Unit") else ""
+    rows = [[*map(cell, row)] for row in block.rows]
+    return Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric, number)
+
+
+def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> Findings:
+    """Lay out findings, in words or with the keys that they are of."""
+    items = []
+    for finding in findings:
+        grade = {"error": "fail", "warning": "warning", "info": "note"}[finding.level]
+        words = said(translate(finding.message) if keys else in_words(translate(finding.message)))
+        code = [" ", piece("code", finding.path)] if keys and finding.path else []
+        items.append((piece("grade", told(f"level/{finding.level}"), grade), text(words, *code)))
+    return Findings(items)
+
+
+def figure_of(number: int, sheet: Sheet, parts: Sequence[Sheet]) -> Figure:
+    """Draw a sheet in parts."""
+    drawings = [Drawing(inline_svg(part)) for part in parts]
+    return Figure(number, drawings, said(sheet.title), said(in_words(sheet.caption)))
+
+
+def _three(share: float) -> str:
+    """Share of a limit in three digits, in more where it would be shown as the whole."""
+    return localized(next((shown for digits in range(3, 10) if float(shown := f"{share:.{digits}g}") != 1), "1"))
 
 
 _MOST, _LEAST = 12, 4
@@ -202,32 +408,6 @@ def _section(dossier: Dossier, short: bool) -> dict[str, Sequence[Sheet]]:
     return {"spec": [replace(sheet, panels=[panel.without_table() for panel in sheet.panels]) if short else sheet]}
 
 
-def _labels(form: Form, has: Mapping[str, object]) -> dict[str, str]:
-    """Number of each section that has content, letter of each appendix, in the order of the page."""
-    sections, appendices = (
-        [name for name in names if name in form.always or has.get(name, True)]
-        for names in (form.sections, form.appendices)
-    )
-    labels = {name: str(number) for number, name in enumerate(sections, 1)}
-    lettered = zip(appendices, form.letters, strict=False)
-    return labels | {name: message("Appendix {letter}", letter=letter) for name, letter in lettered}
-
-
-def _figures(drawn: Mapping[str, Sequence[Sheet]]) -> dict[str, list[_Figure]]:
-    """Draw what each section shows, numbered in the order of the page."""
-    numbers = count(1)
-    return {
-        name: [_Figure(number, sheet, _panels(sheet, number)) for sheet, number in zip(sheets, numbers, strict=False)]
-        for name, sheets in drawn.items()
-    }
-
-
-def _numbered(counts: Iterable[tuple[str, int]]) -> dict[str, list[int]]:
-    """Number the tables of each part, in the order of the page."""
-    numbers = count(1)
-    return {name: list(islice(numbers, many)) for name, many in counts}
-
-
 def _changed(overrides: Iterable[str]) -> list[str]:
     """Paths of the keys, or tables, that overrides change."""
     given = (override.partition("=")[0].strip() for override in overrides)
@@ -236,7 +416,7 @@ def _changed(overrides: Iterable[str]) -> list[str]:
 
 def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterable[Sheet]) -> list[Misprint]:
     """Return the misprints that a report names."""
-    texts = [part for chapter in parts for block in chapter.blocks for part in (block.step.source, block.step.differs)]
+    texts = [part for chapter in parts for step in chapter.topic.derivations for part in (step.source, step.differs)]
     texts += [str([table.title, table.rows]) for chapter in parts for table in chapter.tables]
     texts += [*(finding.message for finding in remarks), *(sheet.caption for sheet in sheets)]
     named = {mark for text in texts for mark in MISPRINT.findall(text)}
@@ -261,13 +441,7 @@ def _next(dossier: Dossier) -> list[str]:
     return lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
 
 
-def _panels(sheet: Sheet, number: int) -> Markup:
-    """Draw each panel by itself: between them a page may end."""
-    drawn = [inline_svg(Sheet("", [panel])) for panel in sheet.panels]
-    return Markup("\n").join(drawing(svg, sheet.title, f"{number}-{place}") for place, svg in enumerate(drawn, 1))
-
-
-def _entries(subject: Subject, form: Form) -> list[tuple[str, str]]:
+def _entries(subject: Subject) -> Entries:
     """Title block: what is given of it, and what every report has; a date of ISO 8601 as the language writes it."""
     title = dict(subject.title) | {
         "variant": translate(subject.dossier.spec.variant, "value"),
@@ -275,7 +449,42 @@ def _entries(subject: Subject, form: Form) -> list[tuple[str, str]]:
     }
     with suppress(ValueError):
         title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
-    return [(name, title[name]) for name in form.entries if title[name] or name in form.signed]
+    entries = [name for name in form().entries if title[name] or name in form().signed]
+    changed = "; ".join(name_of(path) if path in keys() else path for path in _changed(subject.overrides))
+    long = {
+        message("Spec"): subject.source,
+        message("SHA-256 of the spec as given"): subject.digest,
+        **({message("Overridden on the command line"): changed} if changed else {}),
+    }
+    return Entries(
+        [
+            *((told(name), printable(title[name] or ""), False) for name in entries),
+            *((name, printable(value), True) for name, value in long.items()),
+        ]
+    )
+
+
+def _signatures(title: TitleBlock) -> Signatures:
+    """Cells of all who sign in this language, and of others who are named."""
+    heads = message("Responsible"), message("Name"), message("Signature"), message("Date")
+    names = {who: getattr(title, who) for who in form().people}
+    people = [(told(who), printable(name or "")) for who, name in names.items() if name or who in form().signed]
+    return Signatures(heads, people)
+
+
+def _frame(title: TitleBlock, headline: str) -> Frame:
+    roles = ("Drawn", title.author), ("Checked", title.checked), ("", ""), ("Standards", title.norm_control)
+    margin = "Signature and date", "No. of copy", "Instead of no.", "Signature and date", "No. of original"
+    return Frame(
+        headline=printable(headline),
+        drawing=printable(title.drawing or ""),
+        organisation=printable(title.organisation or ""),
+        revision=printable(title.revision or ""),
+        people=[(translate(role), printable(who or "")) for role, who in (*roles, ("Approved", title.approved))],
+        changes=[*map(translate, ("Chg.", "Sheet", "Document no.", "Sign.", "Date"))],
+        stage=[*map(translate, ("Stage", "Sheet", "Sheets"))],
+        margin=[*map(translate, margin)],
+    )
 
 
 def _symbols(
@@ -283,10 +492,10 @@ def _symbols(
 ) -> list[tuple[str, str, str]]:
     """Symbols, what the papers write where that is another, and what each stands for where it is first told."""
     meanings: dict[str, str] = {}
-    for step in (block.step for chapter in parts for block in chapter.blocks):
+    for step in (step for chapter in parts for step in chapter.topic.derivations):
         for part in step.where:
             if part.text:
-                meanings.setdefault(native(part.symbol), part.text)
+                meanings.setdefault(native(part.symbol), explained(part))
         # the heading of its step begins with a capital
         name = explained(Meaning(step.symbol, step.name, step.unit))
         first = name[:1].lower() if name[1:2].islower() else name[:1]
@@ -297,9 +506,9 @@ def _symbols(
         for table in tables
         for row in table.rows
     )
-    for shown, text, unit in chain(named, ((native(line.symbol), line.about, line.unit) for line in lines)):
+    for shown, words, unit in chain(named, ((native(line.symbol), line.about, line.unit) for line in lines)):
         if shown:
-            meanings.setdefault(shown, f"{text}, {unit}" if unit not in ("", "–") else text)
+            meanings.setdefault(shown, f"{words}, {unit}" if unit not in ("", "–") else words)
     # what stands in no formula and no table, but in a check, a note or a meaning
     known = {native(key.symbol): name_of(path) for path, key in keys().items() if key.symbol}
     notes = (*(row.symbol for row in dossier.check.checks), *(finding.message for finding in dossier.findings))
@@ -307,7 +516,7 @@ def _symbols(
     # in a ratio, a symbol may be another quantity
     alone = [each for each in known if "_" in each and not any(each in other for other in meanings)]
     meanings |= {each: known[each] for each in alone if re.search(rf"(?<!\w){re.escape(each)}(?![\w.,]*\w)", said)}
-    rows = ((each, latin.get(each, ""), text) for each, text in meanings.items())
+    rows = ((each, latin.get(each, ""), words) for each, words in meanings.items())
     return sorted(rows, key=lambda row: row[0].casefold())
 
 
@@ -352,8 +561,7 @@ _ELSEWHERE = ("name", "report", "requirements", "catalogues")
 def _titled(path: str) -> str:
     """Title of a table of the spec, after that of the one that it stands in."""
     above, _, _ = path.rpartition(".")
-    blocks: Any = template("blocks.html").module
-    return ": ".join(blocks.titled(each).strip() for each in filter(None, (above, path))) or translate("Clutch")
+    return ": ".join(map(titled, filter(None, (above, path)))) or titled("")
 
 
 def in_words(text: str) -> str:

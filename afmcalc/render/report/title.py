@@ -19,7 +19,7 @@ def title_block(spec: Spec, entries: Mapping[str, str | None]) -> TitleBlock:
     """Return the [report] block of the spec under further entries, dated today where neither has a date."""
     given = {name: text for name, text in entries.items() if text is not None}
     block = {"date": None} if spec.report is None else spec.report.model_dump()
-    return validated(TitleBlock, {**block, "date": block["date"] or _date(), **given}, "report")
+    return validated(TitleBlock, {**block, "date": block["date"] or today(), **given}, "report")
 
 
 def text_as_given(source: Source) -> str:
@@ -40,7 +40,7 @@ _DIGITS = 11
 """Of seconds since 1970: those of the year 5000."""
 
 
-def _date() -> str:
+def today() -> str:
     """Today, or the day of SOURCE_DATE_EPOCH where a build must be repeatable."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
     if not epoch:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple
 
-from ...messages import Text, translate
+from ...messages import Text, spoken, translate
 
 REPORT: Mapping[str, str] = {
     # title block
@@ -40,7 +40,33 @@ REPORT: Mapping[str, str] = {
     "setting/mean-friction": "mean f",
     "side/protected": "protected",
     "side/unprotected": "unprotected",
-    # tables
+    # tables of a spec
+    "group/": "Clutch",
+    "group/friction": "Friction",
+    "group/driving": "Driving pairs",
+    "group/driven": "Driven pairs",
+    "group/friction_group": "Friction discs",
+    "group/closing_spring": "Closing spring",
+    "group/control_spring": "Control spring",
+    "group/room": "Room for the spring",
+    "group/disc": "Disc springs",
+    "group/coil": "Coil springs",
+    "group/control_unit": "Control unit: balls and pockets",
+    "group/contact": "Contact of ball and wall",
+    "group/adjustment": "Setting of the spring",
+    "group/machine": "Machine",
+    "group/drive": "Drive",
+    "group/motor": "Motor by its slip",
+    "group/event": "What happens to the tool",
+    "group/shaft": "Shaft",
+    "group/fatigue": "Fatigue of the shaft",
+    "group/heat": "Heat and wear",
+    "group/tolerance": "Tolerances and scatter",
+    "group/envelope": "Space for the clutch",
+    "group/requirements": "Requirements",
+    "group/drawing": "Notes of the drawing",
+    "group/report": "Title block",
+    # findings
     "level/info": "note",
     "level/warning": "warning",
     "level/error": "error",
@@ -51,6 +77,12 @@ REPORT: Mapping[str, str] = {
 def told(key: str, **values: object) -> str:
     """Say what stands under a key, in the language of the user."""
     return translate(Text(REPORT[key], values))
+
+
+def titled(path: str) -> str:
+    """Title of a table of a spec."""
+    name = path.rpartition(".")[2]
+    return told(f"group/{name}") if f"group/{name}" in REPORT else name
 
 
 SHORT = ("requirements", "checks", "peaks", "spec", "conclusion", "references")
@@ -107,3 +139,8 @@ FORMS = {
     ),
 }
 """Language → form; one that has none of its own takes the English one."""
+
+
+def form() -> Form:
+    """Form of a report in the language of the user."""
+    return FORMS.get(spoken(), FORMS["en"])

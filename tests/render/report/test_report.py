@@ -3,13 +3,12 @@
 import hashlib
 import re
 from html import unescape
-from pathlib import Path
 
 import pytest
 from conftest import CONFIGS
 
 from afmcalc.analysis.dossier import dossier
-from afmcalc.render.report import Subject, render, words
+from afmcalc.render.report import Subject, render
 from afmcalc.spec import read_spec
 
 EVIL = "<script>alert(1)</script>"
@@ -171,9 +170,3 @@ def test_a_reviewer_finds_what_he_looks_for(spoken, form, report, parsed):
     if spoken == "en":  # what the papers write is quoted
         quoted = "".join(text_of(tree.find(f".//*[@id='{key}']")) for key in ("symbols", "misprints"))
         assert all(text in quoted for text in tree.itertext() if re.search("[а-яА-Я]", text))
-
-
-def test_a_template_has_no_words_of_its_own():
-    template = Path(words.__file__).with_name("page.html").read_text(encoding="utf-8")
-    shown = re.sub(r"<style>.*?</style>|{%.*?%}|{{.*?}}|<[^>]*>|&\w+;", " ", template, flags=re.DOTALL)
-    assert not re.findall(r"[A-Za-z]{2,}", shown)
