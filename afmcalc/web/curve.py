@@ -24,6 +24,7 @@ def curve(chart: Chart, pinned: Sequence[Line] = ()) -> dict[str, Any]:
         {"across": guide.across, "at": (y if guide.across else x).shown([guide.value])[0], "label": guide.label}
         | {
             "points": False,
+            "filled": False,
             "paler": False,
             "colour": "var(--ink)",
             "dash": _dash(GUIDES[(number if guide.style is None else guide.style) % len(GUIDES)]),

@@ -57,8 +57,8 @@ def _print(console: Console, *lines: tuple[str, str], filled: bool = False) -> N
 def _width(terminal: bool) -> int:
     """Return the columns that the user asked for by ``COLUMNS``, else those of a terminal; a pipe has no bound."""
     columns = os.environ.get("COLUMNS", "")
-    if columns.isdecimal() and int(columns):
-        return min(max(int(columns), _NARROWEST), _UNBOUND)
+    if columns.isdecimal() and (wanted := int(columns[:9])):  # so many digits are beyond any bound
+        return min(max(wanted, _NARROWEST), _UNBOUND)
     return shutil.get_terminal_size().columns if terminal else _UNBOUND
 
 
