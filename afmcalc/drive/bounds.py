@@ -56,6 +56,9 @@ def slips_below(motion: Motion, powered: Any, peak: Values) -> Flags:
     beyond = np.where(rest < sliding, np.maximum(breakaway - rest, 0.0), 0.0)
     grows = np.asarray(powered) & _fed(train, beyond / (train.stiffness * front) ** 0.5)
     again = np.where(grows, breakaway + beyond * (behind / front) ** 0.5, 0.0)
+    if pack.travels:
+        # in the end the springs give back their energy
+        again = np.maximum(again, np.hypot(motion.clutch, (2 * train.stiffness * pack.work(motion.travel)) ** 0.5))
     standing = np.abs(motion.tool) <= _STANDING * train.speed
     goes_on = (motion.slip > 0) & (motion.rate == 0) & (motion.time > train.time)
     # friction that falls with the slip feeds the swing
@@ -85,10 +88,11 @@ def _standing(motion: Motion, powered: Any) -> tuple[Values, Values]:
     energy = (
         train.motor_inertia * motion.motor**2 + train.hub_inertia * hub**2 + train.driven_inertia * motion.driven**2
     )
-    if pack.travels:
-        # balls that swing may give the energy of the springs, too
-        energy = energy + np.where(motion.rate == 0, 0.0, 2 * pack.work(pack.travel(motion.turn)))
     swing = np.hypot(motion.elastic - rest, (train.stiffness * energy) ** 0.5)
+    if pack.travels:
+        # the springs give their energy, too, unless the key holds the sleeve in every swing
+        holds = (motion.rate == 0) & ((motion.turn == 0) | (rest - swing >= pack.key_limits(motion.travel)[0]))
+        swing = np.where(holds, swing, np.hypot(swing, (2 * train.stiffness * pack.work(motion.travel)) ** 0.5))
     speed = swing / (train.stiffness * front) ** 0.5
     top = np.abs(rest) + _top(train, front, swing)
     torn = np.asarray(powered) & _fed(train, speed)

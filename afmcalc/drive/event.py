@@ -205,7 +205,7 @@ class _Watch:
 
     def block(self, motion: Motion, steps: int) -> None:
         """Step on, and take down what happens."""
-        train, pack, cut_off = motion.train, motion.pack, motion.train.cut_off
+        pack, cut_off = motion.pack, motion.train.cut_off
         powered: Any = 1.0
         for _ in range(steps):
             if cut_off is not None:
@@ -226,7 +226,9 @@ class _Watch:
                 self.pulled = where(switched, abs(motion.clutch), self.pulled)
             self.key_heat = where(slides | self.slides | (self.trip_torque == 0), motion.key_heat, self.key_heat)
             self.peak = where(self.over, self.peak, larger(self.peak, self._top(motion)))
-            self.peak_clutch = larger(self.peak_clutch, motion.top)
+            # as slip ends, friction has risen to that of rest
+            ending = where(slides, 0.0, where(self.slipping != 0, left, 0.0)) * (self.slip != 0)
+            self.peak_clutch = larger(self.peak_clutch, larger(motion.top, abs(self.held + rising * ending * 1.5)))
             self.peak_wall = larger(self.peak_wall, abs(motion.balls) * pack.leaning(motion.turn))
             if pack.travels:
                 self.travel_max = larger(self.travel_max, motion.travel)
@@ -310,7 +312,10 @@ def stepped(motion: Motion, end: Any, *, whole: bool = True, full: bool = False)
     order = np.argsort(np.concatenate([place for place, _ in done]))
     parts = zip(*(found[:-3] for _, found in done), strict=True)
     return Event(
-        *(np.concatenate([np.broadcast_to(x, p.shape) for x, (p, _) in zip(each, done)])[order] for each in parts)
+        *(
+            np.concatenate([np.broadcast_to(x, p.shape) for x, (p, _) in zip(each, done, strict=True)])[order]
+            for each in parts
+        )
     )
 
 
@@ -338,7 +343,8 @@ def _lengthened(motion: Motion, watch: _Watch, finest: Any, end: Any) -> Any:
     still = swing < np.where(juddering, _SILENT, _QUIET) * abs(motion.clutch)
     if not pack.travels:
         # the torque of slipping discs is not that of the shaft, which may swing as it likes
-        still = still | (np.asarray(pack.lag) == 0) & ~juddering & watch.over & (swing < slip / 8 * (train.stiffness * train.driven_inertia) ** 0.5)
+        free = watch.over & ~juddering & (np.asarray(pack.lag) == 0)
+        still = still | free & (swing < slip / 8 * (train.stiffness * train.driven_inertia) ** 0.5)
     quiet = (
         (motion.time > train.time)
         & still
