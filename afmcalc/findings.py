@@ -167,12 +167,11 @@ FINDINGS: Mapping[str, str] = {
     "event-not-settled": "at {at} the drive has neither come to rest nor to a steady run within the {value:.4g} s that "
     "are simulated: it may slip again, and the peak may yet rise (a motor that stalls swings the shaft up until it is "
     "switched off, drive.cut_off)",
-    "stop-bracket/peak": "at {at} the peak torque depends on how the key holds the sleeve at its stop: "
-    "{value:.5g N·m} … {limit:.5g N·m} with the normal force along κ … κ₊; vibration loosens a key",
-    "stop-bracket/heat": "at {at} the heat depends on how the key holds the sleeve at its stop: {value:.4g kJ} … "
-    "{limit:.4g kJ} with the normal force along κ … κ₊; vibration loosens a key",
-    "stop-bracket/open": "at {at} it depends on how the key holds the sleeve at its stop whether the slip ends: after "
-    "{value:.4g kJ} or not at all, with the normal force along κ … κ₊; vibration loosens a key",
+    "peak-not-converged": "at {at} twice the time step changes the peak torque by {value:.2%}, more than {limit:.1%}, "
+    "however fine the steps: the peak is that uncertain",
+    "ill-conditioned": "at {at} heat and time of the slip are ill-conditioned: twice the time step changes them by "
+    "{value:.0%}, as a sleeve that rattles against its stop, or a slip that judders and sticks again and again, does "
+    "not do the same twice",
     "sweep-not-settled": "{value} of the swept drives have neither come to rest nor to a steady run as their "
     "simulation ends: their peaks may yet rise",
     "event-contact-force": "at {at_contact} the event presses a ball against its wall with {value:.5g kN}; {limit:.5g "

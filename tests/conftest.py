@@ -124,7 +124,7 @@ def _the_whole_run():
     from afmcalc.drive import cases
 
     progress.LONG = math.inf
-    cases.run_of = functools.lru_cache(4096)(cases.run_of.__wrapped__)
+    cases.event_of = functools.lru_cache(4096)(cases.event_of.__wrapped__)
 
 
 LONGEST = 1.0

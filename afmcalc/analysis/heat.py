@@ -381,5 +381,5 @@ def _simulated(answers: Answers) -> Trips:
 
 def _course(clutch: Clutch, end: str) -> Course:
     """Course of a simulated slip."""
-    course = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().course
-    return course_of((each.time, float(law.slip_power(each.torque, each.slip)), each.heat) for each in course)
+    rows = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().rows
+    return course_of((row.time, float(law.slip_power(row.torque_clutch, row.slip)), row.heat) for row in rows)

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drive.peaks import peaks_of
+from ..drive.cases import case_of
 from ..drive.result import dynamic_factor
 from ..engines import Clutch, build
 from ..engines.evaluate import BLOCK
@@ -264,7 +264,7 @@ def peaks(model: Model, clutch: Clutch, sample: Sample, torque: Array) -> Array:
     lows = [min(own.min, np.min(values)) for own, values in zip(clutch.friction, sampled, strict=True)]
     widths = [max(own.max, np.max(f)) - low for own, f, low in zip(clutch.friction, sampled, lows, strict=True)]
     path = [low + share * width for low, width in zip(lows, widths, strict=True)]
-    peak, own = peaks_of(nominal, *path).shaft, nominal.torque(*path)
+    peak, own = case_of(nominal, *path).peaks().peak, nominal.torque(*path)
     places = [(values - low) / (width or 1.0) for values, low, width in zip(sampled, lows, widths, strict=True)]
     with np.errstate(all="ignore"):
         # a clutch that sticks passes no more with more torque, one that slips no more than in proportion to it

@@ -1,0 +1,415 @@
+"""An event, stepped until nothing more can come: one drive as numbers, or many as arrays, by the same steps."""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..equations import drive
+from ..equations import heat as law
+from ..equations.arrays import Values, is_array
+from ..errors import CalculationError
+from ..messages import say
+from ..progress import pulse, tell
+from .bounds import settled, slips_below
+from .motion import Motion, clip, cut, larger, where
+from .pack import DirectPack, Sleeve
+from .train import Train
+
+STEPS_A_SWING = 200
+"""Steps in a swing of the driven half on its shaft."""
+_BALLS = 40
+"""Steps in a swing of the balls on their springs."""
+_LAG = 8
+"""Steps in the lag of a release force."""
+_FINEST = 4
+"""Times that these may shorten a step: springs that the key all but locks are stiff, and still."""
+_YIELDING = 1e-3
+"""Stiffness of a control unit, of the shaft's, below which it is no spring: its wall holds the torque."""
+_BLOCK = 64
+"""Steps between two looks at what may still come."""
+MOST_STEPS = 200_000
+_LANES = 8192
+"""Drives stepped at a time; the states of so many stay in the processor's cache."""
+CLOSE = 2e-3
+"""Error of the peak, relative, up to which a step is fine enough."""
+_HALVINGS = 3
+_QUIET = 1e-3
+"""Swing, relative to the torque, below which nothing swings."""
+_SILENT = 1e-9
+"""The same where a swing may grow again."""
+_CARRIES = 1e-6
+"""Share of the slip torque that a motor may lack and still never stop."""
+_SWINGS = 6.0
+"""Swings of the driven half after an event within which its peak has come."""
+_LONG = 20.0
+"""Times the run-down at T(f) that is waited for: motor and load may all but balance the slipping clutch, the key hold
+the sleeve far off."""
+
+
+class Row(NamedTuple):
+    """One moment of an event; torques in N·m, speeds in rad/s."""
+
+    time: float
+    torque_shaft: float
+    torque_clutch: float
+    speed_motor: float
+    speed_driven: float
+    speed_tool: float
+    travel: float
+    slip: float
+    heat: float
+    """So far, in the pack, J."""
+
+
+class Event(NamedTuple):
+    """What an event did to a drive, or to many; torques in N·m."""
+
+    peak: Any
+    peak_clutch: Any
+    peak_wall: Any
+    """Torque of the balls over cos α, at most: the force of their walls times n r."""
+    travel_max: Any
+    slip_time: Any
+    heat: Any
+    key_heat: Any
+    """Until the last slip ended: the drive that sticks swings on, and loses more at the key."""
+    trip_torque: Any
+    """Of the clutch as it begins to slip; 0 where it does not."""
+    residual: Any
+    """Error of the energy balance, relative to the largest energy in it."""
+    time: Any
+    """From which nothing more could come, s."""
+    last: Any
+    """Torque of the clutch at the end."""
+    stuck: Any
+    """Whether the pack does not slip at the end."""
+    passed: Any
+    """Whether no torque of the shaft exceeds the peak any more."""
+    settled: Any
+    """Whether nothing more can come."""
+    pulled: Any
+    """Torque with which the pack slipped as the motor was switched off; 0 where it did not."""
+    peak_error: Any = 0.0
+    """Change of the peak against twice the step, relative."""
+    other: Any = None
+    """The same event with twice the step."""
+    rows: tuple[Row, ...] = ()
+
+
+def simulate(
+    train: Train, pack: DirectPack | Sleeve, duration: float | None = None, *, whole: bool = True, full: bool = False
+) -> Event:
+    """Step events until nothing more can come, or until their peak has passed where they are not ``whole``.
+
+    The step is halved until twice the step changes the peak by 0.2 % at most, at most three times.
+
+    Args:
+        train: drive, or drives as arrays.
+        pack: clutch at one friction, or clutches; shapes broadcast.
+        duration: end of the event, s; None until nothing more can come.
+        whole: step on to the end of the slip.
+        full: step on to the end of a given duration, whatever may come.
+
+    Raises:
+        CalculationError: the duration has too many steps.
+    """
+    shape = np.broadcast_shapes(*shapes(train), *shapes(pack), np.shape(0.0 if duration is None else duration))
+    h, end = step_of(train, pack), horizon(train, pack) if duration is None else duration
+    blocks = np.ceil(end / (h * 2 * _BLOCK))
+    if duration is not None and np.max(blocks) * 2 * _BLOCK > MOST_STEPS:
+        raise CalculationError(
+            "simulate: {steps:.4g} time steps are needed, at most {most} are made: a shorter drive.event.duration, or "
+            "inertias, stiffness and times that lie less far apart",
+            steps=float(np.max(blocks)) * 2 * _BLOCK,
+            most=MOST_STEPS,
+        )
+    if duration is not None:
+        h = end / (blocks * 2 * _BLOCK)
+    if not shape:
+        h, end = float(h), float(end)
+        return _refined(train, pack, h, end, whole=whole, full=full)
+    h, end = (np.broadcast_to(value, shape).reshape(-1) for value in (h, end))
+    parts = []
+    for first in range(0, h.size, _LANES):
+        lanes = slice(first, first + _LANES)
+        own, clutch = cut(train, lanes, shape), cut(pack, lanes, shape)
+        parts.append(_refined(own, clutch, h[lanes], end[lanes], whole=whole, full=full))
+        tell(say("stepping the drives"), min(first + _LANES, h.size), h.size)
+    joined = (np.concatenate(each).reshape(shape) for each in zip(*(part[:-2] for part in parts), strict=True))
+    return Event(*joined)
+
+
+def _refined(train: Train, pack: Any, h: Any, end: Any, *, whole: bool, full: bool) -> Event:
+    """Events with steps fine enough for their peaks."""
+    coarse = stepped(Motion(train, pack, 2 * h), end, whole=whole, full=full)
+    fine = _compared(stepped(Motion(train, pack, h), end, whole=whole, full=full), coarse)
+    for _ in range(_HALVINGS):
+        open_ = fine.peak_error > CLOSE
+        if not np.any(open_):
+            break
+        h = h / 2
+        if not is_array(h):
+            fine = _compared(stepped(Motion(train, pack, h), end, whole=whole, full=full), fine)
+            continue
+        lanes = np.flatnonzero(open_)
+        drives, clutches = cut(train, lanes, h.shape), cut(pack, lanes, h.shape)
+        before = Event(*(part[lanes] for part in fine[:-2]))
+        found = _compared(stepped(Motion(drives, clutches, h[lanes]), end[lanes], whole=whole, full=full), before)
+        for part, new in zip(fine[:-2], found[:-2], strict=True):
+            part[lanes] = new
+    return fine
+
+
+def _compared(fine: Event, coarse: Event) -> Event:
+    return fine._replace(
+        peak_error=abs(fine.peak - coarse.peak) / fine.peak, other=coarse._replace(other=None, rows=())
+    )
+
+
+def step_of(train: Train, pack: DirectPack | Sleeve) -> Values:
+    """Time step with so many in a swing of the driven half, or of the balls, s."""
+    fastest = (train.stiffness / train.driven_inertia) ** 0.5
+    step: Values = 2 * np.pi / (fastest * STEPS_A_SWING)
+    if isinstance(pack, Sleeve):
+        stiffness = pack.torsional(0.0, pack.net_gain, pack.lift)
+        straight = np.maximum(stiffness, _YIELDING * train.stiffness)
+        swinging = (straight * (1 / train.hub_inertia + 1 / train.driven_inertia)) ** 0.5
+        step = np.clip(2 * np.pi / (swinging * _BALLS), step / _FINEST, step)
+        # discs that stick and break loose while the balls swing: the peak comes closer by the first order alone
+        step = np.where(np.asarray(pack.static_ratio) > 1, step / 2, step)
+    elif np.any(pack.lag):
+        step = np.where(np.asarray(pack.lag) > 0, np.clip(pack.lag / _LAG, step / _FINEST, step), step)
+    return step
+
+
+class _Watch:
+    """Peaks and times of an event, or of many."""
+
+    def __init__(self, motion: Motion, *, recorded: bool) -> None:
+        zero, train = motion.h * 0.0, motion.train
+        self.peak = zero + train.load
+        self.peak_clutch = self.peak_wall = zero
+        self.travel_max = zero + motion.travel
+        self.slip_time = self.trip_torque = self.key_heat = self.pulled = zero
+        self.most = zero + motion.stored
+        self.off = zero + math.inf
+        self.over = zero != 0
+        self.slides = motion.slip != 0
+        self.older = self.old = motion.torque
+        self.holding = self.held = motion.clutch
+        self.slipping = self.slip = motion.slip
+        self.begun = motion.left
+        self.rows: list[Row] = []
+        self.recorded = recorded
+
+    def block(self, motion: Motion, steps: int) -> None:
+        """Step on, and take down what happens."""
+        pack, cut_off = motion.pack, motion.train.cut_off
+        powered: Any = 1.0
+        for _ in range(steps):
+            if cut_off is not None:
+                powered = clip((self.off - motion.time) / motion.h, 0.0, 1.0)
+            motion.step(powered)
+            slides = motion.slip != 0
+            # slip begins and ends within a step: where torque or slip, going on as before, come to the limit
+            rising, falling = self.held - self.holding, self.slipping - self.slip
+            begun = 1 - clip((motion.clutch - self.held) / where(rising == 0, math.inf, rising), 0.0, 1.0)
+            left = clip(self.slip / where(falling == 0, math.inf, falling), 0.0, 1.0)
+            share = where(slides, where(self.slides, 1.0, begun), where(self.slides, left, 0.0))
+            self.slip_time = self.slip_time + motion.h * share
+            first = slides & (self.trip_torque == 0)
+            self.trip_torque = where(first, larger(abs(motion.clutch), abs(self.held)), self.trip_torque)
+            if cut_off is not None:
+                self.off = where(first, motion.time - motion.h + cut_off, self.off)
+                switched = (motion.time >= self.off) & (self.pulled == 0) & slides
+                self.pulled = where(switched, abs(motion.clutch), self.pulled)
+            self.key_heat = where(slides | self.slides | (self.trip_torque == 0), motion.key_heat, self.key_heat)
+            self.peak = where(self.over, self.peak, larger(self.peak, self._top(motion)))
+            # as slip ends, friction has risen to that of rest
+            ending = where(slides, 0.0, where(self.slipping != 0, left, 0.0)) * (self.slip != 0)
+            self.peak_clutch = larger(self.peak_clutch, larger(motion.top, abs(self.held + rising * ending * 1.5)))
+            self.peak_wall = larger(self.peak_wall, abs(motion.balls) * pack.leaning(motion.turn))
+            if pack.travels:
+                self.travel_max = larger(self.travel_max, motion.travel)
+            self.slides, self.older, self.old = slides, self.old, motion.torque
+            self.holding, self.held, self.slipping, self.slip = self.held, motion.clutch, self.slip, motion.slip
+            if self.recorded:
+                self.rows.append(row(motion))
+        self.most = larger(self.most, motion.stored)
+
+    def _top(self, motion: Motion) -> Any:
+        """Largest torque of the shaft of late, on the parabola through three steps."""
+        torque, sign = motion.torque, where(self.old < 0, -1.0, 1.0)
+        a, b, c = sign * self.older, sign * self.old, sign * torque
+        bent = 2 * b - a - c
+        turned = (b >= a) & (b >= c) & (bent > 0)
+        return where(turned, b + (c - a) * (c - a) / (8 * where(turned, bent, 1.0)), abs(torque))
+
+    def lanes(self, kept: Any) -> "_Watch":
+        """Of some of many drives."""
+        found = object.__new__(_Watch)
+        shape = self.peak.shape
+        vars(found).update({name: cut(value, kept, shape) for name, value in vars(self).items()})
+        return found
+
+    def event(self, motion: Motion, ended: Any) -> Event:
+        """What has happened."""
+        size = larger(larger(self.most, abs(motion.motor_work)), larger(abs(motion.tool_work), motion.heat))
+        residual = abs(motion.left - self.begun) / size
+        figures = (
+            self.peak, self.peak_clutch, self.peak_wall, self.travel_max, self.slip_time, motion.heat, self.key_heat,
+            self.trip_torque, residual, motion.time, motion.clutch, motion.slip == 0, self.over, ended, self.pulled,
+        )  # fmt: skip
+        return Event(*figures, rows=tuple(self.rows))
+
+
+def row(motion: Motion) -> Row:
+    """The present moment of one drive."""
+    return Row(
+        motion.time, motion.torque, motion.clutch, motion.motor, motion.driven, motion.tool, motion.travel, motion.slip,
+        motion.heat,
+    )  # fmt: skip
+
+
+def stepped(motion: Motion, end: Any, *, whole: bool = True, full: bool = False) -> Event:
+    """Step an event, or many, from a state; arguments as of ``simulate``."""
+    h = motion.h
+    watch = _Watch(motion, recorded=whole and not is_array(h))
+    if watch.recorded:
+        watch.rows.append(row(motion))
+    done, places, count = [], np.arange(np.size(h)), 0
+    finest = h
+    while True:
+        watch.block(motion, _BLOCK)
+        pulse()
+        count += _BLOCK
+        powered = motion.time < watch.off
+        pending = powered & (watch.off < math.inf)
+        still = settled(motion, powered, pending, watch.peak)
+        over = watch.over | still | slips_below(motion, powered, watch.peak)
+        ended = still & (not full)
+        watch.over = bool(over) if not is_array(h) else over
+        last = (motion.time >= end * (1 - 1e-9)) | (count >= MOST_STEPS)
+        if whole and not full:
+            last = last | _lengthened(motion, watch, finest, end)
+        else:
+            _lengthened(motion, watch, finest, end)
+        gone = last | (ended if whole else over)
+        if not is_array(h):
+            if gone:
+                return watch.event(motion, bool(still))
+        elif gone.any():
+            part = np.flatnonzero(gone)
+            found = watch.lanes(part).event(motion.lanes(part), still[part])
+            done.append((places[part], found))
+            if part.size == gone.size:
+                break
+            kept = np.flatnonzero(~gone)
+            motion, watch, places, end, finest = (
+                motion.lanes(kept), watch.lanes(kept), places[kept], end[kept], finest[kept]
+            )  # fmt: skip
+    order = np.argsort(np.concatenate([place for place, _ in done]))
+    parts = zip(*(found[:-3] for _, found in done), strict=True)
+    return Event(
+        *(
+            np.concatenate([np.broadcast_to(x, p.shape) for x, (p, _) in zip(each, done, strict=True)])[order]
+            for each in parts
+        )
+    )
+
+
+def _lengthened(motion: Motion, watch: _Watch, finest: Any, end: Any) -> Any:
+    """Lengthen the step of a slow slip while nothing swings; where the motor keeps it up for ever.
+
+    Slip and speed of the tool lose half until the next look at most.
+    """
+    train, pack, slip = motion.train, motion.pack, abs(motion.slip)
+    motor = train.engine.at(motion.motor) * (motion.time < watch.off)
+    rest, slowing = motion.clutch, np.abs(motor - motion.clutch) / train.motor_inertia
+    lasting = slip
+    if motion.turning_tool:
+        behind = train.driven_inertia + train.hub_inertia
+        rest = drive.sticking_torque(motion.clutch, behind, motion.resisting, train.tool_inertia)
+        stopping = np.abs(rest - motion.resisting) / train.tool_inertia
+        slowing, lasting = (
+            np.maximum(slowing, stopping),
+            np.where(motion.tool == 0, slip, np.minimum(slip, motion.tool)),
+        )
+    swing = np.hypot(motion.torque - rest, motion.twisting * (train.stiffness * train.driven_inertia) ** 0.5)
+    decay = pack.decay_rate * (np.asarray(pack.static_ratio) > 1)
+    # where friction falls with speed faster than the shaft damps, slip judders in the end, from what swings before
+    juddering = pack.judder(0.0) > train.damping
+    still = swing < np.where(juddering, _SILENT, _QUIET) * abs(motion.clutch)
+    if not pack.travels:
+        # the torque of slipping discs is not that of the shaft, which may swing as it likes
+        free = watch.over & ~juddering & (np.asarray(pack.lag) == 0)
+        still = still | free & (swing < slip / 8 * (train.stiffness * train.driven_inertia) ** 0.5)
+    quiet = (
+        (motion.time > train.time)
+        & still
+        & (motion.rate == 0)
+        & (motion.slip > 0)
+        & (pack.judder(slip) <= train.damping)
+    )
+    with np.errstate(all="ignore"):
+        long = np.minimum(lasting, 6.4 / decay) / (2 * _BLOCK * slowing)
+        left = np.maximum(end - motion.time, 0.0) / _BLOCK
+        if train.engine.slip is not None:
+            own = train.motor_inertia * train.engine.slip * train.engine.synchronous / train.engine.torque
+            long = np.minimum(long, 0.1 * own)
+        if train.cut_off is not None:
+            before = np.where(motion.time < watch.off, (watch.off - motion.time) / _BLOCK, np.inf)
+            left = np.minimum(left, before)
+    longest = np.maximum(np.minimum(np.minimum(long, left), 4 * motion.h), finest)
+    step = np.where(quiet, longest, finest)
+    if np.any(step != motion.h):
+        motion.set_step(step if is_array(motion.h) else float(step))
+    # a motor that carries the slip on the stable branch of its curve does so for ever
+    stable = True if train.engine.slip is None else motion.motor > train.engine.synchronous * (1 - train.engine.slip)
+    carries = (motor >= motion.clutch * (1 - _CARRIES)) | (lasting > slowing * np.maximum(end - motion.time, 0.0))
+    endless: Any = quiet & stable & carries & (train.cut_off is None)
+    return endless
+
+
+def horizon(train: Train, pack: DirectPack | Sleeve) -> Values:
+    """Time within which a drive has settled, if it does, s: a bound that few come near."""
+    sliding, least, inertia, motor = pack.sliding, pack.least, train.motor_inertia, train.engine.torque
+    off = 0.0 if train.cut_off is None else train.cut_off
+    run_down = _LONG * (train.front + train.tool_inertia) * train.speed / sliding
+    whole = peak_time(train, sliding) + off + run_down
+    if train.cut_off is not None:
+        gained = train.speed + np.maximum(motor - least, 0.0) * train.cut_off / inertia
+        return whole + off + law.run_down_time(inertia, gained, least, 0.0)
+    with np.errstate(all="ignore"):
+        surely = law.run_down_time(inertia, train.speed, least, np.minimum(motor, np.asarray(least)))
+        likely = _LONG * law.run_down_time(inertia, train.speed, sliding, np.minimum(motor, np.asarray(sliding)))
+    return whole + np.where(least > motor, surely, np.where(sliding > motor, likely, 0.0))
+
+
+def peak_time(train: Train, sliding: Values) -> Values:
+    """Time within which the peak has come, s: some swings of the driven half, one of the stuck drive.
+
+    Where the tool has an inertia of its own, that within which its load has stopped it comes before.
+    """
+    swings = (2 * np.pi * (inertia / train.stiffness) ** 0.5 for inertia in (train.driven_inertia, train.front))
+    time: Values = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
+    if train.kind != "load":
+        return time
+    resisted = [(train.driven_inertia + train.tool_inertia, sliding)]
+    if train.engine.slip is not None:
+        # while the clutch holds, the motor is slowed with the tool, and pulls the harder for it
+        resisted.append((train.front + train.tool_inertia, train.engine.torque))
+    slowed = (
+        inertia * train.speed / np.maximum(np.abs(train.overload - torque), 0.05 * sliding)
+        for inertia, torque in resisted
+    )
+    return time + np.maximum(*slowed) if len(resisted) > 1 else time + next(slowed)
+
+
+def shapes(record: object) -> list[tuple[int, ...]]:
+    """Shapes of the arrays in a record."""
+    own = vars(record).values() if hasattr(record, "__dataclass_fields__") else ()
+    return [np.shape(value) for value in own if isinstance(value, np.ndarray)] + [
+        shape for value in own for shape in shapes(value)
+    ]
