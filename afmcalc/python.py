@@ -116,8 +116,8 @@ class Clutch:
         return self._ask("overload", self._axes(sweep), _pairs(friction))
 
     def simulate(self, friction: Friction = (), sweep: Sweep = ()) -> "SimulateResult":
-        """The drive in time when the clutch trips, also at the friction asked for."""
-        return self._ask("simulate", _pairs(friction), self._axes(sweep))
+        """The drive in time when the clutch trips, with the heat of it, also at the friction asked for."""
+        return self._ask("simulate", _pairs(friction), self._axes(sweep), heated=not sweep)
 
     def solve(self, name: str, target: str, wanted: float | str, *, beyond_limit: bool = False) -> "SolveResult":
         """One key from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it.
@@ -139,11 +139,9 @@ class Clutch:
         """Disc stacks and coil springs that give the forces and stiffnesses of the clutch."""
         return self._ask("springs", sort, top, kind, tolerance)
 
-    def synthesize(self, balls: str | PathLike[str] | Sequence[float] | None = None) -> "SynthesisResult":
-        """Wall angle, balls and pockets of the control unit; ``balls``: diameters to choose from, m, or their file."""
-        if isinstance(balls, str | PathLike):
-            return self.with_({"catalogues.balls": os.path.abspath(balls)}).synthesize()
-        return self._ask("synthesize", balls)
+    def pocket(self) -> "SynthesisResult":
+        """Wall angle, balls and pockets of the control unit."""
+        return self._ask("pocket")
 
     def tolerance(self) -> "ToleranceResult":
         """Torque over tolerances and scatter: quantiles, risks, life, what scatters most."""
@@ -229,7 +227,7 @@ def load(source: str | PathLike[str] | Mapping[str, object] | None = None, set: 
     """Read a spec and build its clutch.
 
     Args:
-        source: a path, ``"-"`` for standard input, ``"example:NAME"``, plain data; None for the built-in base clutch.
+        source: a path, ``"-"`` for standard input, ``"example:NAME"``, plain data; None for ``example:default``.
         set: other values of its keys, by name, symbol or path; None removes a key.
 
     Raises:

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from typer import Option
 
@@ -10,7 +10,7 @@ from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say, spoken
-from .files import is_pdf, refuse
+from .files import is_pdf, refuse, write
 from .options import Common, SpecArgument, common_options, need_drawing
 
 
@@ -28,10 +28,6 @@ def report(
         bool, Option("--short", help="Two pages: task, limits and their use, section, peaks and heat, conclusions.")
     ] = False,
     with_source: Annotated[bool, Option("--with-source", help="The spec as given, as an appendix.")] = False,
-    symbols: Annotated[
-        Literal["latin", "papers"] | None,
-        Option(help="Letters of indices: T_n, F_cl or T_н, F_п.  [default: latin in English]"),
-    ] = None,
     model: Annotated[StressRule, Option(help="Rule for the damaging stress of the life.")] = "mean-stress",
     organisation: Annotated[str | None, _entry("Title block: who answers for the calculation.")] = None,
     project: Annotated[str | None, _entry("Title block: project the clutch belongs to.")] = None,
@@ -79,13 +75,14 @@ def report(
 
     def page() -> str:
         # read once: the digest is of what is calculated
-        raw, name = bytes_of(common.given_instead("report") if spec is None else spec)
+        raw, name = bytes_of(common.source(spec))
+        common.note_default()
         source = decoded(raw, name)
         read, given = spec_of(source, common.overrides), text_as_given(source)
         title, digest = title_block(read, options), sha256(raw).hexdigest()
         told = dossier(read, model, explained=not short)
         texts = given, title, digest, read.label, common.overrides, __version__
-        return render(Subject(told, *texts, with_source, short, symbols or ""))
+        return render(Subject(told, *texts, with_source, short))
 
     _write(common, page, spec=spec, pdf=pdf)
 
@@ -133,9 +130,10 @@ def _write(common: Common, render: Callable[[], str], *, spec: str | None = None
         bar.advance("report", 1, 2 if browser else 1)
         pdf_bytes = printed(browser, page) if browser else b""
     if not alone:
-        common.write(page)
-        if output not in (None, "-"):
-            common.wrote(say("wrote {output}", output=output))
+        if output in (None, "-"):
+            write(page, None)
+        else:
+            common.save(page.encode(), output)
     if target:
         common.save(pdf_bytes, target)
         if printed_without_margins(pdf_bytes):

@@ -11,7 +11,6 @@ from scipy.optimize import brentq
 
 from ..equations.arrays import finite
 from ..errors import CalculationError
-from ..progress import pulse
 from .coast import Heating, stride
 from .plant import DRIVEN, NORMAL, SIZE, TOOL, TURN, TWIST, WORKS, Guard, Mode, Plant, State, V
 from .rest import Stuck, settled
@@ -262,7 +261,6 @@ class Trip:
 
     def _patient(self, t: float) -> None:
         """Count a step; after too many the drive is left, or the duration given is refused."""
-        pulse()
         self._steps += 1
         self._quiet += 1
         if not self.given and self._steps > PATIENCE:

@@ -112,7 +112,7 @@ def is_accounted(formula: Formula) -> bool:
     return formula.function is not None or formula.covered_by is not None or formula.proof is not None
 
 
-def equations(
+def papers(
     papers: list[str],
     ids: list[str],
     *,
@@ -129,8 +129,8 @@ def equations(
     for name in ids:
         if name not in known:
             where = {
-                "M": say("; equations --misprints lists misprints"),
-                "P": say("; reproduce has the printed figures"),
+                "M": say("; papers --misprints lists misprints"),
+                "P": say("; papers --claims has the printed figures"),
             }
             hint = where.get(name[:1]) if name[1:].isdecimal() else None
             raise AfmcalcError("--id {name}: no such formula{hint}", name=name, hint=hint or did_you_mean(name, known))

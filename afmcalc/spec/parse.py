@@ -11,7 +11,7 @@ from ..errors import AfmcalcError, FileError, Problem, SpecError, reason
 from ..messages import did_you_mean, say
 from .source import Source
 
-_STANDARD_INPUT, BUILT_IN = say("standard input"), say("built-in default")
+_STANDARD_INPUT = say("standard input")
 PREFIX = "example:"
 """What makes the name of an example a source."""
 
@@ -69,8 +69,7 @@ def text_of(source: str | PathLike[str] | None) -> Source:
 
 def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
     """Return what is in the file of a spec, and what to call it in messages; the errors are those of ``text_of``."""
-    if source is None:
-        return example_text("default").encode(), BUILT_IN
+    source = f"{PREFIX}default" if source is None else source
     label = _STANDARD_INPUT if source == "-" else str(source)
     if label.startswith(PREFIX):
         return example_text(label.removeprefix(PREFIX)).encode(), label

@@ -88,9 +88,9 @@ def test_of_many_threads_that_write_one_file_one_does(tmp_path):
 def test_nothing_is_written_over_what_is_read(line, afmcalc, tmp_path, monkeypatch):
     """By none of its names; nor is a report printed over it."""
     command = line.partition(" ")[0]
-    ending = {"plot": ".svg", "synthesize": ".toml"}.get(command, "")
+    ending = {"plot": ".svg", "pocket": ".dxf"}.get(command, "")
     target, symbolic, hard = (tmp_path / f"{name}{ending}" for name in ("in", "symbolic", "hard"))
-    before = b"diameters = [20]\n" if command == "synthesize" else SPEC.read_bytes()
+    before = SPEC.read_bytes()
     target.write_bytes(before)
     symbolic.symlink_to(target)
     os.link(target, hard)
@@ -128,7 +128,7 @@ def test_what_cannot_be_written_leaves_nothing(afmcalc, tmp_path):
 
 NAMED = {"json": "json", "CSV": "csv", "md": "markdown", "txt": "table", "dat": "table"}
 CONTRADICTING = {
-    "x.csv": [["torque", "--json"], ["synthesize"]], "x.json": [["torque", "--format", "table"], ["plot", "torque"]],
+    "x.csv": [["torque", "--json"]], "x.json": [["torque", "--format", "table"], ["plot", "torque"]],
     "x.pdf": [["torque"]], "x.toml": [["torque"]], "x.md": [["report"]],
 }  # fmt: skip
 

@@ -84,7 +84,7 @@ def test_synthesis():
     stiffness = C1 + C2 + Z * C1 * HIGH * net
     travel = Z * F1 * (HIGH - LOW) * net / stiffness
     torque = Z * R * HIGH * (F1 * C2 + F1 * (1 + Z * net * LOW) * C1) / stiffness
-    angle, found = atan(1.3 * 0.05 / R), indirect(1.3, "min-friction").synthesize().to_dict()
+    angle, found = atan(1.3 * 0.05 / R), indirect(1.3, "min-friction").pocket().to_dict()
     assert found["ball_radius"] == pytest.approx((travel + 0.003 + 2 * 0.002) / (2 * sin(angle)), rel=1e-12)
     assert found["contact_force"] == pytest.approx(torque / (6 * 0.05 * cos(angle)), rel=1e-12)
     assert found["pocket_depth"] == pytest.approx(found["ball_diameter_standard"] / 2 / sin(angle) - 0.0015, rel=1e-12)

@@ -80,8 +80,8 @@ def test_all_problems_at_once_each_with_its_line(afmcalc):
 def test_an_override_has_no_line_and_a_calculation_names_one(afmcalc):
     err = afmcalc("torque", "-", "--set", "gain=0,5", stdin=BASE).err
     assert err == 'error: standard input: control_unit.gain = "0,5": a decimal comma is not read: write 0.5\n'
-    err = afmcalc("synthesize", "-", stdin=BASE.replace('ball_circle_radius = "50 mm"\n', "")).err
-    assert err.startswith("error: standard input:11:1: control_unit.ball_circle_radius: required by synthesize\n")
+    err = afmcalc("pocket", "-", stdin=BASE.replace('ball_circle_radius = "50 mm"\n', "")).err
+    assert err.startswith("error: standard input:11:1: control_unit.ball_circle_radius: required by afmcalc pocket\n")
 
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-8-sig"])
@@ -91,7 +91,7 @@ def test_text_of_windows_is_read(encoding, afmcalc, tmp_path):
         (tmp_path / name).write_bytes(text.replace("\n", "\r\n").encode(encoding))
         assert afmcalc("torque", tmp_path / name).out == afmcalc("torque", "-", stdin=BASE).out
     (tmp_path / "balls.csv").write_bytes("diameter_mm\r\n25\r\n".encode(encoding))
-    assert afmcalc("synthesize", "-", "--balls", tmp_path / "balls.csv", "--json", stdin=BASE).code == 0
+    assert afmcalc("pocket", "-", "--set", f"catalogues.balls={tmp_path / 'balls.csv'}", "--json", stdin=BASE).code == 0
 
 
 OTHER = [("Муфта «А» № 2", "cp1251"), ("муфта", "koi8-r"), ("муфта", "cp866"), ("für groß", "latin-1")]
@@ -125,7 +125,6 @@ def test_what_an_argument_names(line, says, answered):
     run = answered(*(word.replace(r"\n", "\n") for word in line.split()))
     assert (run.code, run.out) == (2, "")
     assert says in run.err
-    assert "Value error" not in run.err
 
 
 @pytest.mark.parametrize("wrong", ["gain = 0,5", 'gain = "x"\nballs = "6"'])
