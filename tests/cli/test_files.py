@@ -1,6 +1,7 @@
 """Files that commands write: none that is read, none that exists unless --force is given, the format of its name."""
 
 import contextlib
+import difflib
 import os
 import shlex
 import stat
@@ -145,3 +146,19 @@ def test_the_name_says_the_format(afmcalc, answered, tmp_path):
             assert (run.code, run.out) == (2, "")
             assert f"--output {tmp_path / name}" in run.err
     assert os.listdir(tmp_path) == []
+
+
+@pytest.mark.parametrize(("line", "changed"), [
+    ("solve accuracy_factor=1.9 {} --for C --save new.toml", {"gain"}),
+    ("pocket {} --save new.toml", {"gain", "wall_angle", "ball_diameter"}),
+    ("simulate {} --set drive.event.duration=0.005 --save new.toml", {"dynamic_factor", "duration"}),
+])  # fmt: skip
+def test_a_spec_that_is_saved_differs_in_the_changed_lines_alone(line, changed, afmcalc, tmp_path, monkeypatch):
+    """Comments, order, units and what was not given stay."""
+    monkeypatch.chdir(tmp_path)
+    old = (CONFIGS / "drive.toml").read_text(encoding="utf-8").replace("\n[drive]", "\n# bought elsewhere\n[drive]")
+    (tmp_path / "old.toml").write_text(old, encoding="utf-8")
+    assert afmcalc(*line.format("old.toml").split()).code == 0
+    new = (tmp_path / "new.toml").read_text(encoding="utf-8")
+    lines = [text for text in difflib.ndiff(old.splitlines(), new.splitlines()) if text[0] in "+-"]
+    assert {text[2:].split(" ")[0] for text in lines} == changed
