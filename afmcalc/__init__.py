@@ -9,7 +9,7 @@
 TYPE_CHECKING = False  # typing costs more than all the rest, and Ctrl-C may come meanwhile
 if TYPE_CHECKING:
     from .errors import AfmcalcError, FileError, SpecError
-    from .python import Clutch, build, compare, design, load
+    from .python import Clutch, build, compare, design, load, loads
     from .spec import Spec, read_spec
 
 __version__ = "0.3.0"
@@ -23,6 +23,7 @@ __all__ = [
     "compare",
     "design",
     "load",
+    "loads",
     "read_spec",
 ]
 
