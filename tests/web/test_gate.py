@@ -235,8 +235,8 @@ def test_a_fault_of_our_own_is_said(site, monkeypatch):
 
 WRONG = [
     ("--port {taken}", 3, "{taken}"), ("--port 65536", 2, "65535"), ("gone.toml", 3, "gone.toml"),
-    ("--set friction.min=", 2, "friction.min"), ("-o there.toml", 2, "--force"),
-    ("clutch.toml -o clutch.toml --force", 2, "clutch.toml"),
+    ("--set friction.min=", 2, "friction.min"), ("--save there.toml", 2, "--force"),
+    ("clutch.toml --save clutch.toml --force", 2, "clutch.toml"),
 ]  # fmt: skip
 
 
