@@ -133,26 +133,15 @@ _WIDTH = 100
 
 
 class Place(NamedTuple):
-    """A stretch of one line, counted from 1."""
+    """A line of a text, counted from 1."""
 
     line: int
-    column: int
-    width: int
     text: str
-    """The whole line."""
 
-    def __str__(self) -> str:
-        """Line and column, as editors take them."""
-        return f"{self.line}:{self.column}"
-
-    def shown(self) -> tuple[str, str]:
-        """The line, what is too long cut off, and a caret under what is meant."""
-        start = max(0, self.column - 1 - _WIDTH // 2) if len(self.text) > _WIDTH else 0
-        cut = "".join(sign if sign.isprintable() else " " for sign in self.text[start : start + _WIDTH])
-        before = self.column - 1 - start
-        carets = "^" * max(1, min(self.width, _WIDTH - before))
-        number = str(self.line)
-        return f"  {number} | {cut.rstrip()}", f"  {' ' * len(number)} | {' ' * before}{carets}"
+    def shown(self) -> str:
+        """Return the line as an error shows it, cut where it is too long."""
+        cut = "".join(sign if sign.isprintable() else " " for sign in self.text[:_WIDTH])
+        return f"  {self.line} | {cut.rstrip()}"
 
 
 class Label(str):
@@ -171,8 +160,8 @@ class Label(str):
         """Origin of the value at a dotted path: the text, or an option of the command line."""
         return self.name
 
-    def place(self, path: str, *, key: bool = False) -> Place | None:
-        """Where the value at a dotted path stands, or its ``key``; None where the text is not known."""
+    def place(self, path: str) -> Place | None:
+        """Line of the key at a dotted path; None where the text is not known."""
         return None
 
 
@@ -185,10 +174,8 @@ class Problem(NamedTuple):
     """The value given, as the user wrote it; None when a key is missing."""
     message: str
     """The fault, and what is allowed."""
-    at_key: bool = False
-    """True if the key itself is wrong, not its value."""
     place: Place | None = None
-    """Where it stands in the text it was read from, as far as that is known."""
+    """Line of the text it was read from, as far as that is known."""
 
     def __str__(self) -> str:
         """One line: path, value, message."""
@@ -205,21 +192,20 @@ class SpecError(AfmcalcError, ValueError):
         """Collect ``problems`` of the spec read from ``source``; ``more`` are there that nobody looked into."""
         self.source, self.more = source if isinstance(source, Label) else Label(source), more
         self.problems = [
-            problem._replace(place=problem.place or self.source.place(problem.path, key=problem.at_key))
-            for problem in problems
+            problem._replace(place=problem.place or self.source.place(problem.path)) for problem in problems
         ]
         lines: list[str] = []
         for problem in self.problems[:MOST_SHOWN]:
             lines.append(say("{where}: {problem}", where=self.where(problem), problem=term(str(problem))))
-            lines += problem.place.shown() if problem.place else ()
+            lines += [problem.place.shown()] if problem.place else []
         if hidden := len(self.problems[MOST_SHOWN:]) + more:
             lines.append(say("{source}: and {hidden:,} more", source=self.source.name, hidden=hidden))
         super().__init__(joined(lines, "\n"))
 
     def where(self, problem: Problem) -> str:
-        """Origin of the value, with line and column, as far as they are known."""
+        """Origin of the value, with its line, as far as that is known."""
         origin = self.source.origin(problem.path)
-        return joined([origin, str(problem.place)], ":") if problem.place else origin
+        return joined([origin, str(problem.place.line)], ":") if problem.place else origin
 
 
 OPTION, VARIABLE = "--lang", "AFMCALC_LANG"

@@ -11,11 +11,12 @@ from sources import REFUSED
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
 from afmcalc.cli.main import COMMANDS
+from afmcalc.cli.names import DRAWINGS
 from afmcalc.messages import FOLDER, language
 from afmcalc.papers import FIGURES
 
 SHORT = ["--set", "drive.event.duration=0.02"]
-ABOUT = ("torque", "accuracy", "adjust", "overload", "synthesize", "life", "check", "compare", "layout")
+ABOUT = ("torque", "accuracy", "adjust", "overload", "pocket", "life", "check", "compare", "layout")
 WALK = {
     "law": [[each, f"example:{name}"] for name in ("default", "indirect") for each in ABOUT],
     "drive": [[each, "example:drive", *SHORT] for each in ("simulate", "life")],
@@ -28,7 +29,12 @@ WALK = {
         ["solve", "accuracy_factor=1.01"],
         ["check", "--set", "requirements.peak_torque=1", "--set", "requirements.cycles=1e9", "--set", "C=3"],
     ],
-    "papers": [["equations"], ["equations", "--misprints"], ["reproduce"], ["examples"], ["materials"]],
+    "papers": [
+        ["papers"],
+        ["papers", "--misprints"],
+        ["papers", "--claims"],
+        *(["list", each] for each in ("examples", "materials", "discs", "balls")),
+    ],
     "steps": [
         ["explain", name, f"example:{example}"]
         for name, example in zip(EXPLAINED, itertools.cycle(("default", "indirect")))
@@ -39,11 +45,11 @@ WALK = {
     ],
 }
 SLOW = {
-    "plots": [["plot", name, "example:default"] for name, each in PLOTS.items() if each.takes == "clutch" and name != "springs"],
+    "plots": [["plot", name, "example:default"] for name, each in PLOTS.items() if each.takes == "clutch" and name not in ("springs", *DRAWINGS)],
     "figures": [["plot", "paper", name] for name in FIGURES],
     "design": [["design", "example:requirements"], ["springs", "example:indirect"]],
-    "report of a drive": [["report", "example:drive", *SHORT], ["heat", "example:drive", *SHORT]],
-    "help": [["--help"], *([name, "--help"] for name in COMMANDS)],
+    "report of a drive": [["report", "example:drive", *SHORT], ["simulate", "example:drive", *SHORT, "--set", "drive.event="]],
+    "help": [["--help"], *(["help", each] for each in ("options", "plots")), *([name, "--help"] for name in COMMANDS)],
     "spec": [*(["init", "-", "--kind", kind] for kind in ("clutch", "tolerance", "drive")), *(["schema", name] for name in ANALYSES)],
     "mistakes": [["check", "--set", each] for each in REFUSED["mistakes"]] + [each.split() for each in REFUSED["arguments"]],
     "report": [["report", "example:conventional"]],

@@ -133,7 +133,7 @@ def gathered(name: str, request: Request) -> Any:
         case "life":
             return _life(request)
         case "pocket":
-            (synthesis, _), spec = subject.ask("synthesize"), subject.clutch.spec  # refuses a clutch without balls
+            (synthesis, _), spec = subject.ask("pocket"), subject.clutch.spec  # refuses a clutch without balls
             return PocketSection(spec.name, spec.control_unit.balls, synthesis)
         case "effects":
             from .effects import effects_curve
@@ -214,5 +214,5 @@ def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
 
     check_request(name, request)
     (answers,) = request.subjects
-    synthesis, _ = answers.ask("synthesize")
+    synthesis, _ = answers.ask("pocket")
     return shop_drawing(answers.clutch, synthesis)

@@ -19,7 +19,7 @@ from ..engines import Clutch, build
 from ..engines.quantities import NotedStep
 from ..engines.selection import CURVED, KEYS, laws_for
 from ..equations.catalogue import Equation, equation_of, equations
-from ..papers.claims import Row, reproduce
+from ..papers.claims import Row, claims
 from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
@@ -84,7 +84,7 @@ def handbook(language: str) -> Handbook:
     )
     return Handbook(
         chapters, {name: _entry(equations()[name]) for name in names}, {path: _value(*path.split()) for path in values},
-        {plot: _plot(*plot.split()) for plot in plots}, reproduce([])[0].rows,
+        {plot: _plot(*plot.split()) for plot in plots}, claims([])[0].rows,
     )  # fmt: skip
 
 

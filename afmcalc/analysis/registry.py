@@ -221,7 +221,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("overload", "trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
         ),
         Analysis(
-            "synthesize", "analysis.synthesize", "SynthesisResult", "clutch", _can_be_synthesized, explained=True,
+            "pocket", "analysis.synthesize", "SynthesisResult", "clutch", _can_be_synthesized, explained=True,
             judged=True,
             section=Section(
                 "Control unit", "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
@@ -314,13 +314,15 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("pareto", "Pareto front of a design, every clutch with its number", "search"),
         ),
         Analysis("explain", "analysis.explain.explain", "ExplainResult", "papers"),
-        Analysis("equations", "papers.register", "EquationsResult", "papers"),
+        Analysis("papers", "papers.register", "EquationsResult", "papers"),
         Analysis(
-            "reproduce", "papers.claims", "ReproduceResult", "papers",
+            "claims", "papers.claims", "ReproduceResult", "papers",
             plot=Plot("paper", "a figure of the papers from the formulas: F11-2, S19-2, S21-2, …", "names"),
         ),
         Analysis("examples", "analysis.shipped", "ExamplesResult", "specs"),
         Analysis("materials", "analysis.shipped", "MaterialsResult", "specs"),
+        Analysis("discs", "analysis.shipped", "DiscsResult", "specs"),
+        Analysis("balls", "analysis.shipped", "BallsResult", "specs"),
         Analysis("check", "analysis.check", "CheckResult", "specs", options=("answers",), explained=True),
     )
 }  # fmt: skip

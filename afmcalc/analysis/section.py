@@ -16,7 +16,7 @@ from ..spec.models import DiscStack, Envelope, Room, Spec
 from .answers import Answers
 from .layout import LayoutPart, rows_of
 from .registry import ANALYSES
-from .synthesize import synthesize
+from .synthesize import pocket
 from .wall import wall_of
 
 
@@ -169,8 +169,8 @@ def _completed(answers: Answers) -> tuple[Clutch, Sizes, dict[str, float]]:
         circle, ball = unit.ball_circle_radius, unit.ball_diameter
         if ball is None:
             if clutch.gain > 0:  # as synthesized; of a circle of our own too
-                asked = ANALYSES["synthesize"].applies(answers.clutch)
-                ball = (answers.ask("synthesize") if asked else synthesize(clutch))[0].ball_diameter
+                asked = ANALYSES["pocket"].applies(answers.clutch)
+                ball = (answers.ask("pocket") if asked else pocket(clutch))[0].ball_diameter
             else:
                 ball = 0.4 * circle
             fill("control_unit", ball_diameter=ball)

@@ -75,7 +75,7 @@ def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
         assert wall.undercut_radius is not None
         message = say(
             "no pocket to draw: a ball of {ball:.5g mm} undercuts its curved wall, as does every one from "
-            "{limit:.5g mm} on (afmcalc synthesize says what makes it possible)",
+            "{limit:.5g mm} on (afmcalc pocket says what makes it possible)",
             ball=unit.ball_diameter,
             limit=2 * wall.undercut_radius,
         )

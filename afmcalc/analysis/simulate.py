@@ -23,13 +23,12 @@ from ..findings import Finding, Level, finding
 from ..messages import measured, say, term
 from ..progress import counted
 from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
-from ..spec import Spec, resolved
 from ..spec.edit import with_values
 from .clutch_findings import clutch_findings
 from .effects import with_pairs
 from .registry import ANALYSES
 from .sweep import Axis, replaced, series
-from .synthesize import synthesize
+from .synthesize import pocket
 from .torque import Pair, friction_fields, outside_range, pairs_asked
 from .wall import wall_of
 
@@ -186,8 +185,8 @@ def event_values(clutch: Clutch, result: SimulateResult) -> dict[str, Any]:
     if result.travel_max is not None:
         known["travel_max"], known["at_travel"] = _largest(result.travel_max)
         known["travel_let_go"] = let_go(case_of(clutch, *(friction.max for friction in clutch.friction)))
-    if ANALYSES["synthesize"].applies(clutch):
-        unit, _ = synthesize(clutch)
+    if ANALYSES["pocket"].applies(clutch):
+        unit, _ = pocket(clutch)
         known["contact_force_allowable"] = unit.contact_force_allowable
         wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
         if result.travel_max is not None and unit.ball_diameter_standard is not None and wall.can_be_cut:
@@ -221,11 +220,12 @@ __all__ = ["SimulateResult", "simulate"]
 
 
 def simulate(
-    clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
+    clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = (), *, heated: bool = False
 ) -> tuple[SimulateResult, list[Finding]]:
     """Simulate the event of the [drive] block at f_min, mean friction and f_max, constant during the event.
 
     And at further pairs of frictions, (f, None) for all pairs alike or (f_1, f_2); of a sweep only the peaks are told.
+    With ``heated`` the result has the heat of the trip.
 
     Raises:
         SpecError: the spec has no event.
@@ -268,7 +268,7 @@ def simulate(
         points=[_point(clutch, *pair) for pair in counted(say("simulating the event"), points)] or None,
         sweep=sweep,
     )
-    return result, [
+    findings = [
         *clutch_findings(clutch.spec, clutch.quantities),
         *failures_of(clutch.spec, Beside(event_values(clutch, result), clutch.quantities), "simulate"),
         *_springs(clutch, max(one.event.travel_max for one in outcomes)),
@@ -278,13 +278,10 @@ def simulate(
         *replaced(clutch.spec, sweeps),
         *(remark for pair in points for remark in outside_range(clutch, *pair)),
     ]
-
-
-def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
-    """Return the spec with the largest dynamic factor found, for the life of the unprotected side."""
-    data = resolved(spec)
-    data["drive"]["dynamic_factor"] = result.largest_dynamic_factor
-    return data
+    if not heated:
+        return result, findings
+    heat, of_heat = ANALYSES["heat"].function(clutch)
+    return result.model_copy(update={"heat": heat}), list(dict.fromkeys([*findings, *of_heat]))
 
 
 def _has_key(clutch: Clutch) -> bool:

@@ -13,7 +13,7 @@ from ..equations.arrays import next_listed
 from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, Sentence, described, quantity
-from ..spec import Spec, resolved
+from ..spec import Spec
 from ..spec.edit import with_key
 from ..spec.lists import ball_designation, diameters
 from ..spec.models import ControlUnit
@@ -64,7 +64,7 @@ class SynthesisResult(Asking, Answer):
         return 2 * self.ball_radius if self.ball_diameter_standard is None else self.ball_diameter_standard
 
 
-def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
+def pocket(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
     """Design the control unit of a clutch, with ``balls`` to choose from, m, ascending; None: those of the spec.
 
     Raises SpecError: the spec lacks what synthesis needs.
@@ -87,7 +87,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         **_contact(own, unit, by_hertz=chosen is not None and wall.can_be_cut),
     )  # fmt: skip
     return result, [
-        *clutch_findings(spec, own), *failures_of(spec, own, "synthesize"), *_remarks(spec, unit, result, sizes),
+        *clutch_findings(spec, own), *failures_of(spec, own, "pocket"), *_remarks(spec, unit, result, sizes),
     ]  # fmt: skip
 
 
@@ -117,26 +117,21 @@ def _unit(clutch: Clutch) -> ControlUnit:
     """Return the control unit; refuse a clutch without what synthesis needs."""
     spec, unit = clutch.spec, clutch.spec.control_unit
     if unit is None:
-        raise spec.refused("variant", say("has no control unit to synthesize"), spec.variant)
+        raise spec.refused("variant", say("has no control unit, so no pockets"), spec.variant)
     if unit.ball_circle_radius is None:
-        raise spec.refused("control_unit.ball_circle_radius", say("required by synthesize"))
+        raise spec.refused("control_unit.ball_circle_radius", say("required by afmcalc pocket"))
     if clutch.quantities["gain"] == 0:
-        raise spec.refused("control_unit.gain", say("must be greater than 0 to synthesize pockets"), "0")
+        raise spec.refused("control_unit.gain", say("must be greater than 0 to have pockets"), "0")
     return unit
 
 
-def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
-    """Return the spec with the control unit as synthesized: wall angle instead of gain, the ball, gap and clearance."""
-    data = resolved(spec)
-    unit = data["control_unit"]
-    unit.pop("gain", None)
-    unit |= {
-        "wall_angle": result.wall_angle, "ball_circle_radius": result.ball_circle_radius, "face_gap": result.face_gap,
-        "edge_clearance": result.edge_clearance,
-    }  # fmt: skip
+def completed(result: SynthesisResult) -> dict[str, Any]:
+    """Return the keys of the control unit as designed: wall angle, in place of a gain, ball, gap and clearance."""
+    names = ("wall_angle", "ball_circle_radius", "face_gap", "edge_clearance")
+    changes = {f"control_unit.{name}": getattr(result, name) for name in names}
     if result.ball_diameter_standard is not None:
-        unit["ball_diameter"] = result.ball_diameter_standard
-    return data
+        changes["control_unit.ball_diameter"] = result.ball_diameter_standard
+    return changes
 
 
 def _remarks(spec: Spec, unit: ControlUnit, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:

@@ -7,8 +7,7 @@ from typer import Argument, Option
 
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
-from ..messages import say
-from .help import completing
+from .names import completing
 from .options import Common, SpecArgument, with_common
 
 if TYPE_CHECKING:
@@ -21,8 +20,7 @@ SweepOption = Annotated[
         "--sweep",
         metavar="NAME[=RANGE]",
         autocompletion=completing("swept"),
-        help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta) "
-        "over start:stop:count or v1,v2,...; repeatable: several make a grid.",
+        help="Sweep a key (afmcalc help keys) over start:stop:count or v1,v2,...; several make a grid.",
     ),
 ]
 
@@ -115,34 +113,6 @@ def overload(
     clutch = common.clutch(spec)
     points = [friction_of(text) for text in friction or ()]
     common.calculate(clutch, sweeps=axes_of(sweep, clutch), friction=points)
-
-
-@with_common
-def synthesize(
-    spec: SpecArgument = None,
-    *,
-    common: Common,
-) -> None:
-    """Wall angle, balls and pockets of the control unit.
-
-    --output FILE writes the completed spec; the table or JSON goes to standard output all the same.
-
-    \b
-    afmcalc synthesize clutch.toml
-    afmcalc synthesize clutch.toml --output completed.toml
-    afmcalc synthesize clutch.toml --json | afmcalc torque -
-    """  # noqa: D301
-    from ..analysis.synthesize import completed
-
-    common.keep(spec, spec=True)
-    if common.output == "-":
-        raise AfmcalcError("synthesize --output writes the completed spec beside the result: name a file")
-    clutch = common.build(spec)
-    result = common.to_standard_output().calculate(clutch).result
-    if common.output:
-        about = say("Completed by afmcalc synthesize.")
-        wrote = say("wrote the completed spec to {output}", output=common.output)
-        common.write_spec(completed(clutch.spec, result), about, wrote)
 
 
 @with_common

@@ -1,24 +1,20 @@
 """Writing to standard output, or to a file that is either whole or untouched; no file that exists is lost."""
 
 import os
-import sys
 from collections.abc import Iterable
 from contextlib import suppress
 from itertools import combinations
-from typing import Literal, get_args
 
 from ..errors import AfmcalcError, FileError, reason
-from ..messages import is_unicode
-from .signals import put_off, unreported
+from .streams import put
 
-Picture = Literal["png", "svg", "pdf", "dxf"]
 _FORMATS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
 """Endings of what is no result."""
 
 
 def format_of(output: str | None, asked: str | None) -> str:
-    """Return the format of a result: as asked, else as its file is named, else a table; refuse another name."""
+    """Return the format of a result: as asked, else as its file is named, else a table; refuse another ending."""
     ending = _ending(output)
     if ending in _OTHERS:
         raise AfmcalcError(
@@ -38,10 +34,10 @@ def format_of(output: str | None, asked: str | None) -> str:
 
 
 def is_json_spec(output: str) -> bool:
-    """Whether a spec goes to a file as JSON, by its name, not as TOML; refuse the name of something else."""
+    """Return whether a file that gets a spec is JSON, by its name, not TOML; refuse another ending."""
     ending = _ending(output)
     if ending in {*_FORMATS, *_OTHERS} - {".toml", ".json"}:
-        raise AfmcalcError("--output {output}: it gets a spec: .toml or .json", output=output)
+        raise AfmcalcError("--save {output}: it gets a spec: .toml or .json", output=output)
     return ending == ".json"
 
 
@@ -52,14 +48,21 @@ def is_pdf(output: str | None) -> bool:
     return _ending(output) == ".pdf"
 
 
-def picture_of(output: str | None) -> Picture:
-    """Return the kind of picture that goes to a file, by its name, SVG for text; refuse any other name."""
+def picture_of(output: str | None, *kinds: str) -> str:
+    """Return the kind of picture that goes to a file, by its name, SVG to standard output; refuse others than kinds."""
     if output in (None, "-"):
         return "svg"
-    for ending in get_args(Picture):
-        if _ending(output) == f".{ending}":
-            return ending
-    raise AfmcalcError("--output {output}: end it in .png, .svg or .pdf (plot section, pocket: or .dxf)", output=output)
+    ending = _ending(output).removeprefix(".")
+    if ending not in kinds:
+        raise AfmcalcError(
+            "--output {output}: end it in {kinds}", output=output, kinds=", ".join(f".{kind}" for kind in kinds)
+        )
+    return ending
+
+
+def is_drawing(output: str | None) -> bool:
+    """Return whether a file gets a drawing, by its name, and no result."""
+    return _ending(output) in (".svg", ".dxf", ".pdf", ".png")
 
 
 def _ending(path: str | None) -> str:
@@ -92,16 +95,11 @@ def _exists(path: str) -> AfmcalcError:
 
 
 def write(text: str, path: str | None, *, force: bool = False, utf8: bool = False) -> None:
-    """Write text to standard output, there as UTF-8 whatever the locale where asked, or to a file."""
+    """Write text to a file, or to standard output, there as UTF-8 whatever the locale where asked."""
     if path is None or path == "-":
-        if utf8 and not is_unicode(sys.stdout) and not sys.stdout.isatty():
-            sys.stdout.flush()
-            sys.stdout.buffer.write(text.encode())
-        else:
-            sys.stdout.write(text)
-        sys.stdout.flush()
-        return
-    write_file(path, text.encode("utf-8", "backslashreplace"), force=force)
+        put(text, utf8=utf8)
+    else:
+        write_file(path, text.encode("utf-8", "backslashreplace"), force=force)
 
 
 def write_file(path: str, content: bytes, *, force: bool = False) -> None:
@@ -117,12 +115,10 @@ def write_file(path: str, content: bytes, *, force: bool = False) -> None:
             with open(path, "wb") as file:
                 file.write(content)
             return
-        with put_off():
-            created = _create(target)
-            if not (created or force):
-                raise _exists(path)
-            _replace(target, content, created=created)
-            unreported.append(path)
+        created = _create(target)
+        if not (created or force):
+            raise _exists(path)
+        _replace(target, content, created=created)
     except OSError as error:
         raise FileError("{path}: cannot be written: {why}", path=path, why=reason(error)) from None
 

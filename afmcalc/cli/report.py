@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Option
 
@@ -10,7 +10,7 @@ from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say, spoken
-from .files import is_pdf, refuse
+from .files import is_pdf, refuse, write
 from .options import Common, SpecArgument, common_options, need_drawing
 
 if TYPE_CHECKING:
@@ -29,10 +29,6 @@ def report(
         bool, Option("--short", help="Two pages: task, limits and their use, section, peaks and heat, conclusions.")
     ] = False,
     with_source: Annotated[bool, Option("--with-source", help="The spec as given, as an appendix.")] = False,
-    symbols: Annotated[
-        Literal["latin", "papers"] | None,
-        Option(help="Letters of indices: T_n, F_cl or T_н, F_п.  [default: latin in English]"),
-    ] = None,
     model: Annotated[StressRule, Option(help="Rule for the damaging stress of the life.")] = "mean-stress",
     organisation: Annotated[str | None, _entry("Title block: who answers for the calculation.")] = None,
     project: Annotated[str | None, _entry("Title block: project the clutch belongs to.")] = None,
@@ -81,13 +77,14 @@ def report(
 
     def document() -> "Document":
         # read once: the digest is of what is calculated
-        raw, name = bytes_of(common.given_instead("report") if spec is None else spec)
+        raw, name = bytes_of(common.source(spec))
+        common.note_default()
         source = decoded(raw, name)
         read, given = spec_of(source, common.overrides), text_as_given(source)
         title, digest = title_block(read, options), sha256(raw).hexdigest()
         told = dossier(read, model, explained=not short)
         texts = given, title, digest, read.label, common.overrides, __version__
-        return laid_out(Subject(told, *texts, with_source, short, symbols or ""))
+        return laid_out(Subject(told, *texts, with_source, short))
 
     _write(common, document, spec=spec, pdf=pdf)
 
@@ -139,8 +136,9 @@ def _write(common: Common, lay_out: Callable[[], "Document"], *, spec: str | Non
                 common.note(say("the PDF has boxes in the place of {signs}: no font for them", signs=signs))
             sheets = print_pdf(document)
     if not alone:
-        common.write(page(document))
-        if output not in (None, "-"):
-            common.wrote(say("wrote {output}", output=output))
+        if output in (None, "-"):
+            write(page(document), None)
+        else:
+            common.save(page(document).encode(), output)
     if target:
         common.save(sheets, target)

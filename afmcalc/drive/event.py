@@ -10,7 +10,7 @@ from ..equations import heat as law
 from ..equations.arrays import Values, is_array
 from ..errors import CalculationError
 from ..messages import say
-from ..progress import pulse, tell
+from ..progress import tell
 from .bounds import settled, slips_below
 from .motion import Motion, clip, cut, larger, where
 from .pack import DirectPack, Sleeve
@@ -282,7 +282,6 @@ def stepped(motion: Motion, end: Any, *, whole: bool = True, full: bool = False)
     finest = h
     while True:
         watch.block(motion, _BLOCK)
-        pulse()
         count += _BLOCK
         powered = motion.time < watch.off
         pending = powered & (watch.off < math.inf)

@@ -90,6 +90,7 @@ class SimulateResult(Answer):
     energy_residual: float = quantity("1", "ε", "largest relative error of the energy balance")
     points: list[SimulatePoint] | None = quantity("", None, "at the friction asked for", optional=True)
     sweep: list[SimulateSweep] | None = quantity("", None, "peaks over the swept values", optional=True)
+    heat: "HeatResult | None" = quantity("", None, "heat of the trip", optional=True)
 
     @property
     def judged_peak(self) -> float:

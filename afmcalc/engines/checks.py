@@ -114,15 +114,15 @@ hub-too-large | hub within the balls | d ≤ 2r − d_ш | m | hub_diameter ≤ 
 shaft-yields | largest stress of the shaft, by von Mises | τ ≤ σ_т/√3 | Pa | stress_high_at_unprotected ≤ shear_yield_strength | error | shaft.yield_strength | | check | no-event
 shaft-yields | largest stress of the shaft, by von Mises | τ ≤ σ_т/√3 | Pa | stress_high ≤ shear_yield_strength | error | shaft.yield_strength | | check | event
 shaft-yields | largest stress of the shaft in the event, by von Mises | τ ≤ σ_т/√3 | Pa | event_stress ≤ shear_yield_strength | error | shaft.yield_strength | simulate | check | event
-no-standard-ball | ball needed | 2 r_ш ≤ d_ш,max | m | ball_diameter_needed ≤ stated | error | | | synthesize | pockets chosen
-ball-too-small | ball diameter | d_ш ≥ 2 r_ш | m | ball_diameter ≥ ball_diameter_needed | error | control_unit.ball_diameter | | synthesize | pockets given
-wall-undercut | ball runs on the curved wall | r_ш < ρ_0 | m | ball_radius_chosen < undercut_radius | error | control_unit.gain_slope | | synthesize | pockets
-ball-reaches-axis | ball clear of the axis | r_ш ≤ r | m | ball_radius_chosen ≤ ball_circle_radius | error | control_unit.ball_circle_radius | | synthesize | pockets single
-balls-overlap | balls side by side | d_ш ≤ t_ш | m | ball_diameter ≤ ball_pitch | error | control_unit.balls | | synthesize | pockets several
-pockets-overlap | pockets side by side | b ≤ t_ш | m | pocket_width ≤ ball_pitch | error | control_unit.balls | | synthesize | pockets several
-depth-beyond-sleeve | pocket within the sleeve | h_c ≤ B | m | pocket_depth_cut ≤ sleeve_depth | error | control_unit.sleeve_depth | | synthesize | pockets
-contact-force-exceeded | contact force on one ball | F_n ≤ [F_n] | N | contact_force ≤ allowable_contact_force | error | control_unit.allowable_contact_force | | synthesize | pockets
-contact-force-exceeded/hertz | contact force on one ball, by Hertz | F_n ≤ [F_n]_H | N | contact_force ≤ contact_force_hertz | error | control_unit.contact | | synthesize | pockets hertz
+no-standard-ball | ball needed | 2 r_ш ≤ d_ш,max | m | ball_diameter_needed ≤ stated | error | | | pocket | pockets chosen
+ball-too-small | ball diameter | d_ш ≥ 2 r_ш | m | ball_diameter ≥ ball_diameter_needed | error | control_unit.ball_diameter | | pocket | pockets given
+wall-undercut | ball runs on the curved wall | r_ш < ρ_0 | m | ball_radius_chosen < undercut_radius | error | control_unit.gain_slope | | pocket | pockets
+ball-reaches-axis | ball clear of the axis | r_ш ≤ r | m | ball_radius_chosen ≤ ball_circle_radius | error | control_unit.ball_circle_radius | | pocket | pockets single
+balls-overlap | balls side by side | d_ш ≤ t_ш | m | ball_diameter ≤ ball_pitch | error | control_unit.balls | | pocket | pockets several
+pockets-overlap | pockets side by side | b ≤ t_ш | m | pocket_width ≤ ball_pitch | error | control_unit.balls | | pocket | pockets several
+depth-beyond-sleeve | pocket within the sleeve | h_c ≤ B | m | pocket_depth_cut ≤ sleeve_depth | error | control_unit.sleeve_depth | | pocket | pockets
+contact-force-exceeded | contact force on one ball | F_n ≤ [F_n] | N | contact_force ≤ allowable_contact_force | error | control_unit.allowable_contact_force | | pocket | pockets
+contact-force-exceeded/hertz | contact force on one ball, by Hertz | F_n ≤ [F_n]_H | N | contact_force ≤ contact_force_hertz | error | control_unit.contact | | pocket | pockets hertz
 mean-pressure-in-range | surface pressure in the mean | p ≤ [p]_min | Pa | mean_pressure ≤ pressure_min | warning | | | check |
 mean-pressure-exceeded | surface pressure in the mean | p ≤ [p]_max | Pa | mean_pressure ≤ pressure_max | error | | | check |
 peak-pressure-in-range | surface pressure at the inner edge | p ≤ [p]_min | Pa | peak_pressure ≤ pressure_min | warning | | | check |

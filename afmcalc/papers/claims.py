@@ -154,12 +154,12 @@ class ReproduceResult(Answer):
 
 
 @cache
-def claims() -> list[dict[str, str]]:
+def recorded_claims() -> list[dict[str, str]]:
     """What the papers print, with the verdict on record; a different one means the formulas have changed."""
     return data("claims.toml")["claim"]
 
 
-def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
+def claims(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
     """Recompute what the papers print, in the order of its numbers, and the curves of their figures.
 
     Args:
@@ -175,12 +175,12 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
     # the function ``p1`` of a paper's module recomputes its claim P1
     rows = [
         Row(**{"correction": None, **entry, **recompute()._asdict()})
-        for entry in claims()
+        for entry in recorded_claims()
         for module in modules
         if (recompute := getattr(module, entry["id"].lower(), None)) is not None
     ]
     verdicts = [row.verdict for row in rows]
-    recorded = {entry["id"]: entry["verdict"] for entry in claims()}
+    recorded = {entry["id"]: entry["verdict"] for entry in recorded_claims()}
     findings = [
         finding("unexpected-verdict", "error", row=row.id, verdict=row.verdict, record=recorded[row.id])
         for row in rows

@@ -106,9 +106,7 @@ def is_accounted(formula: Formula) -> bool:
     return formula.function is not None or formula.covered_by is not None or formula.proof is not None
 
 
-def equations(
-    papers: list[str], ids: list[str], *, show_misprints: bool = False
-) -> tuple[EquationsResult, list[Finding]]:
+def papers(papers: list[str], ids: list[str], *, show_misprints: bool = False) -> tuple[EquationsResult, list[Finding]]:
     """Look up papers, or formulas such as ``S21 (15)``, in the register, all where none are asked for.
 
     Raises AfmcalcError: no such paper or formula.
@@ -119,8 +117,8 @@ def equations(
     for name in ids:
         if name not in known:
             where = {
-                "M": say("; equations --misprints lists misprints"),
-                "P": say("; reproduce has the printed figures"),
+                "M": say("; papers --misprints lists misprints"),
+                "P": say("; papers --claims has the printed figures"),
             }
             hint = where.get(name[:1]) if name[1:].isdecimal() else None
             raise AfmcalcError("--id {name}: no such formula{hint}", name=name, hint=hint or did_you_mean(name, known))

@@ -8,7 +8,7 @@ from decimal import Decimal
 from functools import cache
 
 from ..findings import Finding, finding
-from ..messages import Text, did_you_mean, joined, localized, say, term
+from ..messages import Text, did_you_mean, joined, say, term
 from ..units import BASES, ZEROS, UnknownUnitError, product, words
 
 EXAMPLES = {
@@ -99,12 +99,8 @@ def allowed(unit: str) -> str:
 _LONGEST = 100
 """Largest number of characters of a text that is read as a quantity."""
 _QUANTITY = re.compile(rf"\s*({NUMBER})(.*)", re.DOTALL)
-_GROUPED = re.compile(r"\s*([+-]?\d(?:[\d ,.]*?\d)??)(?:\s+(1\s*/.*)|\s*([^\d\s,.].*)?)", re.DOTALL)
-"""A number that may have groups and a comma, and its unit, which may be ``1/m``."""
-
-_DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+\s*[^\d\s,.].*)", re.DOTALL)
-_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}(?!\d)")
-"""A number whose comma may separate thousands."""
+_COMMA = re.compile(r"\s*([+-]?)(\d+),(\d+)(?![\d.,])(.*)", re.DOTALL)
+"""A number with one comma: sign, digits before and after it, the unit."""
 
 _RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
     "N": (lambda force: 0 < force < 20, "kN", math.inf), "m": (lambda length: length >= 0.5, "mm", 10.0),
@@ -158,15 +154,31 @@ def parse_quantity(value: object, unit: str) -> float:
     return number
 
 
+def with_point(text: str) -> str:
+    """Return the text of one number with a point for its decimal comma.
+
+    Raises:
+        ValueError: the comma may separate thousands.
+
+    >>> with_point("2,5 kN"), with_point("0,125"), with_point("2 kN")
+    ('2.5 kN', '0.125', '2 kN')
+    """
+    if (match := _COMMA.fullmatch(text)) is None:
+        return text
+    sign, whole, decimals, unit = match.groups()
+    if len(decimals) == 3 and 0 < int(whole) < 1000:
+        point, grouped = f"{sign}{whole}.{decimals}{unit}", f"{sign}{whole}{decimals}{unit}"
+        raise ValueError(say("{text}: {point} or {grouped}?", text=text.strip(), point=point, grouped=grouped))
+    return f"{sign}{whole}.{decimals}{unit}"
+
+
 def _parse_text(text: str, unit: str) -> float:
-    if (comma := _DECIMAL_COMMA.fullmatch(text)) and localized("0.5") == "0,5" and not _THOUSANDS.match(text.strip()):
-        text = f"{comma[1]}.{comma[2]}"
-    match = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
+    match = _QUANTITY.fullmatch(with_point(text)) if len(text) <= _LONGEST else None
     if match is None:
         raise wrong("cannot be read as a number with a unit; {allowed}", unit)
     number, written = match[1], match[2].strip()
-    if unread := unread_number(text):
-        raise ValueError(unread)
+    if not written and unit == "1":
+        return float(number)
     if not written:
         raise wrong("has no unit; {allowed}", unit)
     if unit == "1":
@@ -188,33 +200,3 @@ def whole_number(value: object) -> int:
     if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
         raise ValueError(say("must be a whole number"))
     return int(value)
-
-
-def unread_number(text: str, *, quoted: bool = False) -> str | None:
-    """Say how a number with a decimal comma or with its digits in groups is to be written; None when it has neither.
-
-    >>> unread_number("0,5 mm"), unread_number("2 000")
-    ('a decimal comma is not read: write 0.5 mm', 'spaces in a number are not read: write 2000')
-    """
-    match = _GROUPED.fullmatch(text)
-    if match is None or not set(match[1]) & set(", "):
-        return None
-
-    unit = (match[2] or match[3] or "").strip()
-
-    def written(number: str) -> str:
-        whole = f"{number} {unit}".strip()
-        return f'"{whole}"' if quoted and unit else whole
-
-    number = match[1].replace(" ", "")
-    if "," not in number:
-        return say("spaces in a number are not read: write {number}", number=written(number))
-    if "." in number or number.count(",") > 1:
-        if number.count(",") == 1 and number.rfind(",") > number.rfind("."):
-            number = number.replace(".", "").replace(",", ".")
-        return say("a number has no commas: write {number}", number=written(number.replace(",", "")))
-    point = written(number.replace(",", "."))
-    if _THOUSANDS.fullmatch(number):
-        grouped = written(number.replace(",", ""))
-        return say("a comma is not read: write {grouped} or {point}, whichever is meant", grouped=grouped, point=point)
-    return say("a decimal comma is not read: write {point}", point=point)

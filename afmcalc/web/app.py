@@ -18,7 +18,6 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from .. import __version__
 from ..errors import AfmcalcError, unexpected
 from ..messages import named, spoken
-from ..spec import resolved
 from .filled import template
 from .form import Base, State, form_of, refusal
 from .worker import Worker
@@ -169,7 +168,7 @@ class Page:
     async def _write(self, request: Request) -> Response:
         state = self._state(await _body(request))
         try:
-            return _json(dict(zip(("saved", "message"), self._save(resolved(state.spec)), strict=True)))
+            return _json(dict(zip(("saved", "message"), self._save(state.spec), strict=True)))
         except AfmcalcError as error:
             return _json(refusal(error))
 

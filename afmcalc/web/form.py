@@ -17,7 +17,7 @@ from ..spec.catalogues import friction_materials
 from ..spec.edit import as_override
 from ..spec.fields import Key, Quantity, block_at
 from ..spec.keys import keys
-from ..spec.parse import BUILT_IN
+from ..spec.parse import PREFIX
 from ..spec.read import data_of, spec_of
 from ..spec.rules import given_in
 from ..spec.source import Source
@@ -42,7 +42,7 @@ class Base(NamedTuple):
     @property
     def source(self) -> Source:
         """Its text, as a spec is read from it."""
-        return Source(BUILT_IN if self.argument is None else term(self.label), self.text)
+        return Source(f"{PREFIX}default" if self.argument is None else term(self.label), self.text)
 
 
 class State(NamedTuple):

@@ -106,14 +106,15 @@ def _problem(sentence: str) -> dict[str, Any]:
 
 
 class _Progress(Bar):
-    """Writes how far a calculation is, not too often."""
+    """Progress of a calculation, written not too often."""
 
     out: TextIO
+    last = 0.0
 
     def advance(self, work: str, done: int, total: int) -> None:
         """Write it."""
-        if time.monotonic() - self._shown >= 0.1:
-            self._shown = time.monotonic()
+        if time.monotonic() - self.last >= 0.1:
+            self.last = time.monotonic()
             _write(self.out, {"progress": done / total if total else None, "text": translate(work)})
 
 
@@ -137,7 +138,7 @@ def main(language_name: str, units: str) -> None:
         for line in sys.stdin.buffer:
             job, began = json.loads(line), time.perf_counter()
             state, pinned = (each and State(Base(*each[0]), each[1]) for each in (job["state"], job["pinned"]))
-            progress = _Progress(quiet=True, agreed=True)
+            progress = _Progress(quiet=True)
             progress.out = out
             with progress:
                 try:

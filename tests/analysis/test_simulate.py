@@ -59,7 +59,7 @@ def test_the_command(afmcalc, tmp_path):
     spec = tmp_path / "drive.json"
     spec.write_text(json.dumps(merged(REFERENCE, {"name": "x", "drive": {"motor_inertia": 0.2}})), encoding="utf-8")
     history, written = tmp_path / "history.csv", tmp_path / "factor.toml"
-    ended = afmcalc("simulate", spec, "--json", "--history", history, "--output", written)
+    ended = afmcalc("simulate", spec, "--json", "--history", history, "--save", written)
     assert ended.code == 0
     rows = list(csv.DictReader(io.StringIO(history.read_text(encoding="utf-8"))))
     assert {row["friction [1]"] for row in rows} == {"0.1", "0.3", "0.8"}

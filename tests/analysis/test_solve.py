@@ -137,8 +137,8 @@ def test_nothing_attains_it():
     assert (result.roots, result.value, findings[-1].code) == ([], 1.25, "not-attainable")
     assert result.reached == findings[-1].value == pytest.approx(1.875)
     with pytest.raises(errors.CalculationError, match="the nearest is 1.875, at C = 1.25"):
-        load("example:default").solve("C", "accuracy_factor", 1.0)
-    past = load("example:default").solve("C", "accuracy_factor", 1.5, beyond_limit=True)
+        load("example:default").solve("accuracy_factor", 1.0)
+    past = load("example:default").solve("accuracy_factor", 1.5, beyond_limit=True)
     assert past.value == pytest.approx(6.5 / 2.8)  # 8 (1 + 0.7 C) = 1.5 (1 + 5.6 C)
 
 

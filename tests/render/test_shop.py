@@ -14,7 +14,7 @@ from conftest import CONFIGS
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.section import section
 from afmcalc.analysis.shop import shop_drawing
-from afmcalc.analysis.synthesize import synthesize
+from afmcalc.analysis.synthesize import pocket as designed
 from afmcalc.analysis.wall import CHORD, wall_of
 from afmcalc.engines import build
 from afmcalc.render.dxf import dxf
@@ -29,7 +29,7 @@ CLUTCHES = {"one": "constant-torque", "straight": "indirect", "direct": "default
 def made(kind):
     """Clutch, its control unit as synthesized, the drawing of its pocket, and that drawing as read from DXF."""
     clutch = build(read_spec(f"example:{CLUTCHES[kind]}"))
-    found, _ = synthesize(clutch)
+    found, _ = designed(clutch)
     drawing = shop_drawing(clutch, found)
     document = ezdxf.read(io.StringIO(dxf(pocket(drawing)).decode("utf-8")))
     assert not document.audit().has_issues
@@ -170,8 +170,8 @@ def test_what_the_shop_needs_is_on_the_sheet(afmcalc, tmp_path):
     given = [part for name, text in SHOP.items() for part in ("--set", f"drawing.{name}={text}")]
     given += ["--set", "report.drawing=AFM 01.02", "--set", "report.author=A_b Turner"]
     spec = CONFIGS / "envelope.toml"
-    assert afmcalc("plot", "pocket", spec, "-o", tmp_path / "plain.dxf").code == 0
-    assert afmcalc("plot", "pocket", spec, "-o", tmp_path / "x.dxf", *given).code == 0
+    assert afmcalc("pocket", spec, "-o", tmp_path / "plain.dxf").code == 0
+    assert afmcalc("pocket", spec, "-o", tmp_path / "x.dxf", *given).code == 0
     document = ezdxf.readfile(tmp_path / "x.dxf")
     shown, plain = (
         " ".join(text.dxf.text for text in ezdxf.readfile(tmp_path / name).modelspace().query("TEXT"))
@@ -189,7 +189,7 @@ def test_what_the_shop_needs_is_on_the_sheet(afmcalc, tmp_path):
 @pytest.mark.parametrize("name", ["default", "envelope"])
 def test_section_in_true_millimetres(name, afmcalc, tmp_path):
     path = tmp_path / "s.dxf"
-    assert afmcalc("plot", "section", CONFIGS / f"{name}.toml", "-o", path).code == 0
+    assert afmcalc("layout", CONFIGS / f"{name}.toml", "-o", path).code == 0
     document = ezdxf.readfile(path)
     assert not document.audit().has_issues
     space = document.modelspace()
@@ -228,7 +228,7 @@ def test_a_calculated_length_is_as_its_tolerance(tolerance, written, afmcalc, tm
 
 
 REFUSED = """
-torque -o x.dxf | plot pocket
+plot torque -o x.dxf | .png, .svg, .pdf
 pocket -o x.dxf --set sleeve_depth=7.5mm | 7.5 mm
 pocket -o x.dxf --set balls=16 | pockets
 pocket -o x.dxf --set C=1 | undercut
@@ -239,6 +239,6 @@ def test_what_is_refused(afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for line in REFUSED.strip().splitlines():
         asked, said = line.split(" | ")
-        what, *options = asked.split()
-        run = afmcalc("plot", what, CONFIGS / "constant-torque.toml", *options)
+        what, options = asked.split(" -o ")[0].split(), ["-o", *asked.split(" -o ")[1].split()]
+        run = afmcalc(*what, CONFIGS / "constant-torque.toml", *options)
         assert (run.code, said in run.err, [*tmp_path.iterdir()]) == (2, True, []), run.err

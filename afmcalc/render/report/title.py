@@ -10,7 +10,7 @@ from ...messages import say, translate
 from ...spec import Spec
 from ...spec.make import validated
 from ...spec.models import TitleBlock
-from ...spec.parse import BUILT_IN, parse
+from ...spec.parse import parse
 from ...spec.source import Source
 from ...spec.write import annotated
 
@@ -28,7 +28,7 @@ def text_as_given(source: Source) -> str:
     One that ships has its comments in the language of the user, and says so.
     """
     text = source.text
-    ships = source.name is BUILT_IN or source.startswith("example:")
+    ships = source.startswith("example:")
     if ships and (shown := annotated(text)) != text:
         text = translate(say("# {file}, its comments translated", file=source.name)) + f"\n{shown}"
     if text.lstrip().startswith("{"):

@@ -19,7 +19,7 @@ from afmcalc.errors import AfmcalcError
 from afmcalc.spec import make_spec, read_spec, resolved
 
 CASES = {"torque": "indirect", "accuracy": "unlike-materials", "check": "default", "overload": "all-driving"}
-CASES |= {"synthesize": "indirect", "life": "default"}
+CASES |= {"pocket": "indirect", "life": "default"}
 CLUTCHES = [path.stem for path in sorted(CONFIGS.glob("*.toml")) if "\n[search]" not in path.read_text("utf-8")]
 EVERY = slow(*((command, tuple(CLUTCHES)) for command in EXPLAINED))
 
@@ -171,7 +171,7 @@ def test_of_a_life_of_slips_the_mean_damage_is_shown_not_its_nodes():
 
 def test_the_contact_along_a_wall_is_shown_where_it_is_largest():
     spec = read_spec("example:constant-torque")
-    (found, _), (told, _) = ANALYSES["synthesize"].function(build(spec)), explain("synthesize", spec)
+    (found, _), (told, _) = ANALYSES["pocket"].function(build(spec)), explain("pocket", spec)
     for symbol, largest in ("F_n", found.contact_force), ("p_0", found.contact_pressure):
         assert max(step.value for step in told.steps if step.symbol == symbol) == pytest.approx(largest, rel=1e-12)
 
@@ -179,7 +179,7 @@ def test_the_contact_along_a_wall_is_shown_where_it_is_largest():
 def test_the_search_for_a_gain_that_can_be_cut_is_not_explained(afmcalc):
     """Not the thousand of the gains that are tried."""
     wide = ["--set", "control_unit.edge_clearance=4"]
-    told = afmcalc("explain", "synthesize", CONFIGS / "constant-torque.toml", *wide, "--json").json
+    told = afmcalc("explain", "pocket", CONFIGS / "constant-torque.toml", *wide, "--json").json
     assert "wall-undercut" in {each["code"] for each in told["findings"]}
     assert len(told["result"]["steps"]) < 70
 

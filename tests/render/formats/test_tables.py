@@ -149,7 +149,7 @@ def test_a_narrow_table_has_every_number_and_key_whole(command, afmcalc, monkeyp
 
 
 ASKED = {
-    "torque": "indirect", "synthesize": "indirect", "accuracy": "unlike-materials", "adjust": "all-driving",
+    "torque": "indirect", "pocket": "indirect", "accuracy": "unlike-materials", "adjust": "all-driving",
     "life": "default",
 }  # fmt: skip
 
@@ -168,7 +168,7 @@ def test_every_number_shown_in_si_is_one_of_the_result(command, answered):
     assert answered(command, path).out == answered(command, path, "--units", "engineer").out
 
 
-@pytest.mark.parametrize("command", ["torque", "synthesize", "explain torque"])
+@pytest.mark.parametrize("command", ["torque", "pocket", "explain torque"])
 def test_an_ascii_stream_gets_letters_and_columns(command, answered):
     asked = *command.split(), CONFIGS / f"{ASKED.get(command, 'default')}.toml", "--quiet"
     whole, spelled = answered(*asked), answered(*asked, encoding="ascii")

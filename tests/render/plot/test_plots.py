@@ -125,11 +125,11 @@ def distance(point, start, end):
 @pytest.mark.slow
 def test_the_same_bytes_from_another_process(tmp_path, afmcalc):
     """With another hash seed and zone, without a home of matplotlib."""
-    asked = {"a.svg": "accuracy", "b.svg": "section", "b.dxf": "pocket", "b.pdf": "section", "b.png": "pocket"}
+    asked = {"a.svg": "plot accuracy", "b.svg": "layout", "b.dxf": "pocket", "b.pdf": "layout"}
     other = {"MPLBACKEND": "svg", "MPLCONFIGDIR": "/proc/none", "HOME": "/proc/none", "TZ": "Asia/Tokyo"}
     environment = {**os.environ, **other, "PYTHONHASHSEED": "7", "PYTHONPATH": str(ROOT)}
     for name, kind in asked.items():
-        line = ["plot", kind, "example:indirect", "--quiet", "-o", str(tmp_path / name)]
+        line = [*kind.split(), "example:envelope", "--quiet", "-o", str(tmp_path / name)]
         subprocess.run([sys.executable, "-m", "afmcalc", *line], check=True, env=environment)
         made = (tmp_path / name).read_bytes()
         assert afmcalc(*line, "--force").code == 0
@@ -139,9 +139,11 @@ def test_the_same_bytes_from_another_process(tmp_path, afmcalc):
 REFUSED = """
 plot torqe | 'torque'
 plot torque -o x.gif | .svg
+plot pocket | afmcalc pocket
+plot section | afmcalc layout
 plot torque --sweep C -o x.svg | --sweep
-plot pocket - - -o x.svg | once
-plot pocket example:conventional -o x.svg | control unit
+plot torque - - -o x.svg | once
+pocket example:conventional -o x.svg | control unit
 plot overload example:indirect -o x.svg | S22
 plot life --sweep C -o x.svg | dT
 plot overload example:default example:default -o x.svg | one SPEC

@@ -210,8 +210,8 @@ def test_an_svg_needs_no_library(afmcalc, tmp_path, monkeypatch):
         monkeypatch.setitem(sys.modules, module, None)
     target = tmp_path / "s.svg"
     name = "<script>alert(1)</script> a_b"
-    assert afmcalc("plot", "section", "--set", f"name={name}", "-o", target).code == 0
+    assert afmcalc("layout", "--set", f"name={name}", "-o", target).code == 0
     texts = ["".join(text.itertext()) for text in ElementTree.parse(target).iter(named("text"))]
     assert "<script>alert(1)</script> a_b" in texts
-    run = afmcalc("plot", "section", "-o", tmp_path / "s.png")
+    run = afmcalc("layout", "-o", tmp_path / "s.pdf")
     assert (run.code, "afmcalc[plot]" in run.err) == (2, True)

@@ -77,17 +77,3 @@ def test_both_languages_have_the_same_numbers(name, report, parsed):
     assert verdicts[0] == verdicts[1] != []
     listed = [len(each["symbols"].findall(".//dt")) for each in (english, russian)]
     assert listed[0] == listed[1] > 50
-
-
-@pytest.mark.slow
-def test_latin_letters_are_the_same_in_both_languages(report, parsed):
-    """In Russian sentences too; what the papers write stands beside."""
-    pages = [parsed(report("default", *given)) for given in ((), ("--lang", "ru", "--symbols", "latin"))]
-    listed = (page.findall(".//section[@id='symbols']//dt") for page in pages)
-    english, russian = (sorted(text_of(each).replace("tg ", "tan ") for each in page) for page in listed)
-    assert english == russian
-    assert "Fcl (Fп)" in russian
-    indices = {text_of(part) for part in pages[1].find(".//main").iter() if part.tag == "sub"}
-    assert {"cl", "mean"} <= indices
-    papers = text_of(parsed(report("default", "--symbols", "papers", "--short")).find(".//main"))
-    assert ("Fп" in papers, "Fcl" in papers) == (True, False)

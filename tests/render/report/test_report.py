@@ -35,13 +35,13 @@ def test_valid_and_self_contained(name, report, drawn, parsed):
 @pytest.mark.parametrize(
     ("name", "absent"),
     [
-        ("conventional", {"overload", "synthesize", "tolerance"}),
+        ("conventional", {"overload", "pocket", "tolerance"}),
         pytest.param("tolerance", set(), marks=pytest.mark.slow),
     ],
 )
 def test_sections_that_do_not_apply_are_left_out(name, absent, report):
     page = report(name)
-    for key in ("torque", "accuracy", "adjust", "overload", "synthesize", "life", "tolerance"):
+    for key in ("torque", "accuracy", "adjust", "overload", "pocket", "life", "tolerance"):
         assert (f'<section id="{key}">' in page) == (f'href="#{key}"' in page) == (key not in absent), key
     assert "None" not in page
 
