@@ -83,9 +83,6 @@ def _run(given: list[str]) -> int:
         return error.exit_code
     except (KeyboardInterrupt, typer.Abort):
         return INTERRUPTED
-    except BrokenPipeError:  # the reader of a help left
-        drop_output()
-        return 0
     except OSError as error:
         drop_output()
         named = error.filename or told("standard output")
