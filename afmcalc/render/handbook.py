@@ -28,6 +28,7 @@ from .report.blocks import (
     listed,
     piece,
     text,
+    when,
 )  # fmt: skip
 from .report.chapters import broken
 from .report.formulas import formula
@@ -127,9 +128,12 @@ class _Book:
     def _formula(self, entry: Entry) -> Step:
         """Lay out a formula: what its symbols are, an example, sources, proofs, and the commands that calculate it."""
         equation = entry.equation
-        what = [piece("b", said(equation.result.symbol)), said(translate(equation.about))]
-        if source := translate(equation.source).rstrip("."):
-            what.append(piece("sources", text("[", self._linked(source, equation.name), "]")))
+        source = self._linked(translate(equation.source).rstrip("."), equation.name)
+        what = [
+            text(_strong(said(equation.result.symbol))),
+            said(translate(equation.about)),
+            when(source, piece("sources", text("[", source, "]"))),
+        ]
         lines = []
         if entry.worked:
             example = piece("soft", told("In numbers, example:{example}", example=entry.example))
@@ -140,16 +144,22 @@ class _Book:
             notes.append(text(_strong(told("Validity:")), " ", self._linked(validity, equation.name)))
         notes += [
             text(
-                *(_strong(told("Printed:")), " ", said(worded(place.id)), ": ", said(worded(place.printed), False)),
+                *(
+                    _strong(told("Printed:")),
+                    " ",
+                    said(worded(place.id)),
+                    ": ",
+                    said(worded(place.printed or ""), False),
+                ),
                 f" ({place.misprint})",
             )
             for place in entry.printed
             if place.status == "mended"
         ]
-        proofs = [_strong(told("Proved by:")), " ", _codes(entry.proofs), "; "] if entry.proofs else []
+        proofs = when(entry.proofs, _strong(told("Proved by:")), " ", _codes(entry.proofs), "; ")
         commands = _codes(entry.commands) if entry.commands else text(told("no command"))
-        by = [_strong(told("Calculated by:")), " ", commands, "; "]
-        notes.append(text(*proofs, *by, _strong(told("Function:")), " ", piece("code", equation.name)))
+        by = text(_strong(told("Calculated by:")), " ", commands, "; ")
+        notes.append(text(proofs, by, _strong(told("Function:")), " ", piece("code", equation.name)))
         return Step(
             what=listed(what, " "),
             number=self.numbers[equation.name],
@@ -220,7 +230,7 @@ class _Book:
         return _table(heads, rows, role="claims", named=True)
 
 
-def _strong(words: str) -> Piece:
+def _strong(words: str | Text) -> Piece:
     return piece("b", words)
 
 
@@ -230,25 +240,24 @@ def _codes(names: Sequence[str]) -> Text:
 
 def _term(symbol: str, meaning: str, unit: str) -> Text:
     """Say what a symbol is, with its unit."""
-    means = [" – ", said(translate(meaning))] if meaning else []
-    return text(piece("b", said(symbol)), *means, f", {translate(unit, 'unit')}" if unit not in ("1", "") else "")
+    means = when(meaning, " – ", said(translate(meaning)))
+    return text(_strong(said(symbol)), means, f", {translate(unit, 'unit')}" if unit not in ("1", "") else "")
 
 
 def _misprint(entry: Misprint) -> Step:
     """Lay out a misprint: what is printed, what should be, and why."""
     status = [translate(entry.status, "value") + (f" {entry.repeats}" if entry.repeats else "")]
     status += [translate(entry.certainty, "value")] if entry.certainty != entry.status else []
-    printed = [_strong(told("Printed") + ":"), said(translate(entry.printed), False)]
-    reading = (
-        text(". ", _strong(told("Right if read as:")), " ", said(translate(entry.reading))) if entry.reading else ""
-    )
+    quote = when(entry.quote, piece("q", said(entry.quote or "", False)))
+    printed = [text(_strong(told("Printed") + ":")), said(translate(entry.printed), False), quote]
+    reading = when(entry.reading, ". ", _strong(told("Right if read as:")), " ", said(translate(entry.reading or "")))
     notes = [
-        listed(printed + ([piece("q", said(entry.quote, False))] if entry.quote else []), " "),
+        listed(printed, " "),
         *([text(_strong(told("Should be:")), " ", said(translate(entry.correct)))] if entry.correct != "–" else []),
         text(_strong(told("Why") + ":"), " ", said(translate(entry.why)), reading),
     ]
-    what = [_strong(entry.id), said(translate(entry.where)), piece("sources", f"[{'; '.join(status)}]")]
-    return Step(listed(what, " "), notes=notes, key=entry.id)
+    what = text(_strong(entry.id), " ", said(translate(entry.where)), " ", piece("sources", f"[{'; '.join(status)}]"))
+    return Step(what, notes=notes, key=entry.id)
 
 
 _INLINE = re.compile(r"\{(see|value) ([^{}]+)\}")

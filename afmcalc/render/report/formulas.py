@@ -27,7 +27,7 @@ def formula(latex: str) -> Formula:
     """Read LaTeX of ours, set in the numbers and units of the user's language.
 
     >>> formula(r"\\frac{F_{\\text{cl}}}{2}").tree
-    [{'fraction': [[{'script': ['F', [{'text': 'cl'}], None]}], [{'number': '2'}]]}]
+    [{'fraction': [[{'script': [['F'], [{'text': 'cl'}], None]}], [{'number': '2'}]]}]
     >>> formula(r"F = \\sqrt{2} \\cdot 10^{3}\\,\\text{N}").alt
     'F = √(2)·10^3\u2009N'
     """

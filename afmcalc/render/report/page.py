@@ -45,10 +45,11 @@ from .blocks import (
     listed,
     piece,
     text,
+    when,
 )  # fmt: skip
 from .chapters import Chapter, chapters, explained, peaks
 from .html import page
-from .markup import MISPRINT, cell, cited, name_of, plain, said
+from .markup import MISPRINT, cell, cited, name_of, plain, said, unparted
 from .title import today
 from .words import SHORT, form, titled, told
 
@@ -90,9 +91,9 @@ class _SpecLine(NamedTuple):
 
     def cells(self, changed: Collection[str]) -> list[Text]:
         """Row of a table; what was ``changed`` says so."""
-        mark = [" ", piece("soft", f"({message('overridden')})")] if self.path in changed else []
+        mark = when(self.path in changed, " ", piece("soft", f"({message('overridden')})"))
         set_so = cell if self.numeric or self.path == "adjustment.method" else plain
-        return [said(self.symbol), text(said(self.about), *mark), set_so(self.value), text(self.unit)]
+        return [said(self.symbol), text(said(self.about), mark), set_so(self.value), text(self.unit)]
 
 
 def _in_a_line(group: tuple[str, Iterable[_SpecLine]]) -> Text:
@@ -125,7 +126,7 @@ def report(subject: Subject) -> Document:
 
 def _report(subject: Subject, latin: Mapping[str, str]) -> Document:
     dossier, short, title = subject.dossier, subject.short, subject.title
-    name = named(dossier.spec.name) or message("Adaptive friction clutch")
+    name = unparted(printable(named(dossier.spec.name) or message("Adaptive friction clutch")))
     kind = message("Calculation report")
     paper = "report" if title.form == "report" and not short else form().paper
     verdict = Paragraph(said(translate(dossier.check.verdict.sentence)), f"sum {dossier.check.grade}", "verdict")
@@ -133,7 +134,7 @@ def _report(subject: Subject, latin: Mapping[str, str]) -> Document:
         language=spoken(),
         program=f"afmcalc {subject.version}",
         kind=kind,
-        name=printable(name),
+        name=name,
         cover=[_entries(subject), _signatures(title), verdict],
         body=_Parts(subject, latin).sections(),
         running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
@@ -266,8 +267,8 @@ class _Parts:
     def _calculation(self) -> Iterator[Block]:
         if not self.short:
             lead = message(
-                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what comes out, "
-                "in the units of the tables."
+                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what "
+                "comes out, in the units of the tables."
             )
             notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
             notes += [] if self.dossier.spec.friction.unlike else [message("All pairs are alike: f_1 = f_2 = f.")]
@@ -309,7 +310,7 @@ class _Parts:
         yield Definitions(
             "symbols",
             [
-                (text(said(symbol, False), *([" (", said(papers, False), ")"] if papers else [])), said(words))
+                (text(said(symbol, False), when(papers, " (", said(papers, False), ")")), said(words))
                 for symbol, papers, words in rows
             ],
         )
@@ -380,8 +381,8 @@ def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> Findings:
     for finding in findings:
         grade = {"error": "fail", "warning": "warning", "info": "note"}[finding.level]
         words = said(translate(finding.message) if keys else in_words(translate(finding.message)))
-        code = [" ", piece("code", finding.path)] if keys and finding.path else []
-        items.append((piece("grade", told(f"level/{finding.level}"), grade), text(words, *code)))
+        code = when(keys and finding.path, " ", piece("code", finding.path or ""))
+        items.append((piece("grade", told(f"level/{finding.level}"), grade), text(words, code)))
     return Findings(items)
 
 
@@ -476,7 +477,7 @@ def _frame(title: TitleBlock, headline: str) -> Frame:
     roles = ("Drawn", title.author), ("Checked", title.checked), ("", ""), ("Standards", title.norm_control)
     margin = "Signature and date", "No. of copy", "Instead of no.", "Signature and date", "No. of original"
     return Frame(
-        headline=printable(headline),
+        headline=headline,
         drawing=printable(title.drawing or ""),
         organisation=printable(title.organisation or ""),
         revision=printable(title.revision or ""),
