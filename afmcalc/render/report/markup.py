@@ -25,11 +25,11 @@ def unparted(words: str) -> str:
     >>> unparted("37 kW at 1460 rpm, 20 °C").count("\u00a0")
     3
     """
-    return _UNIT.sub("\u00a0", words)
+    return _UNIT.sub("\\1\u00a0", words)
 
 
-_UNIT = re.compile(r"(?<=\d) (?=(?:[^\W\d_]{1,3}|°[CС])(?![^\W\d_]))")
-"""The space between a number and a word of few letters."""
+_UNIT = re.compile(r"(?<!\w)(\d[\d.,]*) (?=(?:[^\W\d_]{1,3}|°[CС])(?![^\W\d_]))")
+"""A number before a word of few letters; S19 is none."""
 
 
 def said(words: str, ours: bool = True) -> Text:

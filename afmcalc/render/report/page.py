@@ -540,7 +540,7 @@ def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
             )
 
 
-_ELSEWHERE = ("name", "report", "requirements", "catalogues")
+_ELSEWHERE = ("name", "report", "requirements", "catalogues", "objectives", "search")
 
 
 def _titled(path: str) -> str:
