@@ -13,22 +13,8 @@ from ..papers.register import Misprint, misprints, references
 from ..units import typeset
 from .plot import sheet_of
 from .plot.schemes import SCHEMES
-from .report.blocks import (
-    Block,
-    Bullets,
-    Code,
-    Document,
-    Paragraph,
-    Piece,
-    Reasoning,
-    Section,
-    Step,
-    Table,
-    Text,
-    listed,
-    piece,
-    text,
-)  # fmt: skip
+from .report import blocks
+from .report.blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .report.chapters import broken
 from .report.formulas import formula
 from .report.html import page
@@ -48,7 +34,7 @@ def book(handbook: Handbook) -> Document:
     """Lay the handbook out."""
     about = told("What afmcalc calculates and why: every formula is set from the function that calculates it.")
     program, name = f"afmcalc {__version__}", told("Handbook")
-    cover = [Paragraph(text(about))]
+    cover = [blocks.Paragraph(text(about))]
     return Document(spoken(), program, program, name, cover, _Book(handbook).chapters(), name, today(), paper="book")
 
 
@@ -58,7 +44,7 @@ class _Book:
     def __init__(self, handbook: Handbook) -> None:
         parser = MarkdownIt("commonmark", {"html": False}).enable("table")
         self.handbook, self.numbers, self.figures = handbook, dict[str, str](), 0
-        self.lists: dict[str, Callable[[], Table]] = {
+        self.lists: dict[str, Callable[[], blocks.Table]] = {
             "notation": self._notation,
             "claims": self._claims,
             "misprints": _misprints,
@@ -72,24 +58,24 @@ class _Book:
             self.numbers |= {name: f"{number}.{count}" for count, name in enumerate(shown, 1)}
             self.parts.append((number, head.removeprefix("# "), tokens))
 
-    def chapters(self) -> list[Section]:
+    def chapters(self) -> list[blocks.Section]:
         """Lay out every chapter: its number is in the name of its file."""
         return [
-            Section(f"chapter-{number}", str(number), said(title), self._chapter(number, tokens))
+            blocks.Section(f"chapter-{number}", str(number), said(title), self._chapter(number, tokens))
             for number, title, tokens in self.parts
         ]
 
     def _chapter(self, number: int, tokens: list[Token]) -> list[Block]:
         """Lay out a chapter: what stands before its first section, then its sections."""
         before: list[Block] = []
-        sections: list[Section] = []
+        sections: list[blocks.Section] = []
         body = before
         left = iter(tokens)
         for token in left:
             if token.type == "heading_open":
                 body, count = [], len(sections) + 1
                 title = self._inline(next(left))
-                sections.append(Section(f"section-{number}-{count}", f"{number}.{count}", title, body))
+                sections.append(blocks.Section(f"section-{number}-{count}", f"{number}.{count}", title, body))
                 next(left)
             else:
                 body += self._blocks(token, left)
@@ -101,17 +87,17 @@ class _Book:
             found = _blocks_of(token)
             yield from (self._block(*each) for each in found)
             if not found:
-                yield Paragraph(self._inline(token))
+                yield blocks.Paragraph(self._inline(token))
         elif token.type == "fence":
             lines = [*map(said, token.content.splitlines())]
-            yield Code(token.content) if token.info == "sh" else Reasoning(lines)
+            yield blocks.Code(token.content) if token.info == "sh" else blocks.Reasoning(lines)
         elif token.type == "bullet_list_open":
-            yield Bullets([*map(self._inline, _until("bullet_list_close", left))])
+            yield blocks.Bullets([*map(self._inline, _until("bullet_list_close", left))])
         elif token.type == "table_open":
             rows: list[int] = []
             cells = [*map(self._inline, _until("table_close", left, rows))]
             head, *others = [cells[start:end] for start, end in zip(rows, [*rows[1:], None], strict=True)]
-            yield Table("", text(), head, others)
+            yield blocks.Table("", text(), head, others)
 
     def _block(self, kind: str, name: str) -> Block:
         if kind == "equation":
@@ -124,12 +110,15 @@ class _Book:
             return figure_of(self.figures, sheet, [sheet])
         return self.lists[name]()
 
-    def _formula(self, entry: Entry) -> Step:
+    def _formula(self, entry: Entry) -> blocks.Step:
         """Lay out a formula: what its symbols are, an example, sources, proofs, and the commands that calculate it."""
         equation = entry.equation
-        what = [piece("b", said(equation.result.symbol)), said(translate(equation.about))]
-        if source := translate(equation.source).rstrip("."):
-            what.append(piece("sources", text("[", self._linked(source, equation.name), "]")))
+        source = self._linked(translate(equation.source).rstrip("."), equation.name)
+        what = [
+            text(_strong(said(equation.result.symbol))),
+            said(translate(equation.about)),
+            when(source, piece("sources", text("[", source, "]"))),
+        ]
         lines = []
         if entry.worked:
             example = piece("soft", told("In numbers, example:{example}", example=entry.example))
@@ -140,17 +129,23 @@ class _Book:
             notes.append(text(_strong(told("Validity:")), " ", self._linked(validity, equation.name)))
         notes += [
             text(
-                *(_strong(told("Printed:")), " ", said(worded(place.id)), ": ", said(worded(place.printed), False)),
+                *(
+                    _strong(told("Printed:")),
+                    " ",
+                    said(worded(place.id)),
+                    ": ",
+                    said(worded(place.printed or ""), False),
+                ),
                 f" ({place.misprint})",
             )
             for place in entry.printed
             if place.status == "mended"
         ]
-        proofs = [_strong(told("Proved by:")), " ", _codes(entry.proofs), "; "] if entry.proofs else []
+        proofs = when(entry.proofs, _strong(told("Proved by:")), " ", _codes(entry.proofs), "; ")
         commands = _codes(entry.commands) if entry.commands else text(told("no command"))
-        by = [_strong(told("Calculated by:")), " ", commands, "; "]
-        notes.append(text(*proofs, *by, _strong(told("Function:")), " ", piece("code", equation.name)))
-        return Step(
+        by = text(_strong(told("Calculated by:")), " ", commands, "; ")
+        notes.append(text(proofs, by, _strong(told("Function:")), " ", piece("code", equation.name)))
+        return blocks.Step(
             what=listed(what, " "),
             number=self.numbers[equation.name],
             formula=formula(broken(entry.latex)),
@@ -196,7 +191,7 @@ class _Book:
             return piece("link", told("chapter {number}", number=name), f"chapter-{name}")
         return piece("link", name if re.fullmatch(r"[MP]\d+", name) else f"[{name}]", name)
 
-    def _notation(self) -> Table:
+    def _notation(self) -> blocks.Table:
         equations = (entry.equation for entry in self.handbook.formulas.values())
         terms = (term for each in equations for term in (*each.arguments.values(), each.result))
         meant = [(term.symbol, translate(term.meaning), typeset(term.unit)) for term in terms if term.meaning]
@@ -204,7 +199,7 @@ class _Book:
         rows_in_order = sorted(rows, key=lambda row: (row[0].casefold(), *row))
         return _table(("Symbol", "Quantity", "Unit"), [[*map(said, row)] for row in rows_in_order])
 
-    def _claims(self) -> Table:
+    def _claims(self) -> blocks.Table:
         rows = [
             [
                 text(row.id),
@@ -220,7 +215,7 @@ class _Book:
         return _table(heads, rows, role="claims", named=True)
 
 
-def _strong(words: str) -> Piece:
+def _strong(words: str | Text) -> Piece:
     return piece("b", words)
 
 
@@ -230,25 +225,24 @@ def _codes(names: Sequence[str]) -> Text:
 
 def _term(symbol: str, meaning: str, unit: str) -> Text:
     """Say what a symbol is, with its unit."""
-    means = [" – ", said(translate(meaning))] if meaning else []
-    return text(piece("b", said(symbol)), *means, f", {translate(unit, 'unit')}" if unit not in ("1", "") else "")
+    means = when(meaning, " – ", said(translate(meaning)))
+    return text(_strong(said(symbol)), means, f", {translate(unit, 'unit')}" if unit not in ("1", "") else "")
 
 
-def _misprint(entry: Misprint) -> Step:
+def _misprint(entry: Misprint) -> blocks.Step:
     """Lay out a misprint: what is printed, what should be, and why."""
     status = [translate(entry.status, "value") + (f" {entry.repeats}" if entry.repeats else "")]
     status += [translate(entry.certainty, "value")] if entry.certainty != entry.status else []
-    printed = [_strong(told("Printed") + ":"), said(translate(entry.printed), False)]
-    reading = (
-        text(". ", _strong(told("Right if read as:")), " ", said(translate(entry.reading))) if entry.reading else ""
-    )
+    quote = when(entry.quote, piece("q", said(entry.quote or "", False)))
+    printed = [text(_strong(told("Printed") + ":")), said(translate(entry.printed), False), quote]
+    reading = when(entry.reading, ". ", _strong(told("Right if read as:")), " ", said(translate(entry.reading or "")))
     notes = [
-        listed(printed + ([piece("q", said(entry.quote, False))] if entry.quote else []), " "),
+        listed(printed, " "),
         *([text(_strong(told("Should be:")), " ", said(translate(entry.correct)))] if entry.correct != "–" else []),
         text(_strong(told("Why") + ":"), " ", said(translate(entry.why)), reading),
     ]
-    what = [_strong(entry.id), said(translate(entry.where)), piece("sources", f"[{'; '.join(status)}]")]
-    return Step(listed(what, " "), notes=notes, key=entry.id)
+    what = text(_strong(entry.id), " ", said(translate(entry.where)), " ", piece("sources", f"[{'; '.join(status)}]"))
+    return blocks.Step(what, notes=notes, key=entry.id)
 
 
 _INLINE = re.compile(r"\{(see|value) ([^{}]+)\}")
@@ -278,11 +272,13 @@ def _until(end: str, left: Iterator[Token], rows: list[int] | None = None) -> li
     return texts
 
 
-def _table(heads: Sequence[str], rows: Sequence[Sequence[Text]], *, role: str = "", named: bool = False) -> Table:
-    return Table(role, text(), [text(translate(head)) for head in heads], rows, named=named)
+def _table(
+    heads: Sequence[str], rows: Sequence[Sequence[Text]], *, role: str = "", named: bool = False
+) -> blocks.Table:
+    return blocks.Table(role, text(), [text(translate(head)) for head in heads], rows, named=named)
 
 
-def _misprints() -> Table:
+def _misprints() -> blocks.Table:
     rows = [
         [text(piece("link", entry.id, entry.id)), said(translate(entry.where)), text(translate(entry.status, "value"))]
         for entry in misprints()
@@ -290,6 +286,6 @@ def _misprints() -> Table:
     return _table(("No.", "Where", "Kind"), rows)
 
 
-def _references() -> Table:
+def _references() -> blocks.Table:
     rows = [[text(name), said(source)] for name, source in references().items() if name != "handbook"]
     return _table(("Cited as", "Source"), rows, named=True)  # it does not cite itself

@@ -74,7 +74,7 @@ def test_every_link_of_the_page_leads_somewhere_in_it(book, monkeypatch):
     assert set(re.findall(r'<a [^>]*\bhref="#([^"]*)"', page)) <= set(ids)
     assert not re.search(r'(?:src|href)="(?!#)|@import|url\((?!#)', page)
     assert not re.search(r"\{(?:see|value|equation|misprint|figure|list) ", page)
-    page = re.sub(r"(?s)<(style|script|code|math)\b.*?</\1>|<section id=\"chapter-16\".*", " ", page)
+    page = re.sub(r"(?s)<(style|script|code|pre|math)\b.*?</\1>|<section id=\"chapter-16\".*", " ", page)
     page = re.sub(r"example:\S+", " ", re.sub(r"<[^>]*>", " ", page.replace("<sub>", "_")))
     words = {word.strip(".,") for word in re.findall(r"\b[a-zA-Z]{4,}", page)}
     terms = chapter_texts("ru")[1].partition("## Термины")[2]

@@ -46,9 +46,15 @@ def piece(kind: Any, body: "str | Text", to: str = "") -> Piece:
     return Piece(kind, text(body), to)
 
 
+def when(there: object, *parts: "str | Piece | Text") -> Text:
+    """Join texts where there is something to tell, else none."""
+    return text(*parts) if there else Text()
+
+
 def listed(parts: "Sequence[str | Piece | Text]", sign: str = ", ") -> Text:
-    """Join texts with a sign between them."""
-    return text(*[each for part in parts for each in (sign, part)][1:])
+    """Join texts with a sign between them; empty ones are left out."""
+    shown = [part for part in parts if part]
+    return text(*[each for part in shown for each in (sign, part)][1:])
 
 
 @dataclass(frozen=True)

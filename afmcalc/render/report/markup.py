@@ -16,7 +16,20 @@ from .blocks import Drawing, Piece, Text, piece, text
 
 def plain(words: str | None) -> Text:
     """Set a text of a user's as it is; characters that are not seen are spelled."""
-    return text(printable(words or "", lines=True))
+    return text(unparted(printable(words or "", lines=True)))
+
+
+def unparted(words: str) -> str:
+    """Keep each number and its unit in one line.
+
+    >>> unparted("37 kW at 1460 rpm, 20 °C").count("\u00a0")
+    3
+    """
+    return _UNIT.sub("\\1\u00a0", words)
+
+
+_UNIT = re.compile(r"(?<!\w)(\d[\d.,]*) (?=(?:[^\W\d_]{1,3}|°[CС])(?![^\W\d_]))")
+"""A number before a word of few letters; S19 is none."""
 
 
 def said(words: str, ours: bool = True) -> Text:
@@ -25,7 +38,7 @@ def said(words: str, ours: bool = True) -> Text:
     >>> said("T_н < -1")
     ('T', Piece(kind='sub', body=('н',), to=''), ' < −1')
     """
-    pieces = split(_MINUS.sub("−", printable(words, lines=True)), ours)
+    pieces = split(_MINUS.sub("−", unparted(printable(words, lines=True))), ours)
     return text(*(piece("sub", each) if low else each for each, low in pieces))
 
 

@@ -24,31 +24,11 @@ from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
-from .blocks import (
-    Block,
-    Bullets,
-    Code,
-    Definitions,
-    Document,
-    Drawing,
-    Entries,
-    Figure,
-    Findings,
-    Frame,
-    Heading,
-    Paragraph,
-    Piece,
-    Section,
-    Signatures,
-    Table,
-    Text,
-    listed,
-    piece,
-    text,
-)  # fmt: skip
+from . import blocks
+from .blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .chapters import Chapter, chapters, explained, peaks
 from .html import page
-from .markup import MISPRINT, cell, cited, name_of, plain, said
+from .markup import MISPRINT, cell, cited, name_of, plain, said, unparted
 from .title import today
 from .words import SHORT, form, titled, told
 
@@ -90,9 +70,9 @@ class _SpecLine(NamedTuple):
 
     def cells(self, changed: Collection[str]) -> list[Text]:
         """Row of a table; what was ``changed`` says so."""
-        mark = [" ", piece("soft", f"({message('overridden')})")] if self.path in changed else []
+        mark = when(self.path in changed, " ", piece("soft", f"({message('overridden')})"))
         set_so = cell if self.numeric or self.path == "adjustment.method" else plain
-        return [said(self.symbol), text(said(self.about), *mark), set_so(self.value), text(self.unit)]
+        return [said(self.symbol), text(said(self.about), mark), set_so(self.value), text(self.unit)]
 
 
 def _in_a_line(group: tuple[str, Iterable[_SpecLine]]) -> Text:
@@ -118,22 +98,23 @@ def report(subject: Subject) -> Document:
     sources = references()
     entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
     body = [
-        replace(each, body=[Definitions("references", entries)]) if each.key == "references" else each for each in body
+        replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
+        for each in body
     ]
     return replace(laid_out, body=[each for each in body if entries or each.key != "references"])
 
 
 def _report(subject: Subject, latin: Mapping[str, str]) -> Document:
     dossier, short, title = subject.dossier, subject.short, subject.title
-    name = named(dossier.spec.name) or message("Adaptive friction clutch")
+    name = unparted(printable(named(dossier.spec.name) or message("Adaptive friction clutch")))
     kind = message("Calculation report")
     paper = "report" if title.form == "report" and not short else form().paper
-    verdict = Paragraph(said(translate(dossier.check.verdict.sentence)), f"sum {dossier.check.grade}", "verdict")
+    verdict = blocks.Paragraph(said(translate(dossier.check.verdict.sentence)), f"sum {dossier.check.grade}", "verdict")
     return Document(
         language=spoken(),
         program=f"afmcalc {subject.version}",
         kind=kind,
-        name=printable(name),
+        name=name,
         cover=[_entries(subject), _signatures(title), verdict],
         body=_Parts(subject, latin).sections(),
         running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
@@ -170,7 +151,7 @@ class _Parts:
         self.lines = [*_spec_lines(_with_frictions(dossier.spec))]
         self._tables, self._figures = count(1), count(1)
 
-    def sections(self) -> list[Section]:
+    def sections(self) -> list[blocks.Section]:
         """Lay out each section that has content, and each appendix under its letter, in their order."""
         has: dict[str, object] = {
             "requirements": self.required, "peaks": self.peaks, "misprints": self.mended,
@@ -185,7 +166,7 @@ class _Parts:
         lettered = zip(appendices, set_so.letters, strict=False)
         self.labels |= {name: message("Appendix {letter}", letter=letter) for name, letter in lettered}
         return [
-            Section(
+            blocks.Section(
                 name,
                 label,
                 text(told("next" if self.short and name == "conclusion" else name)),
@@ -197,11 +178,13 @@ class _Parts:
 
     def _requirements(self) -> Iterator[Block]:
         if not self.required:
-            yield Paragraph(text(message("The spec states no requirements; the clutch is calculated as it is given.")))
+            yield blocks.Paragraph(
+                text(message("The spec states no requirements; the clutch is calculated as it is given."))
+            )
             return
         number = next(self._tables)
         lead = message("What the clutch is to hold, and what it uses of each limit:")
-        yield Paragraph(text(lead, " ", see("table", number), "."))
+        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
         yield from judged(self.required, number, message("Requirements"))
 
     def _checks(self) -> Iterator[Block]:
@@ -216,15 +199,15 @@ class _Parts:
                 shown=len(held), count=many,
             )  # fmt: skip
         number = next(self._tables)
-        yield Paragraph(text(lead, " ", see("table", number), "."))
+        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
         yield from judged(held, number, message("Limits and their utilisation"))
         if self.findings and not self.short:
-            yield Heading(3, text(message("Findings")))
+            yield blocks.Heading(3, text(message("Findings")))
             yield findings_of(self.findings)
         if self.remarks and not self.short:
             at = piece("link", self.labels["misprints"], "misprints")
             lead = message("Remarks that concern misprints of the papers:")
-            yield Paragraph(text(lead, " ", at, "."), "note")
+            yield blocks.Paragraph(text(lead, " ", at, "."), "note")
 
     def _spec(self) -> Iterator[Block]:
         figures = self._shown("spec")
@@ -232,17 +215,17 @@ class _Parts:
         lead = text(drawing, " ", see("figure", *(each.number for each in figures)), ". ") if figures else text()
         lead = text(lead, message("The values calculated with:"), " ")
         if self.short:
-            yield Paragraph(text(lead, *map(_in_a_line, self._groups().items())))
+            yield blocks.Paragraph(text(lead, *map(_in_a_line, self._groups().items())))
         else:
             number = next(self._tables)
-            yield Paragraph(text(lead, see("table", number), "."))
+            yield blocks.Paragraph(text(lead, see("table", number), "."))
             rows: list[list[Text]] = []
             changed = _changed(self.subject.overrides)
             for group, lines in self._groups().items():
                 rows += [[text(group)], *(line.cells(changed) for line in lines)]
             heads = map(text, (message("Symbol"), message("Quantity"), message("Value"), message("Unit")))
             title = text(message("Values calculated with"))
-            yield Table("keys", title, [*heads], rows, [False, False, True, False], number)
+            yield blocks.Table("keys", title, [*heads], rows, [False, False, True, False], number)
         yield from figures
 
     def _groups(self) -> dict[str, list[_SpecLine]]:
@@ -251,7 +234,7 @@ class _Parts:
             groups.setdefault(line.group, []).append(line)
         return groups
 
-    def _shown(self, name: str) -> list[Figure]:
+    def _shown(self, name: str) -> list[blocks.Figure]:
         """Draw what a section shows: each panel by itself, for between them a sheet may end."""
         return [
             figure_of(next(self._figures), sheet, [replace(sheet, title="", panels=[panel]) for panel in sheet.panels])
@@ -260,22 +243,22 @@ class _Parts:
 
     def _peaks(self) -> Iterator[Block]:
         number = next(self._tables)
-        yield Paragraph(text(message("What a trip loads and heats:"), " ", see("table", number), "."))
+        yield blocks.Paragraph(text(message("What a trip loads and heats:"), " ", see("table", number), "."))
         yield quantities(self.peaks[0]._replace(title=told("peaks")), number)
 
     def _calculation(self) -> Iterator[Block]:
         if not self.short:
             lead = message(
-                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what comes out, "
-                "in the units of the tables."
+                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what "
+                "comes out, in the units of the tables."
             )
             notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
             notes += [] if self.dossier.spec.friction.unlike else [message("All pairs are alike: f_1 = f_2 = f.")]
-            yield Paragraph(listed([text(lead), *map(said, notes)], " "))
+            yield blocks.Paragraph(listed([text(lead), *map(said, notes)], " "))
         for place, chapter in enumerate(self.chapters, 1):
             label = f"{self.labels['calculation']}.{place}"
             topic = chapter.topic
-            yield Section(topic.name, label, text(translate(topic.title)), [*self._chapter(chapter)])
+            yield blocks.Section(topic.name, label, text(translate(topic.title)), [*self._chapter(chapter)])
 
     def _chapter(self, chapter: Chapter) -> Iterator[Block]:
         topic, tables = chapter.topic, [quantities(table, next(self._tables)) for table in chapter.tables]
@@ -284,32 +267,34 @@ class _Parts:
         results += [see("figure", *(each.number for each in figures))] if figures else []
         parts: list[Text | Piece | str] = [said(translate(topic.about)), message("Results:"), listed(results)]
         parts[1:1] = [piece("sources", f"[{', '.join(topic.sources)}]")] if topic.sources else []
-        yield Paragraph(text(listed(parts, " "), "."))
+        yield blocks.Paragraph(text(listed(parts, " "), "."))
         yield from tables
         yield from figures
         if chapter.steps:
-            yield Heading(4, text(message("Derivation")))
+            yield blocks.Heading(4, text(message("Derivation")))
             yield from chapter.steps
 
     def _conclusion(self) -> Iterator[Block]:
         check = self.dossier.check
         if not self.short:
-            yield Paragraph(said(translate(check.verdict.sentence)), f"sum {check.grade}")
-            yield Bullets([said(translate(topic.conclusion)) for topic in self.dossier.topics if topic.conclusion])
-            yield Heading(3, text(told("next")))
-        yield Bullets([*map(said, _next(self.dossier))], "next")
+            yield blocks.Paragraph(said(translate(check.verdict.sentence)), f"sum {check.grade}")
+            yield blocks.Bullets(
+                [said(translate(topic.conclusion)) for topic in self.dossier.topics if topic.conclusion]
+            )
+            yield blocks.Heading(3, text(told("next")))
+        yield blocks.Bullets([*map(said, _next(self.dossier))], "next")
 
     def _references(self) -> Iterator[Block]:
         yield from ()  # when all else is laid out it is known what they are
 
     def _symbols(self) -> Iterator[Block]:
         if self.latin:
-            yield Paragraph(text(message("In brackets: as the papers write a symbol.")))
+            yield blocks.Paragraph(text(message("In brackets: as the papers write a symbol.")))
         rows = _symbols(self.chapters, self.lines, self.dossier, self.latin)
-        yield Definitions(
+        yield blocks.Definitions(
             "symbols",
             [
-                (text(said(symbol, False), *([" (", said(papers, False), ")"] if papers else [])), said(words))
+                (text(said(symbol, False), when(papers, " (", said(papers, False), ")")), said(words))
                 for symbol, papers, words in rows
             ],
         )
@@ -317,7 +302,7 @@ class _Parts:
     def _misprints(self) -> Iterator[Block]:
         number = next(self._tables)
         lead = message("Where this calculation departs from the print of its sources, by the number that stands there:")
-        yield Paragraph(text(lead, " ", see("table", number), "."))
+        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
         heads = map(text, (message("No."), message("Where"), message("Printed"), message("Should be")))
         rows = [
             [
@@ -328,15 +313,15 @@ class _Parts:
             ]
             for each in self.mended
         ]
-        yield Table("misprints", text(told("misprints")), [*heads], rows, number=number, named=True)
+        yield blocks.Table("misprints", text(told("misprints")), [*heads], rows, number=number, named=True)
         if self.remarks:
             yield findings_of(self.remarks)
 
     def _source(self) -> Iterator[Block]:
         if overrides := self.subject.overrides:
             lead = message("Overridden on the command line")
-            yield Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
-        yield Code(printable(self.subject.given, lines=True))
+            yield blocks.Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
+        yield blocks.Code(printable(self.subject.given, lines=True))
 
 
 def see(what: Literal["table", "figure"], *numbers: int) -> Text:
@@ -361,34 +346,34 @@ def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterat
         for row in rows
     ]
     numeric = [False, False, False, True, True, False, True]
-    yield Table("judged", text(title), [text(translate(head)) for head in heads], cells, numeric, number)
+    yield blocks.Table("judged", text(title), [text(translate(head)) for head in heads], cells, numeric, number)
     if any(row.shown_unit == "K abs" for row in rows):
         note = message("The share of a temperature is that of the rise which its limit allows.")
-        yield Paragraph(text(note), "note")
+        yield blocks.Paragraph(text(note), "note")
 
 
-def quantities(block: TextTable, number: int = 0) -> Table:
+def quantities(block: TextTable, number: int = 0) -> blocks.Table:
     """Lay out a table of numbers."""
     role = "quantities" if block.header[-1] == translate("Unit") else ""
     rows = [[*map(cell, row)] for row in block.rows]
-    return Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric, number)
+    return blocks.Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric, number)
 
 
-def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> Findings:
+def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Findings:
     """Lay out findings, in words or with the keys that they are of."""
     items = []
     for finding in findings:
         grade = {"error": "fail", "warning": "warning", "info": "note"}[finding.level]
         words = said(translate(finding.message) if keys else in_words(translate(finding.message)))
-        code = [" ", piece("code", finding.path)] if keys and finding.path else []
-        items.append((piece("grade", told(f"level/{finding.level}"), grade), text(words, *code)))
-    return Findings(items)
+        code = when(keys and finding.path, " ", piece("code", finding.path or ""))
+        items.append((piece("grade", told(f"level/{finding.level}"), grade), text(words, code)))
+    return blocks.Findings(items)
 
 
-def figure_of(number: int, sheet: Sheet, parts: Sequence[Sheet]) -> Figure:
+def figure_of(number: int, sheet: Sheet, parts: Sequence[Sheet]) -> blocks.Figure:
     """Draw a sheet in parts."""
-    drawings = [Drawing(inline_svg(part)) for part in parts]
-    return Figure(number, drawings, said(sheet.title), said(in_words(sheet.caption)))
+    drawings = [blocks.Drawing(inline_svg(part)) for part in parts]
+    return blocks.Figure(number, drawings, said(sheet.title), said(in_words(sheet.caption)))
 
 
 def _three(share: float) -> str:
@@ -441,7 +426,7 @@ def _next(dossier: Dossier) -> list[str]:
     return lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
 
 
-def _entries(subject: Subject) -> Entries:
+def _entries(subject: Subject) -> blocks.Entries:
     """Title block: what is given of it, and what every report has; a date of ISO 8601 as the language writes it."""
     title = dict(subject.title) | {
         "variant": translate(subject.dossier.spec.variant, "value"),
@@ -456,7 +441,7 @@ def _entries(subject: Subject) -> Entries:
         message("SHA-256 of the spec as given"): subject.digest,
         **({message("Overridden on the command line"): changed} if changed else {}),
     }
-    return Entries(
+    return blocks.Entries(
         [
             *((told(name), printable(title[name] or ""), False) for name in entries),
             *((name, printable(value), True) for name, value in long.items()),
@@ -464,19 +449,19 @@ def _entries(subject: Subject) -> Entries:
     )
 
 
-def _signatures(title: TitleBlock) -> Signatures:
+def _signatures(title: TitleBlock) -> blocks.Signatures:
     """Cells of all who sign in this language, and of others who are named."""
     heads = message("Responsible"), message("Name"), message("Signature"), message("Date")
     names = {who: getattr(title, who) for who in form().people}
     people = [(told(who), printable(name or "")) for who, name in names.items() if name or who in form().signed]
-    return Signatures(heads, people)
+    return blocks.Signatures(heads, people)
 
 
-def _frame(title: TitleBlock, headline: str) -> Frame:
+def _frame(title: TitleBlock, headline: str) -> blocks.Frame:
     roles = ("Drawn", title.author), ("Checked", title.checked), ("", ""), ("Standards", title.norm_control)
     margin = "Signature and date", "No. of copy", "Instead of no.", "Signature and date", "No. of original"
-    return Frame(
-        headline=printable(headline),
+    return blocks.Frame(
+        headline=headline,
         drawing=printable(title.drawing or ""),
         organisation=printable(title.organisation or ""),
         revision=printable(title.revision or ""),
@@ -555,7 +540,7 @@ def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
             )
 
 
-_ELSEWHERE = ("name", "report", "requirements", "catalogues")
+_ELSEWHERE = ("name", "report", "requirements", "catalogues", "objectives", "search")
 
 
 def _titled(path: str) -> str:

@@ -7,11 +7,9 @@ from pathlib import Path
 from ...messages import told
 from .blocks import Document, data_of
 
-STANDARDS = ["a-2a", "ua-1"]
-
 
 def print_pdf(document: Document) -> bytes:
-    """Return a PDF; the same document gives the same bytes. Its fonts are Typst's and matplotlib's, none of the system."""
+    """Return a PDF, the same bytes for the same document; its fonts are Typst's and matplotlib's alone."""
     import typst
     from matplotlib import get_data_path
 
@@ -30,7 +28,7 @@ def print_pdf(document: Document) -> bytes:
         font_paths=[Path(get_data_path(), "fonts", "ttf")],
         ignore_system_fonts=True,
         sys_inputs={"data": json.dumps(data, ensure_ascii=False)},
-        pdf_standards=STANDARDS,
+        pdf_standards=["a-2a", "ua-1"],
         timestamp=0,
     )
 

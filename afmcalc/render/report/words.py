@@ -82,7 +82,7 @@ def told(key: str, **values: object) -> str:
 def titled(path: str) -> str:
     """Title of a table of a spec."""
     name = path.rpartition(".")[2]
-    return told(f"group/{name}") if f"group/{name}" in REPORT else name
+    return told(f"group/{name}") if f"group/{name}" in REPORT else path
 
 
 SHORT = ("requirements", "checks", "peaks", "spec", "conclusion", "references")

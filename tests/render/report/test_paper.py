@@ -58,7 +58,8 @@ def document(name="default", **more):
 def sheets(pdf):
     """Text of each sheet, a word hyphenated at the end of a line set whole."""
     read = subprocess.run(["pdftotext", "-layout", "-", "-"], input=pdf, capture_output=True, check=True)
-    return [" ".join(each.split()) for each in read.stdout.decode().split("\f")[:-1]]
+    shown = read.stdout.decode().replace("\u2060", "")
+    return [" ".join(each.split()).replace("\xad ", "") for each in shown.split("\f")[:-1]]
 
 
 @pytest.mark.slow

@@ -170,3 +170,7 @@ def test_a_reviewer_finds_what_he_looks_for(spoken, form, report, parsed):
     if spoken == "en":  # what the papers write is quoted
         quoted = "".join(text_of(tree.find(f".//*[@id='{key}']")) for key in ("symbols", "misprints"))
         assert all(text in quoted for text in tree.itertext() if re.search("[а-яА-Я]", text))
+
+
+def test_what_is_searched_for_is_no_part_of_a_report(report):
+    assert "friction_group.pairs" not in report("requirements", "--short")
