@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..drive.cases import Case, Outcome, case_of, outcome_of
-from ..drive.event import CLOSE, Event, Row, peak_time
+from ..drive.integrator import CLOSE, Event, Row, peak_time
 from ..drive.pack import Sleeve
 from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import Train, train_of
