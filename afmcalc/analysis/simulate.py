@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..drive.cases import Case, Outcome, case_of, outcome_of
-from ..drive.event import CLOSE, Event, Row, peak_time
+from ..drive.integrator import CLOSE, Event, Row, peak_time
 from ..drive.pack import Sleeve
 from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import Train, train_of
@@ -316,9 +316,9 @@ def _ends(kind: type[AtEnds], values: Iterable[float | None]) -> Any:
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:
     """Peaks over swept keys, None without any; and a remark where some may yet rise."""
-    asked: list[tuple[Clutch, tuple[Event, Values]]] = []
+    asked: list[tuple[Clutch, tuple[Event, Floats]]] = []
 
-    def of(point: Clutch) -> tuple[Event, Values]:
+    def of(point: Clutch) -> tuple[Event, Floats]:
         if not asked or asked[-1][0] is not point:
             asked.append((point, _peaks_at_ends(point)))
         return asked[-1][1]
@@ -338,7 +338,7 @@ def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] |
     return rows, [finding("sweep-not-settled", "warning", value=count, path="drive.cut_off")] if count else []
 
 
-def _peaks_at_ends(clutch: Clutch) -> tuple[Event, Values]:
+def _peaks_at_ends(clutch: Clutch) -> tuple[Event, Floats]:
     """Peaks and sliding torque at f_min, mean friction and f_max, a row each."""
     case = case_of(clutch, *at_ends(clutch))
     event = case.peaks()

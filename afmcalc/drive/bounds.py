@@ -41,7 +41,8 @@ def settled(motion: Motion, powered: Any, pending: Any, peak: Values) -> Flags:
         clutch = law.sticking_torque(motor, train.motor_inertia, passed, behind)
         limit = pack.sticks_up_to(motion.turn, motion.normal)
         found: Flags = (clutch <= limit * (1 + _AT_LIMIT)) & (shaft <= peak * (1 + CLOSE))
-    return found & (motion.slip == 0) & (motion.time > train.time)
+    found &= np.asarray((motion.slip == 0) & (motion.time > train.time))
+    return found
 
 
 def slips_below(motion: Motion, powered: Any, peak: Values) -> Flags:
@@ -73,7 +74,8 @@ def _fed(train: Train, speed: Values) -> Flags:
         return np.zeros(np.shape(speed), bool)
     at = np.multiply.outer(_LOOKS, speed)
     gain = (train.engine.at(at) - train.engine.at(0.0 * at)) * at
-    return np.any(gain > train.damping * at * at * (1 + 1e-9), axis=0)
+    feeds: Flags = np.any(gain > train.damping * at * at * (1 + 1e-9), axis=0)
+    return feeds
 
 
 def _top(train: Train, inertia: Values, swing: Values) -> Floats:

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from ..engines import Clutch
 from ..equations.arrays import Values
-from .event import Event, simulate
+from .integrator import Event, simulate
 from .pack import DirectPack, Sleeve, ordinary_pack, pack_of
 from .train import Train, train_of
 

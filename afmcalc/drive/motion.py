@@ -62,7 +62,8 @@ class Motion:
 
         ``h``: first step, s; an array of many drives gives their number.
         """
-        self.train, self.pack = train, pack
+        self.train = train
+        self.pack: Any = pack
         zero = h * 0.0
         self.static = bool(np.any(np.asarray(pack.static_ratio) != 1))
         self.late = bool(np.any(np.asarray(pack.lag) != 0))

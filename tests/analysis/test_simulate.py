@@ -7,7 +7,7 @@ import math
 
 import pytest
 from conftest import CONFIGS
-from drives import REFERENCE, VARIANTS, begun, clutch, light, merged, plant, run
+from drives import REFERENCE, VARIANTS, case, clutch, light, merged, run
 
 from afmcalc.analysis.simulate import dynamic_factors, simulate
 from afmcalc.analysis.sweep import parse_axis
@@ -34,7 +34,7 @@ def test_sweep_is_what_single_runs_give(changes):
     sweep = simulate(own, sweeps=[axis])[0].sweep
     for number, stiffness in enumerate((5000.0, 8000.0, 12000.0)):
         single = light(**merged(changes, {"drive": {"shaft_stiffness": stiffness}}))
-        assert sweep[0].peak_torque_max[number] == pytest.approx(outcome_of(single, 0.8).event.peak, rel=2e-3)
+        assert sweep[0].peak_torque_max[number] == pytest.approx(outcome_of(single, 0.8).event.peak, rel=1e-9)
         behind = 0.05 + changes.get("drive", {}).get("hub_inertia", 0.0)
         assert sweep[0].inertia_torque[number] == pytest.approx(15 * math.sqrt(stiffness * behind))
 
@@ -45,14 +45,14 @@ def test_v6_judder(share, grows):
     pack = {"static_ratio": 1.2, "decay_rate": 0.1 / 0.3}
     sliding = 200.0
     needed = law.judder_damping(sliding, 0.1, 1.2, 0.3)
-    drive = plant(sliding, pack=pack, motor_inertia=1e12, time=0.0, damping=share * needed)
+    drive = case(sliding, pack=pack, motor_inertia=1e12, time=0.0, damping=share * needed)
     creep, swing = 0.02, 1e-4
     torque = sliding * (1 + 0.2 * math.exp(-creep / 3))
-    found = run(begun(drive, creep, 0.0, (torque + swing) / 8000, 0.0, 4000.0), 0.2, recorded=True)
-    late = max(abs(row.torque_shaft - torque) for row in found.history if row.time > 0.17)
-    early = max(abs(row.torque_shaft - torque) for row in found.history if row.time < 0.03)
+    found = run(drive, 0.2, slip=creep, driven=0.0, elastic=torque + swing)
+    late = max(abs(row.torque_shaft - torque) for row in found.rows if row.time > 0.17)
+    early = max(abs(row.torque_shaft - torque) for row in found.rows if row.time < 0.03)
     assert (late > early) == grows
-    assert found.slip_time == pytest.approx(0.2), "and slips all the time"
+    assert found.slip_time == pytest.approx(found.time, rel=1e-2), "and slips all the time"
 
 
 def test_the_command(afmcalc, tmp_path):
@@ -65,7 +65,7 @@ def test_the_command(afmcalc, tmp_path):
     assert {row["friction [1]"] for row in rows} == {"0.1", "0.3", "0.8"}
     last = [row for row in rows if row["friction [1]"] == "0.8"]
     peak = ended.json["result"]["peak_torque"]["max"]
-    assert max(float(row["torque_shaft [N*m]"]) for row in last) == pytest.approx(peak, rel=1e-9)
+    assert max(float(row["torque_shaft [N*m]"]) for row in last) == pytest.approx(peak, rel=1e-3)
     assert float(last[-1]["speed_motor [rad/s]"]) == pytest.approx(0, abs=2)
     factor = ended.json["result"]["dynamic_factor"]["min"]
     assert afmcalc("torque", written, "--json").json["spec"]["drive"]["dynamic_factor"] == pytest.approx(factor)
@@ -96,10 +96,10 @@ def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcal
     assert "bypass-peak" in {each["code"] for each in slipping["findings"]}
     # the same peak in the column of a sweep, none where the balls hold first; the dynamic factor of a life is by it
     swept = afmcalc("simulate", *own, "--sweep", "control_unit.gain=0.5,5").json
-    assert swept["result"]["sweep"][0]["peak_torque_bypass"] == [None, pytest.approx(single, rel=1e-3)]
+    assert swept["result"]["sweep"][0]["peak_torque_bypass"] == [None, pytest.approx(single, rel=1e-9)]
     factor = single / slipping["result"]["sliding_torque"]["max"]
     assert afmcalc("life", *own).json["result"]["dynamic_factor"] == pytest.approx(factor, rel=1e-6)
-    assert dynamic_factors(build(spec))[0] == pytest.approx(factor, rel=1e-3)
+    assert dynamic_factors(build(spec))[0] == pytest.approx(factor, rel=1e-9)
 
 
 def test_a_load_that_is_carried_but_for_rounding_is_carried():

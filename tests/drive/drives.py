@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 from afmcalc.drive.cases import Case
-from afmcalc.drive.event import Event, step_of, stepped
+from afmcalc.drive.integrator import Event, step_of, stepped
 from afmcalc.drive.motion import Motion
 from afmcalc.drive.pack import DirectPack, Sleeve
 from afmcalc.drive.train import Engine, Train

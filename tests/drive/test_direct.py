@@ -10,7 +10,7 @@ from scipy.integrate import trapezoid
 from scipy.optimize import brentq
 
 from afmcalc.drive.cases import outcome_of
-from afmcalc.drive.event import peak_time
+from afmcalc.drive.integrator import peak_time
 from afmcalc.drive.train import Engine
 from afmcalc.equations import drive as law
 from afmcalc.equations import heat, overload

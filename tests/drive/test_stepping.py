@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from drives import SLEEVE, TRAIN, case, indirect, run, springs
 
-from afmcalc.drive.event import simulate, stepped
+from afmcalc.drive.integrator import simulate, stepped
 from afmcalc.drive.motion import Motion
 from afmcalc.drive.pack import DirectPack, Sleeve
 from afmcalc.drive.train import Engine

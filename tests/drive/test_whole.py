@@ -7,7 +7,7 @@ from scipy.integrate import solve_ivp
 
 from afmcalc.analysis.simulate import simulate
 from afmcalc.drive.cases import case_of, outcome_of
-from afmcalc.drive.event import simulate as simulate_event
+from afmcalc.drive.integrator import simulate as simulate_event
 from afmcalc.engines import build
 from afmcalc.spec.read import read_spec
 

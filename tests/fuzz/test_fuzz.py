@@ -83,7 +83,7 @@ def nothing_breaks_it(afmcalc, cases, many: int) -> None:
 @pytest.fixture(autouse=True)
 def _fewer_steps(monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
-    monkeypatch.setattr("afmcalc.drive.event.MOST_STEPS", 2000)  # the same refusal, sooner
+    monkeypatch.setattr("afmcalc.drive.integrator.MOST_STEPS", 2000)  # the same refusal, sooner
 
 
 @pytest.fixture(scope="module", autouse=True)

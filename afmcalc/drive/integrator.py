@@ -1,5 +1,6 @@
 """An event, stepped until nothing more can come: one drive as numbers, or many as arrays, by the same steps."""
 
+import functools
 import math
 from typing import Any, NamedTuple
 
@@ -94,7 +95,8 @@ class Event(NamedTuple):
     """Change of the peak against twice the step, relative."""
     other: Any = None
     """The same event with twice the step."""
-    rows: tuple[Row, ...] = ()
+    rows: Any = ()
+    """Every step of one drive, ``Row``s."""
 
 
 def simulate(
@@ -116,7 +118,7 @@ def simulate(
     """
     shape = np.broadcast_shapes(*shapes(train), *shapes(pack), np.shape(0.0 if duration is None else duration))
     h, end = step_of(train, pack), horizon(train, pack) if duration is None else duration
-    blocks = np.ceil(end / (h * 2 * _BLOCK))
+    blocks, given = np.ceil(end / (h * 2 * _BLOCK)), duration is not None
     if duration is not None and np.max(blocks) * 2 * _BLOCK > MOST_STEPS:
         raise CalculationError(
             "simulate: {steps:.4g} time steps are needed, at most {most} are made: a shorter drive.event.duration, or "
@@ -128,34 +130,36 @@ def simulate(
         h = end / (blocks * 2 * _BLOCK)
     if not shape:
         h, end = float(h), float(end)
-        return _refined(train, pack, h, end, whole=whole, full=full)
+        return _refined(train, pack, h, end, given=given, whole=whole, full=full)
     h, end = (np.broadcast_to(value, shape).reshape(-1) for value in (h, end))
     parts = []
     for first in range(0, h.size, _LANES):
         lanes = slice(first, first + _LANES)
         own, clutch = cut(train, lanes, shape), cut(pack, lanes, shape)
-        parts.append(_refined(own, clutch, h[lanes], end[lanes], whole=whole, full=full))
+        parts.append(_refined(own, clutch, h[lanes], end[lanes], given=given, whole=whole, full=full))
         tell(say("stepping the drives"), min(first + _LANES, h.size), h.size)
     joined = (np.concatenate(each).reshape(shape) for each in zip(*(part[:-2] for part in parts), strict=True))
     return Event(*joined)
 
 
-def _refined(train: Train, pack: Any, h: Any, end: Any, *, whole: bool, full: bool) -> Event:
+def _refined(train: Train, pack: Any, h: Any, end: Any, *, given: bool, whole: bool, full: bool) -> Event:
     """Events with steps fine enough for their peaks."""
-    coarse = stepped(Motion(train, pack, 2 * h), end, whole=whole, full=full)
-    fine = _compared(stepped(Motion(train, pack, h), end, whole=whole, full=full), coarse)
+    coarse = stepped(Motion(train, pack, 2 * h), end, given=given, whole=whole, full=full)
+    fine = _compared(stepped(Motion(train, pack, h), end, given=given, whole=whole, full=full), coarse)
     for _ in range(_HALVINGS):
         open_ = fine.peak_error > CLOSE
         if not np.any(open_):
             break
         h = h / 2
         if not is_array(h):
-            fine = _compared(stepped(Motion(train, pack, h), end, whole=whole, full=full), fine)
+            fine = _compared(stepped(Motion(train, pack, h), end, given=given, whole=whole, full=full), fine)
             continue
         lanes = np.flatnonzero(open_)
         drives, clutches = cut(train, lanes, h.shape), cut(pack, lanes, h.shape)
         before = Event(*(part[lanes] for part in fine[:-2]))
-        found = _compared(stepped(Motion(drives, clutches, h[lanes]), end[lanes], whole=whole, full=full), before)
+        found = _compared(
+            stepped(Motion(drives, clutches, h[lanes]), end[lanes], given=given, whole=whole, full=full), before
+        )
         for part, new in zip(fine[:-2], found[:-2], strict=True):
             part[lanes] = new
     return fine
@@ -226,9 +230,9 @@ class _Watch:
                 self.pulled = where(switched, abs(motion.clutch), self.pulled)
             self.key_heat = where(slides | self.slides | (self.trip_torque == 0), motion.key_heat, self.key_heat)
             self.peak = where(self.over, self.peak, larger(self.peak, self._top(motion)))
-            # as slip ends, friction has risen to that of rest
-            ending = where(slides, 0.0, where(self.slipping != 0, left, 0.0)) * (self.slip != 0)
-            self.peak_clutch = larger(self.peak_clutch, larger(motion.top, abs(self.held + rising * ending * 1.5)))
+            self.peak_clutch = larger(self.peak_clutch, motion.top)
+            if motion.static:
+                self.peak_clutch = larger(self.peak_clutch, self._ending(motion, falling))
             self.peak_wall = larger(self.peak_wall, abs(motion.balls) * pack.leaning(motion.turn))
             if pack.travels:
                 self.travel_max = larger(self.travel_max, motion.travel)
@@ -237,6 +241,15 @@ class _Watch:
             if self.recorded:
                 self.rows.append(row(motion))
         self.most = larger(self.most, motion.stored)
+
+    def _ending(self, motion: Motion, falling: Any) -> Any:
+        """Torque of the clutch as slip ends, when friction has risen to that of rest; 0 where it does not end."""
+        pack, held = motion.pack, abs(self.held)
+        ends = self.slides & (motion.slip == 0) & (self.slip != falling)
+        risen = held * pack.static_ratio / pack.ratio(self.slip + falling / 2)
+        # the key of a sleeve holds the normal force meanwhile, that of a direct clutch falls
+        most = risen if pack.travels else clip(risen, held, larger(held, pack.breakaway + 0.0 * held))
+        return where(ends, most, 0.0)
 
     def _top(self, motion: Motion) -> Any:
         """Largest torque of the shaft of late, on the parabola through three steps."""
@@ -272,8 +285,8 @@ def row(motion: Motion) -> Row:
     )  # fmt: skip
 
 
-def stepped(motion: Motion, end: Any, *, whole: bool = True, full: bool = False) -> Event:
-    """Step an event, or many, from a state; arguments as of ``simulate``."""
+def stepped(motion: Motion, end: Any, *, given: bool = True, whole: bool = True, full: bool = False) -> Event:
+    """Step an event, or many, from a state, to an end that is ``given`` or a horizon; arguments as of ``simulate``."""
     h = motion.h
     watch = _Watch(motion, recorded=whole and not is_array(h))
     if watch.recorded:
@@ -290,10 +303,7 @@ def stepped(motion: Motion, end: Any, *, whole: bool = True, full: bool = False)
         ended = still & (not full)
         watch.over = bool(over) if not is_array(h) else over
         last = (motion.time >= end * (1 - 1e-9)) | (count >= MOST_STEPS)
-        if whole and not full:
-            last = last | _lengthened(motion, watch, finest, end)
-        else:
-            _lengthened(motion, watch, finest, end)
+        last = last | (_lengthened(motion, watch, finest, end) & (not given))
         gone = last | (ended if whole else over)
         if not is_array(h):
             if gone:
@@ -392,7 +402,7 @@ def peak_time(train: Train, sliding: Values) -> Values:
     Where the tool has an inertia of its own, that within which its load has stopped it comes before.
     """
     swings = (2 * np.pi * (inertia / train.stiffness) ** 0.5 for inertia in (train.driven_inertia, train.front))
-    time: Values = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
+    time: Any = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
     if train.kind != "load":
         return time
     resisted = [(train.driven_inertia + train.tool_inertia, sliding)]
@@ -403,7 +413,7 @@ def peak_time(train: Train, sliding: Values) -> Values:
         inertia * train.speed / np.maximum(np.abs(train.overload - torque), 0.05 * sliding)
         for inertia, torque in resisted
     )
-    return time + np.maximum(*slowed) if len(resisted) > 1 else time + next(slowed)
+    return time + functools.reduce(np.maximum, slowed)
 
 
 def shapes(record: object) -> list[tuple[int, ...]]:
