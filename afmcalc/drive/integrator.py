@@ -362,7 +362,7 @@ def _lengthened(motion: Motion, watch: _Watch, finest: Any, end: Any) -> Any:
         & (pack.judder(slip) <= train.damping)
     )
     with np.errstate(all="ignore"):
-        long = np.minimum(lasting, 6.4 / decay) / (2 * _BLOCK * slowing)
+        long = np.minimum(lasting, 6.4 / decay) / (4 * _BLOCK * slowing)
         left = np.maximum(end - motion.time, 0.0) / _BLOCK
         if train.engine.slip is not None:
             own = train.motor_inertia * train.engine.slip * train.engine.synchronous / train.engine.torque
@@ -370,7 +370,7 @@ def _lengthened(motion: Motion, watch: _Watch, finest: Any, end: Any) -> Any:
         if train.cut_off is not None:
             before = np.where(motion.time < watch.off, (watch.off - motion.time) / _BLOCK, np.inf)
             left = np.minimum(left, before)
-    longest = np.maximum(np.minimum(np.minimum(long, left), 4 * motion.h), finest)
+    longest = np.maximum(np.minimum(np.minimum(long, left), 2 * motion.h), finest)
     step = np.where(quiet, longest, finest)
     if np.any(step != motion.h):
         motion.set_step(step if is_array(motion.h) else float(step))

@@ -77,12 +77,16 @@ class Motion:
         self.normal = zero + pack.pressed_at_stop(train.load, pack.stop_gains[0])
         self.motor_work = self.heat = self.key_heat = self.shaft_heat = self.tool_work = zero
         self.twisting = self.driven - self.tool
+        self.h = h
         self.set_step(h)
 
     def set_step(self, h: Any) -> None:
         """Set the time step, s."""
         train, pack = self.train, self.pack
-        self.h = h
+        # what is extrapolated from the last step goes on at its rate
+        longer = h / self.h
+        self.before = self.motor - (self.motor - self.before) * longer
+        self.trend, self.gained, self.h = self.trend * longer, self.gained * longer, h
         # torque at the middle of the step: elastic torque + link·(u + u⁺), u the rate of twist
         self._link = h * (h * train.stiffness / 4 + train.damping / 2)
         front, rear = train.driven_inertia + self._link, train.tool_inertia + self._link
