@@ -20,7 +20,12 @@ def element(tag: str, *body: str, **attributes: object) -> str:
         for name, value in attributes.items()
         if value not in ("", None)
     )
-    return f"<{tag}{''.join(given)}>" + "".join(body) + (f"</{tag}>" if tag != "meta" else "")
+    between = "\n" if tag in _APART else ""
+    return f"<{tag}{''.join(given)}>" + between.join(body) + (f"</{tag}>" if tag != "meta" else "")
+
+
+_APART = ("section", "div", "dl", "ol", "ul", "tr", "tbody")
+"""Elements whose parts stand each in a line of its own."""
 
 
 def inline(pieces: Text) -> str:
