@@ -14,7 +14,7 @@ from afmcalc.cli.main import main
 
 DRAWS = {"plot", "report", "pdf", "web"}
 ASKED = {
-    "torque": None, "plot section": None, "plot torque -o a.svg": DRAWS,
+    "torque": None, "plot torque -o a.svg": DRAWS,
     "plot pareto example:requirements -o b.pdf": DRAWS, "plot paper F11-2 -o c.png": DRAWS,
     "layout example:envelope -o i.pdf": {"pdf"}, "layout example:envelope -o d.dxf": {"cad"}, "pocket -o e.dxf": {"cad"},
     "report -o f.html": {"report", "pdf", "web"}, "handbook -o g.html": {"report", "pdf", "web"},

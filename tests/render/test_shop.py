@@ -221,7 +221,7 @@ def test_svg_has_the_contours_in_true_millimetres(drawn):
 def test_a_calculated_length_is_as_its_tolerance(tolerance, written, afmcalc, tmp_path):
     """Width of a pocket of the indirect example, 20.2985 mm; the ball as its standard has it."""
     more = ["--set", f"drawing.tolerance={tolerance}"] if tolerance else []
-    assert afmcalc("plot", "pocket", "example:indirect", "-o", tmp_path / "x.dxf", *more).code == 0
+    assert afmcalc("pocket", "example:indirect", "-o", tmp_path / "x.dxf", *more).code == 0
     space = ezdxf.readfile(tmp_path / "x.dxf").modelspace()
     texts = {round(line.get_measurement(), 4): line.dxf.text for line in space.query("DIMENSION")}
     assert (texts[20.2985], texts[19.05]) == (written, "Ø19.05")
