@@ -27,6 +27,8 @@ _FINEST = 4
 """Times that these may shorten a step: springs that the key all but locks are stiff, and still."""
 _YIELDING = 1e-3
 """Stiffness of a control unit, of the shaft's, below which it is no spring: its wall holds the torque."""
+_STEADY = 5
+"""Times the step is longer where slip goes on through the swings of the shaft."""
 _BLOCK = 64
 """Steps between two looks at what may still come."""
 MOST_STEPS = 200_000
@@ -354,13 +356,10 @@ def _lengthened(motion: Motion, watch: _Watch, finest: Any, end: Any) -> Any:
         # the torque of slipping discs is not that of the shaft, which may swing as it likes
         free = watch.over & ~juddering & (np.asarray(pack.lag) == 0)
         still = still | free & (swing < slip / 8 * (train.stiffness * train.driven_inertia) ** 0.5)
-    quiet = (
-        (motion.time > train.time)
-        & still
-        & (motion.rate == 0)
-        & (motion.slip > 0)
-        & (pack.judder(slip) <= train.damping)
-    )
+    slides = (motion.time > train.time) & (motion.rate == 0) & (motion.slip > 0)
+    quiet = slides & still & (pack.judder(slip) <= train.damping)
+    # a slip faster than the swings goes on through them, and the largest torque has come
+    steady = slides & (swing < slip / 8 * (train.stiffness * train.driven_inertia) ** 0.5)
     with np.errstate(all="ignore"):
         long = np.minimum(lasting, 6.4 / decay) / (4 * _BLOCK * slowing)
         left = np.maximum(end - motion.time, 0.0) / _BLOCK
@@ -371,7 +370,7 @@ def _lengthened(motion: Motion, watch: _Watch, finest: Any, end: Any) -> Any:
             before = np.where(motion.time < watch.off, (watch.off - motion.time) / _BLOCK, np.inf)
             left = np.minimum(left, before)
     longest = np.maximum(np.minimum(np.minimum(long, left), 2 * motion.h), finest)
-    step = np.where(quiet, longest, finest)
+    step = np.where(quiet, longest, np.where(steady, np.clip(long, finest, _STEADY * finest), finest))
     if np.any(step != motion.h):
         motion.set_step(step if is_array(motion.h) else float(step))
     # a motor that carries the slip on the stable branch of its curve does so for ever
