@@ -222,7 +222,7 @@ class Clutch:
             if ending not in ("svg", "png", "pdf"):
                 raise AfmcalcError("{path}: end it in .svg, .png or .pdf", path=str(path))
             with open(path, "wb") as file:
-                file.write(save(sheet, ending))  # type: ignore[arg-type]
+                file.write(save(sheet, ending))
         return Picture(save(sheet, "svg").decode())
 
     def report(self, path: str | PathLike[str], *, short: bool = False) -> None:

@@ -17,7 +17,7 @@ ASKED = {
     "torque": None, "plot torque -o a.svg": DRAWS,
     "plot pareto example:requirements -o b.pdf": DRAWS, "plot paper F11-2 -o c.png": DRAWS,
     "layout example:envelope -o i.pdf": {"pdf"}, "layout example:envelope -o d.dxf": {"cad"}, "pocket -o e.dxf": {"cad"},
-    "report -o f.html": {"report", "pdf", "web"}, "handbook -o g.html": {"report", "pdf", "web"},
+    "report -o f.html": DRAWS, "handbook -o g.html": DRAWS,
     "report -o h.pdf": {"pdf"}, "serve --no-browser": {"web"},
 }  # fmt: skip
 """Command line → extras of which it needs one; None: it does without."""

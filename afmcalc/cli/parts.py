@@ -85,10 +85,7 @@ def _draw_section(clutch: "Clutch", kind: str, common: Common) -> None:
         need("pdf", "typst")
     with common.bar():
         section = gathered("section", Request([Answers(clutch)]))
-        if kind == "dxf":
-            content = dxf(shop.section(section, clutch.spec))
-        else:
-            content = save(sheet_of("section", section), kind)
+        content = dxf(shop.section(section, clutch.spec)) if kind == "dxf" else save(sheet_of("section", section), kind)
     common.save(content, common.output or "")
 
 

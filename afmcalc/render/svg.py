@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable
 from html import escape
-from typing import Any, Literal
 
 from ..messages import printable
 from .drawing import DASHES, LAYERS, Circle, Drawing, Inscription, Length, Point, Region, Simple, Stroke, exploded
@@ -39,10 +38,7 @@ def svg(drawing: Drawing, title: str = "") -> str:
     return "\n".join([*filter(None, parts), "</svg>", ""])
 
 
-Ending = Literal["png", "svg", "pdf"]
-
-
-def picture(drawing: Drawing, ending: Ending, title: str = "", dpi: int = 150) -> bytes:
+def picture(drawing: Drawing, ending: str, title: str = "", dpi: int = 150) -> bytes:
     """Return a file of a drawing, on white: as SVG, or set from that by Typst with the fonts of matplotlib."""
     text = svg(drawing, title)
     if ending == "svg":
@@ -50,8 +46,8 @@ def picture(drawing: Drawing, ending: Ending, title: str = "", dpi: int = 150) -
     import typst
     from matplotlib import get_data_path
 
-    source: Any = b"#set page(width: auto, height: auto, margin: 0pt)\n#image(bytes(sys.inputs.svg))"
-    return typst.compile(
+    source = b"#set page(width: auto, height: auto, margin: 0pt)\n#image(bytes(sys.inputs.svg))"
+    return typst.compile(  # type: ignore[call-overload]
         source, format=ending, ppi=dpi, sys_inputs={"svg": text}, ignore_system_fonts=True, timestamp=0,
         font_paths=[f"{get_data_path()}/fonts/ttf"],
     )  # fmt: skip

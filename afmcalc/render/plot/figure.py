@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...messages import named
 from ..drawing import Drawing
-from ..svg import Ending, picture, svg
+from ..svg import picture, svg
 from ..symbols import literal, mathtext
 from .chart import Sheet
 from .paint import LETTERS, PARAMETERS, SIZE, WIDTH, paint
@@ -21,7 +21,7 @@ _TITLE, _COLUMN = 62, 36
 """Letters of a line of the title, and of an entry of a legend in two columns."""
 
 
-def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
+def save(sheet: Sheet, ending: str, dpi: int = 150) -> bytes:
     """Return a file of a sheet with its title and caption, on white; ``dpi`` is that of a PNG.
 
     Without date or version: the file depends on the sheet only.
@@ -38,7 +38,7 @@ def inline_svg(sheet: Sheet) -> str:
     return _drawn(Sheet("", sheet.panels), "svg", {"savefig.transparent": True}).decode()
 
 
-def _drawn(sheet: Sheet, ending: Ending, settings: dict[str, Any]) -> bytes:
+def _drawn(sheet: Sheet, ending: str, settings: dict[str, Any]) -> bytes:
     """Draw charts by matplotlib; its own settings, and those of a user, are put aside."""
     from matplotlib import style
 
