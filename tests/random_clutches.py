@@ -38,13 +38,9 @@ def _clutch(rnd: random.Random, variant: str) -> dict[str, Any]:
         "friction_group": group,
         "closing_spring": {"force": rnd.uniform(100, 2e4)},
         "adjustment": {"method": rnd.choice(["min-friction", "mean-friction"]), "margin": rnd.choice([1.0, 1.25, 1.7])},
-        "fatigue": {
-            "endurance_limit": 1e8,
-            "polar_section_modulus": rnd.uniform(2e-6, 5e-5),
-            "exponent": 6,
-            "base_cycles": 1e7,
-        },
+        "fatigue": {"endurance_limit": 1e8, "polar_section_modulus": rnd.uniform(2e-6, 5e-5)},
     }
+    spec["fatigue"] |= {"exponent": 6, "base_cycles": 1e7}
     if variant in ("differentiated", "unlike") and rnd.random() < 0.8:
         group["driving_pairs"] = rnd.randint(1, pairs - 1)
     if variant != "unlike" and rnd.random() < 0.1:
@@ -84,13 +80,8 @@ def _sleeve(rnd: random.Random, spec: dict[str, Any], radius: float) -> None:
         closing |= {"force": rnd.uniform(800, 9e3), "stiffness": 1e6, "disc": DISC | {"series": rnd.randint(4, 12)}}
         control.pop("force", None)
         if rnd.random() < 0.5:
-            control["disc"] = {
-                **DISC,
-                "thickness": 0.006,
-                "free_height": 0.0082,
-                "series": rnd.randint(8, 20),
-                "parallel": 2,
-            }
+            control["disc"] = DISC | {"thickness": 0.006, "free_height": 0.0082, "series": rnd.randint(8, 20)}
+            control["disc"]["parallel"] = 2
 
 
 def _unit(rnd: random.Random, unit: dict[str, Any], variant: str) -> None:

@@ -1,7 +1,6 @@
 """The records of the variants: what a spec, an engine and every analysis ask them."""
 
 import pytest
-from conftest import CONFIGS
 
 from afmcalc.variants import VARIANTS, Variant
 
@@ -43,24 +42,6 @@ def test_a_fifth_variant_is_checked_against_its_own_limit(told):
     assert told("check").code == 0
     (found,) = (each for each in told("check", "--set", "C=0.7").json["findings"] if each["code"] == "gain-above-limit")
     assert found["limit"] == pytest.approx(0.625)
-
-
-def test_a_fifth_variant_is_swept_solved_and_compared(told, afmcalc):
-    (swept,) = told("accuracy", "--sweep", "z").json["result"]["sweep"]
-    ends = [torque(0.8, pairs=z) / torque(0.1, pairs=z) for z in swept["values"]]
-    assert (swept["values"][0], swept["accuracy_factor"]) == (3, pytest.approx(ends))
-    (over_gain,) = told("accuracy", "--sweep", "C").json["result"]["sweep"]
-    assert over_gain["values"][-1] == pytest.approx(0.625)
-    gain = told("solve", "accuracy_factor=3", "--for", "C").json["result"]["value"]
-    assert torque(0.8, gain) / torque(0.1, gain) == pytest.approx(3)
-    assert told("solve", "accuracy_factor=1.1", "--for", "C").code == 2
-    pairs = told("solve", "accuracy_factor=3", "--for", "z").json["result"]["value"]
-    ends = [torque(0.8, pairs=z) / torque(0.1, pairs=z) for z in (pairs, pairs - 1)]
-    assert ends[0] <= 3 < ends[1]
-    rows = afmcalc("compare", CONFIGS / "default.toml", "--variants", "--json").json["result"]["clutches"]
-    assert {row["variant"] for row in rows} == {"conventional", "differentiated", "all-driving", "two-bypass"}
-    assert afmcalc("schema").json["properties"]["variant"]["enum"] == list(VARIANTS)
-    assert told("overload").code == 2, "S22 does not know it"
 
 
 def test_a_fifth_variant_has_its_own_keys(told):

@@ -4,7 +4,6 @@ import copy
 import itertools
 import json
 import math
-import tomllib
 from random import Random
 
 import numpy as np
@@ -12,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc import Clutch, SpecError, design, load
+from afmcalc import Clutch, SpecError, load
 from afmcalc.analysis.design import design as searched
 from afmcalc.analysis.design import picked
 from afmcalc.analysis.design_grid import unbeaten
@@ -174,15 +173,15 @@ def best_of(points):
 
 
 FAST = {
-    "direct": (0, 1, 2),
+    "direct": (0, 1),
     "unlike": (4,),
-    "indirect": (0, 1),
+    "indirect": (0,),
     "curved": (0,),
     "envelope": (0, 1),
     "sprung": (0,),
     "event": (),
 }
-ALL = {"direct": 18, "unlike": 8, "indirect": 10, "curved": 8, "envelope": 8, "sprung": 5, "event": 3}
+ALL = {"direct": 12, "unlike": 6, "indirect": 8, "curved": 6, "envelope": 6, "sprung": 4, "event": 2}
 CASES = [
     pytest.param(kind, seed, marks=[] if seed in FAST[kind] else pytest.mark.slow)
     for kind, count in ALL.items()
@@ -246,36 +245,6 @@ def test_a_front_by_definition(objectives, size, levels, seed):
     points = generator.integers(1, levels + 1, (size, objectives)).astype(float)
     noisy = points * (1 + generator.integers(-2, 3, points.shape) * 2.0**-52)
     assert sorted(map(tuple, points[unbeaten(noisy)].tolist())) == sorted(best_of({*map(tuple, points.tolist())}))
-
-
-BEFORE = """
-variant = "differentiated"          # of three
-objectives = ["closing_force", "accuracy_factor", "pairs"]
-friction = { min = 0.1, mean = 0.3, max = 0.8 }
-friction_group = { pairs = 8, mean_radius = "100 mm" }
-adjustment.nominal_torque = "200 N*m"
-control_unit = { gain = 1.0, balls = 6, face_gap = "2 mm", edge_clearance = "2 mm", ball_circle_radius = "50 mm" }
-requirements = { accuracy_factor = 3.0, torque_max = "500 N*m", closing_force = "8 kN" }
-[search]
-variant = ["conventional", "differentiated", "all-driving"]
-friction_group.pairs = "4:16:7"
-friction_group.driving_pairs = [1, 2]
-friction_group.mean_radius = "60 mm:140 mm:41"
-control_unit.gain = "0:1.25:51"
-control_unit.ball_circle_radius = ["40 mm", "50 mm", "60 mm"]
-"""
-
-
-@pytest.mark.slow
-def test_the_front_of_0_3():
-    """The search that shipped with 0.3.0, by laws of its own: the same counts, and what is extreme on its front."""
-    result = design(tomllib.loads(BEFORE))
-    assert (result.candidates, result.feasible, len(result.front)) == (132020, 26640, 221)
-    ends = [min(result.front, key=lambda row: row.objective(name)) for name in result.objectives]  # noqa: B023
-    assert [round(ends[0].closing_force, 4), round(ends[1].accuracy_factor, 6), ends[2].pairs] == [1321.4286, 1.4375, 4]
-    costs = np.array([[row.objective(name) for name in result.objectives] for row in result.front])
-    shares = (costs - costs.min(axis=0)) / (costs.max(axis=0) - costs.min(axis=0))
-    assert result.front[int(shares.sum(axis=1).argmin())].mark == "compromise"
 
 
 def test_a_pick_is_the_file_with_its_values(afmcalc, tmp_path):

@@ -1,6 +1,5 @@
 """Springs one can buy: each found gives what is wanted, none that does is missed, what is picked reads back."""
 
-import math
 from functools import cache
 
 import numpy as np
@@ -30,84 +29,6 @@ def within(spring, inner=ROOM[0], outer=ROOM[1], length=ROOM[2]):
 
 def clutch(path, *overrides):
     return build(read_spec(path, overrides))
-
-
-def force_and_slope(size, deflection):
-    """Force and stiffness of one plain disc, from three forces of Almen and László written out."""
-
-    def force(s):
-        ratio = size.outer_diameter / size.inner_diameter
-        k1 = ((ratio - 1) / ratio) ** 2 / (math.pi * ((ratio + 1) / (ratio - 1) - 2 / math.log(ratio)))
-        h, t = size.cone_height, size.thickness
-        return 4 * 206e9 / 0.91 * t * s / (k1 * size.outer_diameter**2) * ((h - s) * (h - s / 2) + t * t)
-
-    step = 1e-6 * size.cone_height
-    return force(deflection), (force(deflection + step) - force(deflection - step)) / (2 * step)
-
-
-def moves_for_ever(coil, stroke):
-    """Its stress, with the curvature's factor, is within Goodman's line through 241 MPa about 379 MPa (Zimmerli)."""
-    wire, diameter = (coil.outer_diameter - coil.inner_diameter) / 2, (coil.outer_diameter + coil.inner_diameter) / 2
-    index = diameter / wire
-    factor = 1 + 1.25 / (index - 0.75)
-    upper, lower = (
-        factor * 8 * force / coil.count * diameter / (math.pi * wire**3)
-        for force in (coil.force_largest, coil.force_largest - stroke * coil.stiffness)
-    )
-    assert (coil.loading, coil.stress_correction) == ("dynamic", pytest.approx(factor))
-    assert coil.stress == pytest.approx(upper)
-    ultimate = 0.67 * (1980 - 740 * math.log10(wire * 1e3))
-    mean, amplitude = (upper + lower) / 2e6, (upper - lower) / 2e6
-    return amplitude / 241 * (1 - 379 / ultimate) + mean / ultimate <= 1 + 1e-9
-
-
-def by_force(size, force):
-    """Deflection of one disc; None where it is flat before."""
-    low, high = 0.0, size.cone_height
-    if force_and_slope(size, high)[0] < force:
-        return None
-    for _ in range(60):
-        middle = (low + high) / 2
-        low, high = (middle, high) if force_and_slope(size, middle)[0] < force else (low, middle)
-    return low
-
-
-@pytest.mark.slow
-def test_every_part_gives_what_is_wanted_within_the_room():
-    rooms = [*within("closing_spring", inner=20e-3), *within("control_spring", 30e-3, 200e-3, 0.3)]
-    own = clutch(INDIRECT, *rooms, "heat.lining=0.5e-3")
-    result, found = springs(own, top=1000)
-    assert result.closing_found == len(result.closing) > 20
-    assert result.control_found == len(result.control) > 20
-    travel, worn = own.at(0.8)["travel"], 8 * 0.5e-3
-    cases = (
-        (result.closing, 2000, 4e5, (travel, 0), (20e-3, *ROOM[1:])),
-        (result.control, own.control_force, 2e5, (worn, travel), (30e-3, 200e-3, 0.3)),
-    )
-    for options, force, stiffness, (relaxes, compresses), (inner, outer, length) in cases:
-        assert {each.kind for each in options} == {"disc", "coil"}
-        for each in options:
-            assert each.force == pytest.approx(force, rel=1e-9)
-            assert each.stiffness == pytest.approx(stiffness, rel=0.1)
-            assert each.length <= length * (1 + 1e-9)
-            if each.kind == "coil":
-                wide = each.outer_diameter if each.count == 1 else 2 * each.outer_diameter + inner
-                assert wide <= outer * (1 + 1e-9)
-                assert each.count > 1 or each.inner_diameter >= inner * (1 - 1e-9)
-                assert each.used_low > -1e-9
-                assert moves_for_ever(each, relaxes if options is result.closing else compresses)
-                continue
-            (size,) = (size for size in discs() if each.part.endswith(f" {size.name}"))
-            assert inner * (1 - 1e-9) <= size.inner_diameter
-            assert size.outer_diameter <= outer * (1 + 1e-9)
-            if size.reduced_thickness is None:
-                cone, series = size.cone_height, each.series
-                deflection = by_force(size, force / each.parallel)
-                assert 0.15 * cone <= deflection - relaxes / series + 1e-9
-                assert deflection + compresses / series <= 0.75 * cone + 1e-9
-                _, slope = force_and_slope(size, deflection)
-                assert each.stiffness == pytest.approx(each.parallel * slope / series, rel=1e-4)
-    assert not {each.code for each in found} & {"no-spring", "room-not-given"}
 
 
 @pytest.mark.slow
@@ -257,7 +178,7 @@ def by_trying(room, force, stiffness, *, relaxes):
     return best
 
 
-@settings(max_examples=12)
+@settings(max_examples=8)
 @given(
     st.sampled_from([(0.02, 0.06), (0.04, 0.1), (0.08, 0.2)]),
     st.one_of(st.none(), st.floats(0.005, 0.3)),
@@ -284,7 +205,7 @@ def test_columns_judge_as_a_part_that_is_named(stroke):
     fits = set()
     for kind in ("disc", "coil"):
         (table,) = _tables(demand, kind, 0.1)
-        for row in rng.choice(len(table.worst()), 300):
+        for row in (*rng.choice(len(table.worst()), 40), table.worst().argmin()):
             part = table.part(row)
             single = {each.rule: each for each in checks_of_part(values_of_part(demand, part))}
             for rule, *numbers, _ in checks_of_part(table.values):

@@ -57,13 +57,14 @@ def test_version_and_a_command_that_there_is_not(afmcalc):
 
 @pytest.mark.parametrize(("command", "example", "light"), [
     (["torque"], None, "friction.mean=0.4"), (["simulate"], "drive", "drive.event.duration=0.005"),
-    (["plot", "effects"], "drive", "friction.mean=0.4"), (["tolerance"], "tolerance", "tolerance.samples=2000"),
+    (["plot", "effects"], "drive", "friction.mean=0.4"), (["tolerance"], "tolerance", "tolerance.samples=2000 tolerance.sobol_base=64"),
 ])  # fmt: skip
 def test_no_spec_means_what_the_command_can_calculate_and_a_note_says_which(command, example, light, afmcalc):
-    run, named = afmcalc(*command, "--set", light), afmcalc(*command, f"example:{example or 'default'}", "--set", light)
+    sets = [part for each in light.split() for part in ("--set", each)]
+    run, named = afmcalc(*command, *sets), afmcalc(*command, f"example:{example or 'default'}", *sets)
     assert (run.code, run.out) == (0, named.out)
     assert f"example:{example}" in run.err if example else "built-in base clutch" in run.err
-    assert afmcalc(*command, "--set", light, "-q").err == ""
+    assert afmcalc(*command, *sets, "-q").err == ""
 
 
 MISUSED = [
@@ -122,25 +123,25 @@ ASKED = {
     "torque {} --json --lang ru": {"numpy", "pint", "rich", "tomli_w", "sympy", "matplotlib", "babel"},
     "accuracy {} --sweep C": {"matplotlib", "jinja2", "sympy", "pint", "afmcalc.render.plot.figure"},
 }
-"""Command line → what it does without; the first only imports the package."""
+"""Command line → what it, and those before it, do without; the first only imports the package."""
 IMPORTED = """
 import contextlib, io, sys, afmcalc
-with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):
-    if sys.argv[1:]:
-        from afmcalc.cli.main import main
-        main(sys.argv[1:])
-print(*sys.modules)
+for line in sys.argv[1:]:
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):
+        if line:
+            from afmcalc.cli.main import main
+            main(line.split())
+    print(*sys.modules)
 """
 
 
 def test_what_a_command_line_imports(answered, tmp_path):
     (tmp_path / "si.json").write_text(answered("torque", SPEC, "--json").out, encoding="utf-8")
-    for line, without in ASKED.items():
-        asked = [sys.executable, "-c", IMPORTED, *line.format(tmp_path / "si.json").split()]
-        run = subprocess.run(asked, capture_output=True, text=True, cwd=ROOT, check=True)
-        modules = {*run.stdout.split()}
-        assert "afmcalc" in modules
-        assert not modules & without, line
+    asked = [sys.executable, "-c", IMPORTED, *(line.format(tmp_path / "si.json") for line in ASKED)]
+    run = subprocess.run(asked, capture_output=True, text=True, cwd=ROOT, check=True)
+    for (line, without), modules in zip(ASKED.items(), run.stdout.splitlines(), strict=True):
+        assert "afmcalc" in modules.split()
+        assert not without & {*modules.split()}, line
 
 
 @pytest.mark.parametrize("lang", ["en", *slow("ru")])

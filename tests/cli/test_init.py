@@ -112,11 +112,12 @@ PLATE = {
     "wood-chipper": (37e3, 1475, 1.475 * 0.95, 2),
 }
 """Power, W, and speed, rpm, of the motor, torque behind the gear over that before it, service factor."""
+OTHERS = sorted({each.removesuffix("-clutch") for each in PICKED} - {"conveyor"})
 UNAVOIDABLE = {"conveyor": {"effect-on-torque"}}
 """Warning that the chapter speaks of: its spring is to be set again as the lining wears."""
 
 
-@pytest.mark.parametrize("name", sorted(each.removesuffix("-clutch") for each in PICKED))
+@pytest.mark.parametrize("name", ["conveyor", *(pytest.param(each, marks=pytest.mark.slow) for each in OTHERS)])
 def test_the_clutch_that_ships_is_fit_for_its_machine(name, answered):
     """The machine's torque is that of its plate, P/ω, and every requirement of the design is met."""
     check = answered("check", f"example:{name}-clutch", "--json").json

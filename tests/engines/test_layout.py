@@ -55,7 +55,7 @@ def outside(around, ring):
 @pytest.mark.parametrize("kind", SLEEVES)
 def test_what_overlaps_is_what_the_rectangles_do(kind):
     rng, seen = np.random.default_rng(26), set()
-    for _ in range(300):
+    for _ in range(120):
         parts = parts_of(drawn(rng, kind == "indirect"))
         found = {frozenset(pair): float(missing) for *pair, missing in overlaps(parts) if missing > 0}
         expected = {}
@@ -163,7 +163,7 @@ def test_a_spring_outside_the_housing_and_pairs_that_are_odd():
 def test_the_room_that_is_left_is_that_of_the_layout(unit):
     """A spring does not fit its room where the layout has it in the way of a part, or the clutch too long."""
     rng, seen, plain = np.random.default_rng(36), set(), respecified(direct(), {"envelope.length": 0.12, **unit})
-    for _ in range(60):
+    for _ in range(30):
         wire, wide, force = rng.uniform(4e-3, 8e-3), rng.uniform(0.03, 0.25), rng.uniform(1, 20)
         free = 4 * wire + 2 * (0.0015 * wide**2 / wire + 0.1 * wire) + rng.uniform(1e-3, 0.06)
         coil = {"wire_diameter": wire, "coil_diameter": wide, "turns": 2, "free_length": free}

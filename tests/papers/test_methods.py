@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
@@ -106,19 +105,6 @@ def test_a_slip_at_a_time(model, endurance, source):
         assert found is None if damage == 0 else found == pytest.approx(1 / damage, rel=1e-2), "of 256 slips"
 
 
-def test_life_without_limit_and_without_any(afmcalc):
-    run = afmcalc("life", "--model", "amplitude", "--set", "fatigue.mean_stress_sensitivity=0.1", "--json").json
-    both = ["as-set", "min-friction", "mean-friction"]
-    lives = dict.fromkeys(("as_set", "min_friction", "mean_friction"))
-    assert run["result"]["protected"] == {**lives, "unlimited": both}
-    assert "life-not-limited" in [finding["code"] for finding in run["findings"]]
-    weak = ["--set", "fatigue.ultimate_strength=15 MPa", "--set", "fatigue.endurance_limit=1 MPa"]
-    broken = afmcalc("life", "--model", "goodman", *weak, "--json").json
-    assert broken["result"]["unprotected"] == {**dict.fromkeys(lives, 0), "unlimited": []}
-    assert "static-strength-exceeded" in [finding["code"] for finding in broken["findings"]]
-    assert afmcalc("check", *weak).code == 1
-
-
 @given(DIRECT, st.floats(1, 3), st.floats(0, 1))
 def test_equilibrium_is_the_expected_torque_for_every_margin(spec, margin, share):
     """M12, M17: load until the pack slips: the release force follows the load, and the capacity falls linearly with it."""
@@ -155,24 +141,3 @@ def test_17_is_where_published_is_below_expected(spec, margin):
     low, high = overload(clutch)[0].friction_interval or (np.inf, -np.inf)
     edge = np.isclose(f, low, rtol=1e-3) | np.isclose(f, high, rtol=1e-3)
     assert not np.any(((factor < 1 - 1e-9) != ((f > low) & (f < high))) & ~edge)
-
-
-def test_overload_of_what_s22_treats(afmcalc):
-    """The smallest actual K_т lies at zC = 1.25, (f_max + f_min)/(2 f_min); at equilibrium it falls with C for ever."""
-    spec = CONFIGS / "all-driving.toml"
-    sweep = afmcalc("overload", spec, "--sweep", "zC=0.5:6:441", "--json").json["result"]["sweep"][0]
-    best = int(np.argmin(sweep["accuracy_factor_actual"]))
-    assert (sweep["values"][best], sweep["accuracy_factor_actual"][best]) == pytest.approx((1.25, 4.5))
-    told = [afmcalc("overload", spec, "--set", f"C={gain}", "--json").json["result"] for gain in (0.5, 1.25, 2.5)]
-    falling = [each["accuracy_factor_equilibrium"] for each in told]
-    assert falling == sorted(falling, reverse=True)
-    assert afmcalc("overload", spec, "--json").json["result"]["friction_interval"] == [0.1, pytest.approx(0.2)]
-    for name in ("conventional", "unlike-materials", "indirect"):
-        assert afmcalc("overload", f"example:{name}").code == 2
-
-    def potential(f, u):
-        """S22 (8), z 8, β_н 1.25, F_п R 200 N·m, u = (z − z_1) C f_min with C 0.5 and z_1 1 or 0."""
-        return 8 * 200 * f * (1.25 + 0.25 * u) / (1.25 * (1 + u))
-
-    gain = afmcalc("overload", "--json").json["result"]["potential_torque_gain"]
-    assert gain == pytest.approx({e: potential(f, 0.35) - potential(f, 0.4) for e, f in FRICTION.items()})

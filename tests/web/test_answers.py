@@ -12,7 +12,7 @@ from pages import TABS, Here, Site, cells, is_shown, sets, spec_in, tags, web
 from afmcalc.spec.keys import keys
 
 pytestmark = web
-VARIANTS = ["conventional", "all-driving", "envelope", "constant-torque"]
+VARIANTS = ["conventional", "all-driving", "unlike-materials", "envelope", "constant-torque"]
 
 
 @pytest.fixture(scope="module")
@@ -81,8 +81,8 @@ def agree(answer, spec, fields, afmcalc):
     return 0
 
 
-@pytest.mark.parametrize("count", [1, *slow(10)])
-@pytest.mark.parametrize("name", ["default", "unlike-materials", "indirect", *slow(*VARIANTS)])
+@pytest.mark.parametrize("count", [1, *slow(6)])
+@pytest.mark.parametrize("name", ["default", "indirect", *slow(*VARIANTS)])
 def test_any_state_is_what_the_command_line_says(sites, afmcalc, name, count):
     """Numbers or sentences; the command shown is what was run, whatever is pinned beside."""
     spec, site = sites(name)
@@ -275,10 +275,11 @@ def test_a_point_of_the_front_loads(afmcalc, tmp_path):
         FEW + (tmp_path / "clutch.toml").read_text(encoding="utf-8"), encoding="utf-8"
     )
     for number, base in enumerate(bases, 1):
-        picked = tmp_path / f"{number}.toml"
-        assert afmcalc("design", tmp_path / "wanted.toml", "--pick", number, "--save", picked).code == 0
         live = site.live({}, base=base)
-        is_shown(cells(live["fragments"]["numbers"]), afmcalc("torque", picked, "--json").json["result"])
+        if number == len(bases):
+            picked = tmp_path / "picked.toml"
+            assert afmcalc("design", tmp_path / "wanted.toml", "--pick", number, "--save", picked).code == 0
+            is_shown(cells(live["fragments"]["numbers"]), afmcalc("torque", picked, "--json").json["result"])
         shell, _, text = live["command"].partition("\n")
         assert shell == "afmcalc torque - <<'SPEC'"
         assert afmcalc("torque", "-", stdin=text.removesuffix("\nSPEC")).code == 0

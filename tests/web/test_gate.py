@@ -3,10 +3,12 @@
 import json
 import os
 import socket
+import tomllib
 
 import pytest
 from conftest import CONFIGS
 from pages import Here, Site, spec_in, web
+from sources import DATA
 
 pytestmark = web
 LIVE = {"base": 0, "fields": {}, "pinned": None}
@@ -80,18 +82,8 @@ def test_what_is_served_and_to_whom(site, method, path):
     refused(site, 405, opposite, site.root + path)
 
 
-HOSTS = [
-    "evil.example", "evil.example:{port}", "127.0.0.1", "127.0.0.1:1", "127.0.0.1:{port}.evil.example",
-    "127.0.0.1:{port}@evil.example", "evil.example@127.0.0.1:{port}", "localhost.evil.example:{port}", "0.0.0.0:{port}",
-    "[::1]:{port}", "127.1:{port}", "2130706433:{port}", "", "127.0.0.1:{port}, evil.example", "127.0.0.1:{port} x",
-    None, ["127.0.0.1:{port}"] * 2,
-]  # fmt: skip
-ORIGINS = [
-    "http://evil.example", "http://evil.example:{port}", "null", "", "https://127.0.0.1:{port}", "http://127.0.0.1:1",
-    "http://127.0.0.1", "http://127.0.0.1:{port}.evil.example", "http://127.0.0.1:{port}/", "file://",
-    "http://127.0.0.1:{port} http://evil.example", "http://localhost:{port}",
-    ["http://evil.example", "http://127.0.0.1:{port}"], ["http://127.0.0.1:{port}", "http://evil.example"],
-]  # fmt: skip
+ASKED = tomllib.loads((DATA / "requests.toml").read_text(encoding="utf-8"))
+HOSTS = [*ASKED["hosts"], None, ["127.0.0.1:{port}"] * 2]
 SITES = ["cross-site", "same-site", "none", ""]
 
 
@@ -109,7 +101,7 @@ def test_who_is_not_the_page_is_refused(site):
         for origin in (None, f"http://{host}"):
             refused(site, 403, "POST", site.root + "live", host=host, origin=origin)
     for path in POSTS:
-        for origin in map(filled, ORIGINS):
+        for origin in map(filled, ASKED["origins"]):
             refused(site, 403, "POST", site.root + path, origin=origin)
         for name in SITES:
             refused(site, 403, "POST", site.root + path, origin=None, sec_fetch_site=name)
@@ -134,16 +126,8 @@ def test_without_the_token_there_is_nothing(site, afmcalc):
         assert site.ask("GET", path.format(token), cookie=cookie, authorization=bearer).status == 404
 
 
-OUTSIDE = [
-    "../../etc/passwd", "..%2f..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "%252e%252e%252fetc/passwd",
-    "..\\..\\etc\\passwd", "....//....//etc/passwd", "/etc/passwd", "%2fetc%2fpasswd", "file:///etc/passwd", "page.html",
-    "page.css/../page.html", "page.css%00.html", "parts.html", "app.py", "clutch.toml", ".", "./page.css", "page.css/",
-    "PAGE.CSS", "static/page.css", "tab/../live", "tab/%2e%2e%2flive", "%ff%fe", "%", "a" * 5000, "a/" * 2000,
-]  # fmt: skip
-
-
 def test_no_path_leads_out(site):
-    for path in OUTSIDE:
+    for path in (*ASKED["outside"], "a" * 5000, "a/" * 2000):
         for method in ("GET", "POST"):
             refused(site, 404, method, site.root + path)
     for tab in ("os", "__class__", "live", "save", "torque", "", "%00"):
@@ -233,20 +217,13 @@ def test_a_fault_of_our_own_is_said(site, monkeypatch):
     assert "Traceback" not in str(answer.json)
 
 
-WRONG = [
-    ("--port {taken}", 3, "{taken}"), ("--port 65536", 2, "65535"), ("gone.toml", 3, "gone.toml"),
-    ("--set friction.min=", 2, "friction.min"), ("-o there.toml", 2, "--force"),
-    ("clutch.toml -o clutch.toml --force", 2, "clutch.toml"),
-]  # fmt: skip
-
-
 def test_what_cannot_be_served_is_told(afmcalc, tmp_path, monkeypatch):
     """A port that is taken or none, no file, no spec, a file that is there, the spec itself."""
     monkeypatch.chdir(tmp_path)
     (spec_in(tmp_path, file="there.toml"), spec_in(tmp_path))
     with socket.create_server(("127.0.0.1", 0)) as other:
         taken = other.getsockname()[1]
-        for arguments, code, said in WRONG:
+        for arguments, code, said in ASKED["wrong"]:
             run = Site(afmcalc, *arguments.format(taken=taken).split()).run
             assert (run.code, run.out, said.format(taken=taken) in run.err) == (code, "", True), run
     assert sorted(os.listdir()) == ["clutch.toml", "there.toml"]

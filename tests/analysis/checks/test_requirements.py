@@ -56,18 +56,6 @@ def test_a_requirement_is_held_up_to_its_limit(name, share):
     assert all((each.level, each.path) == ("error", f"requirements.{name}") for each in missed)
 
 
-CURVED = ["control_unit.pocket="]
-JUMP = [*CURVED, "control_unit.gain_slope=900", "control_spring.force=4700"]
-FALL = [*CURVED, "control_unit.gain_slope=320", "adjustment.method=mean-friction"]
-UNLIKE = """
-variant = "differentiated"
-friction = {driving = {min = 0.22, mean = 0.81, max = 0.84}, driven = {min = 0.06, mean = 0.10, max = 0.74}}
-friction_group = {pairs = 7, driving_pairs = 2, mean_radius = "100 mm"}
-closing_spring = {force = "2 kN"}
-control_unit = {gain = 1.47}
-requirements = {torque_max = "200 N*m"}
-fatigue = {endurance_limit = "400 MPa", polar_section_modulus = "15 cm^3", exponent = 6, base_cycles = 1e7}
-"""
 LASTING = """
 variant = "indirect"
 friction = {min = 0.12, mean = 0.2, max = 0.4}
@@ -81,36 +69,6 @@ adjustment = {method = "mean-friction", margin = 1.3}
 
 def set_to(*changes):
     return [part for change in changes for part in ("--set", change)]
-
-
-def test_a_torque_just_before_a_jump_counts(afmcalc):
-    """T rises as of a direct clutch of gain κ until the sleeve leaves, where N = F_п1, and falls from there on."""
-    changes = set_to(*JUMP)
-    leaving = (4700 / 2000 - 1) / (8 * 1.36)
-    torque = afmcalc("torque", "example:constant-torque", *changes, "--json").json["result"]
-    own = torque["torque_range"]
-    assert own["high"] == pytest.approx(8 * 0.1 * leaving * 2000, rel=1e-9) == pytest.approx(198.53, abs=5e-3)
-    assert (own["low"], own["at_low"]) == (pytest.approx(99.21, abs=5e-3), 0.8)
-    assert own["at_high"] == pytest.approx(leaving)
-    assert torque["accuracy_factor"] == pytest.approx(own["high"] / own["low"]) == pytest.approx(2.001, abs=5e-4)
-    assert torque["scatter"] == pytest.approx(99.32, abs=5e-3)
-    wanted = set_to("requirements.accuracy_factor=1.4")
-    failed = afmcalc("check", "example:constant-torque", *changes, *wanted, "--json")
-    assert (failed.code, failed.json["result"]["checks"][0]["value"]) == (1, pytest.approx(2.001, abs=5e-4))
-
-
-def test_a_torque_between_the_ends_is_judged(afmcalc, tmp_path):
-    wanted = set_to(*FALL, "requirements.torque_max=470")
-    falling = afmcalc("check", "example:constant-torque", *wanted, "--json")
-    assert (falling.code, falling.json["result"]["checks"][0]["value"]) == (1, pytest.approx(480.0, rel=1e-6))
-    (path := tmp_path / "unlike.toml").write_text(UNLIKE)
-    unlike = afmcalc("check", path, "--json")
-    assert (unlike.code, unlike.json["result"]["checks"][0]["value"]) == (1, pytest.approx(244.4, abs=0.05))
-    torque = afmcalc("torque", path, "--json").json["result"]
-    assert [round(each, 1) for each in torque["torque"].values()] == [102.7, 244.4, 167.1]
-    assert torque["torque_range"]["at_high"] == 0.81
-    life = afmcalc("life", path, "--json").json["result"]
-    assert life["stress_protected"] == pytest.approx((102.71 + 244.38) / 2 / 15e-6, rel=1e-4)
 
 
 def test_accuracy_under_a_load_that_lasts(afmcalc, tmp_path):
