@@ -34,7 +34,7 @@ from .wall import wall_of
 
 _ENDS = ("f_min", term("f_cp", "symbol"), "f_max")
 _CLOSED = 1e-3
-_SPREAD = 0.02
+_SPREAD = 0.01
 """Relative difference of heat or slip time by two step sizes beyond which they are ill-conditioned."""
 _NEAR = 1e-3
 """Relative difference below which a figure of the spec is what the simulation gives."""

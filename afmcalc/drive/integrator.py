@@ -2,13 +2,15 @@
 
 import functools
 import math
+import operator
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..equations import drive
 from ..equations import heat as law
-from ..equations.arrays import Values, is_array
+from ..equations.arrays import Floats, Values, is_array
 from ..errors import CalculationError
 from ..messages import say
 from ..progress import tell
@@ -25,14 +27,20 @@ _LAG = 8
 """Steps in the lag of a release force."""
 _FINEST = 4
 """Times that these may shorten a step: springs that the key all but locks are stiff, and still."""
+_RINGING = 1 / 16
+"""Share of a swing of the balls that the key takes, at least; where it takes little, the balls ring on, and need steps.
+"""
 _YIELDING = 1e-3
 """Stiffness of a control unit, of the shaft's, below which it is no spring: its wall holds the torque."""
 _STEADY = 5
 """Times the step is longer where slip goes on through the swings of the shaft."""
 _BLOCK = 64
 """Steps between two looks at what may still come."""
-MOST_STEPS = 200_000
-_LANES = 8192
+_PLACES = slice(0, -2), slice(1, -1), slice(2, None)
+"""Of a block: two moments before a step, that before it, that after it."""
+MOST_STEPS = 100_000
+"""Of an event; longer ones end unsettled."""
+_LANES = 2048
 """Drives stepped at a time; the states of so many stay in the processor's cache."""
 CLOSE = 2e-3
 """Error of the peak, relative, up to which a step is fine enough."""
@@ -94,7 +102,7 @@ class Event(NamedTuple):
     pulled: Any
     """Torque with which the pack slipped as the motor was switched off; 0 where it did not."""
     peak_error: Any = 0.0
-    """Change of the peak against twice the step, relative."""
+    """Change of the peak, of shaft or clutch, against twice the step, relative."""
     other: Any = None
     """The same event with twice the step."""
     rows: Any = ()
@@ -106,7 +114,8 @@ def simulate(
 ) -> Event:
     """Step events until nothing more can come, or until their peak has passed where they are not ``whole``.
 
-    The step is halved until twice the step changes the peak by 0.2 % at most, at most three times.
+    The step is halved until twice the step changes the peak by 0.2 % at most, at most three times and not for long
+    events.
 
     Args:
         train: drive, or drives as arrays.
@@ -149,7 +158,7 @@ def _refined(train: Train, pack: Any, h: Any, end: Any, *, given: bool, whole: b
     coarse = stepped(Motion(train, pack, 2 * h), end, given=given, whole=whole, full=full)
     fine = _compared(stepped(Motion(train, pack, h), end, given=given, whole=whole, full=full), coarse)
     for _ in range(_HALVINGS):
-        open_ = fine.peak_error > CLOSE
+        open_ = (fine.peak_error > CLOSE) & (fine.time < h * MOST_STEPS / 2)
         if not np.any(open_):
             break
         h = h / 2
@@ -168,9 +177,9 @@ def _refined(train: Train, pack: Any, h: Any, end: Any, *, given: bool, whole: b
 
 
 def _compared(fine: Event, coarse: Event) -> Event:
-    return fine._replace(
-        peak_error=abs(fine.peak - coarse.peak) / fine.peak, other=coarse._replace(other=None, rows=())
-    )
+    peaks = ((fine.peak, coarse.peak), (fine.peak_clutch, coarse.peak_clutch))
+    error = functools.reduce(larger, (abs(own - other) / own for own, other in peaks))
+    return fine._replace(peak_error=error, other=coarse._replace(other=None, rows=()))
 
 
 def step_of(train: Train, pack: DirectPack | Sleeve) -> Values:
@@ -181,7 +190,8 @@ def step_of(train: Train, pack: DirectPack | Sleeve) -> Values:
         stiffness = pack.torsional(0.0, pack.net_gain, pack.lift)
         straight = np.maximum(stiffness, _YIELDING * train.stiffness)
         swinging = (straight * (1 / train.hub_inertia + 1 / train.driven_inertia)) ** 0.5
-        step = np.clip(2 * np.pi / (swinging * _BALLS), step / _FINEST, step)
+        lost = np.maximum(1 - pack.net_gain / pack.net_gain_returning, _RINGING)
+        step = np.clip(2 * np.pi / (swinging * _BALLS), step * lost / _FINEST, step)
         # discs that stick and break loose while the balls swing: the peak comes closer by the first order alone
         step = np.where(np.asarray(pack.static_ratio) > 1, step / 2, step)
     elif np.any(pack.lag):
@@ -189,83 +199,95 @@ def step_of(train: Train, pack: DirectPack | Sleeve) -> Values:
     return step
 
 
+_MOMENT = ("time", "torque", "clutch", "slip", "key_heat", "top", "balls", "turn", "normal")
+_HISTORY = ("time", "torque", "clutch", "motor", "driven", "tool", "turn", "slip", "heat")
+_moment, _present = (operator.attrgetter(*names) for names in (_MOMENT, _HISTORY))
+
+
 class _Watch:
-    """Peaks and times of an event, or of many."""
+    """Peaks and times of an event, or of many, read off the steps of a block at a time."""
 
     def __init__(self, motion: Motion, *, recorded: bool) -> None:
-        zero, train = motion.h * 0.0, motion.train
+        zero, train = np.asarray(motion.h * 0.0), motion.train
         self.peak = zero + train.load
-        self.peak_clutch = self.peak_wall = zero
         self.travel_max = zero + motion.travel
-        self.slip_time = self.trip_torque = self.key_heat = self.pulled = zero
+        self.peak_clutch = self.peak_wall = self.slip_time = self.trip_torque = self.key_heat = self.pulled = zero
         self.most = zero + motion.stored
-        self.off = zero + math.inf
-        self.over = zero != 0
-        self.slides = motion.slip != 0
-        self.older = self.old = motion.torque
-        self.holding = self.held = motion.clutch
-        self.slipping = self.slip = motion.slip
+        self.off: Any = motion.h * 0.0 + math.inf
+        self.over: Any = zero != 0
+        self.last = np.array([np.broadcast_arrays(zero, *_moment(motion))[1:]] * 2)
+        """The last two moments."""
         self.begun = motion.left
-        self.rows: list[Row] = []
-        self.recorded = recorded
+        self.history = [_present(motion)] if recorded else None
 
     def block(self, motion: Motion, steps: int) -> None:
         """Step on, and take down what happens."""
-        pack, cut_off = motion.pack, motion.train.cut_off
+        cut_off, block = motion.train.cut_off, np.empty((2 + steps, *self.last.shape[1:]))
+        block[:2] = self.last
         powered: Any = 1.0
-        for _ in range(steps):
+        for place in range(2, 2 + steps):
             if cut_off is not None:
                 powered = clip((self.off - motion.time) / motion.h, 0.0, 1.0)
             motion.step(powered)
-            slides = motion.slip != 0
-            # slip begins and ends within a step: where torque or slip, going on as before, come to the limit
-            rising, falling = self.held - self.holding, self.slipping - self.slip
-            begun = 1 - clip((motion.clutch - self.held) / where(rising == 0, math.inf, rising), 0.0, 1.0)
-            left = clip(self.slip / where(falling == 0, math.inf, falling), 0.0, 1.0)
-            share = where(slides, where(self.slides, 1.0, begun), where(self.slides, left, 0.0))
-            self.slip_time = self.slip_time + motion.h * share
-            first = slides & (self.trip_torque == 0)
-            self.trip_torque = where(first, larger(abs(motion.clutch), abs(self.held)), self.trip_torque)
             if cut_off is not None:
-                self.off = where(first, motion.time - motion.h + cut_off, self.off)
-                switched = (motion.time >= self.off) & (self.pulled == 0) & slides
-                self.pulled = where(switched, abs(motion.clutch), self.pulled)
-            self.key_heat = where(slides | self.slides | (self.trip_torque == 0), motion.key_heat, self.key_heat)
-            self.peak = where(self.over, self.peak, larger(self.peak, self._top(motion)))
-            self.peak_clutch = larger(self.peak_clutch, motion.top)
-            if motion.static:
-                self.peak_clutch = larger(self.peak_clutch, self._ending(motion, falling))
-            self.peak_wall = larger(self.peak_wall, abs(motion.balls) * pack.leaning(motion.turn))
-            if pack.travels:
-                self.travel_max = larger(self.travel_max, motion.travel)
-            self.slides, self.older, self.old = slides, self.old, motion.torque
-            self.holding, self.held, self.slipping, self.slip = self.held, motion.clutch, self.slip, motion.slip
-            if self.recorded:
-                self.rows.append(row(motion))
-        self.most = larger(self.most, motion.stored)
+                begins = (motion.slip != 0) & (self.off == math.inf)
+                self.off = where(begins, motion.time - motion.h + cut_off, self.off)
+            for column, value in enumerate(_moment(motion)):
+                block[place, column] = value
+            if self.history is not None:
+                self.history.append(_present(motion))
+        self.last = block[-2:]
+        self._take(motion, block)
+        self.most = np.maximum(self.most, motion.stored)
 
-    def _ending(self, motion: Motion, falling: Any) -> Any:
-        """Torque of the clutch as slip ends, when friction has risen to that of rest; 0 where it does not end."""
-        pack, held = motion.pack, abs(self.held)
-        ends = self.slides & (motion.slip == 0) & (self.slip != falling)
-        risen = held * pack.static_ratio / pack.ratio(self.slip + falling / 2)
-        # the key of a sleeve holds the normal force meanwhile, that of a direct clutch falls
-        most = risen if pack.travels else clip(risen, held, larger(held, pack.breakaway + 0.0 * held))
-        return where(ends, most, 0.0)
+    def _take(self, motion: Motion, block: Floats) -> None:
+        """Peaks and times of a block: two moments before it, and its steps."""
+        pack, moments = motion.pack, dict(zip(_MOMENT, np.moveaxis(block, 1, 0), strict=True))
+        time, top, balls, turn = (moments[name][2:] for name in ("time", "top", "balls", "turn"))
+        holding, held, clutch = (moments["clutch"][place] for place in _PLACES)
+        slipping, slip, after = (moments["slip"][place] for place in _PLACES)
+        slid, slides = slip != 0, after != 0
+        # slip begins and ends within a step: where torque or slip, going on as before, come to the limit
+        rising, falling = held - holding, slipping - slip
+        begun = 1 - np.clip((clutch - held) / np.where(rising == 0, np.inf, rising), 0.0, 1.0)
+        left = np.clip(slip / np.where(falling == 0, np.inf, falling), 0.0, 1.0)
+        share = np.where(slides, np.where(slid, 1.0, begun), np.where(slid, left, 0.0))
+        self.slip_time = self.slip_time + motion.h * share.sum(axis=0)
+        tripped = (self.trip_torque != 0) | np.logical_or.accumulate(slides)
+        torque = np.maximum(abs(clutch), abs(held))
+        self.trip_torque = _first(slides & (self.trip_torque == 0), torque, self.trip_torque)
+        if motion.train.cut_off is not None:
+            switched = (time >= self.off) & slides & (self.pulled == 0)
+            self.pulled = _first(switched, abs(clutch), self.pulled)
+        self.key_heat = _first((slides | slid | ~tripped)[::-1], moments["key_heat"][:1:-1], self.key_heat)
+        highest = _tops(*(moments["torque"][place] for place in _PLACES)).max(axis=0)
+        self.peak = np.where(self.over, self.peak, np.maximum(self.peak, highest))
+        if motion.static:
+            ends = slid & ~slides & (slip != falling)
+            top = np.maximum(top, np.where(ends, self._ending(motion, moments["normal"][1:-1], held, slip, falling), 0))
+        self.peak_clutch = np.maximum(self.peak_clutch, top.max(axis=0))
+        self.peak_wall = np.maximum(self.peak_wall, (abs(balls) * pack.leaning(turn)).max(axis=0))
+        if pack.travels:
+            self.travel_max = np.maximum(self.travel_max, pack.travel(abs(turn).max(axis=0)))
 
-    def _top(self, motion: Motion) -> Any:
-        """Largest torque of the shaft of late, on the parabola through three steps."""
-        torque, sign = motion.torque, where(self.old < 0, -1.0, 1.0)
-        a, b, c = sign * self.older, sign * self.old, sign * torque
-        bent = 2 * b - a - c
-        turned = (b >= a) & (b >= c) & (bent > 0)
-        return where(turned, b + (c - a) * (c - a) / (8 * where(turned, bent, 1.0)), abs(torque))
+    def _ending(self, motion: Motion, normal: Floats, held: Floats, slip: Floats, falling: Floats) -> Any:
+        """Torque of the clutch as slip ends, when friction has risen to that of rest."""
+        pack, held = motion.pack, abs(held)
+        risen = held * pack.static_ratio / pack.ratio(slip + falling / 2)
+        if pack.travels:
+            return risen  # the key holds the normal force meanwhile
+        # so does a lag, in part; the force of other direct clutches falls
+        balance = pack.pressed_at_stop(risen, pack.stop_gains[0])
+        left = np.clip(slip / np.where(falling == 0, np.inf, falling), 0.0, 1.0)
+        late = pack.carried(balance + (normal - balance) * motion.half_lag ** (2 * left), pack.static_ratio)
+        return np.where(pack.lag > motion.h, late, np.clip(risen, held, np.maximum(held, pack.breakaway)))
 
     def lanes(self, kept: Any) -> "_Watch":
         """Of some of many drives."""
         found = object.__new__(_Watch)
         shape = self.peak.shape
-        vars(found).update({name: cut(value, kept, shape) for name, value in vars(self).items()})
+        vars(found).update({name: cut(value, kept, shape) for name, value in vars(self).items() if name != "last"})
+        found.last = self.last[..., kept]
         return found
 
     def event(self, motion: Motion, ended: Any) -> Event:
@@ -276,23 +298,38 @@ class _Watch:
             self.peak, self.peak_clutch, self.peak_wall, self.travel_max, self.slip_time, motion.heat, self.key_heat,
             self.trip_torque, residual, motion.time, motion.clutch, motion.slip == 0, self.over, ended, self.pulled,
         )  # fmt: skip
-        return Event(*figures, rows=tuple(self.rows))
+        if is_array(motion.h):
+            return Event(*figures)
+        found = Event(*(figure.item() if hasattr(figure, "item") else figure for figure in figures))
+        if self.history is None:
+            return found
+        columns = dict(zip(_HISTORY, np.array(self.history).T, strict=True))
+        columns["turn"] = motion.pack.travel(columns["turn"]) if motion.pack.travels else 0.0 * columns["turn"]
+        return found._replace(
+            rows=tuple(map(Row._make, zip(*(part.tolist() for part in columns.values()), strict=True)))
+        )
 
 
-def row(motion: Motion) -> Row:
-    """The present moment of one drive."""
-    return Row(
-        motion.time, motion.torque, motion.clutch, motion.motor, motion.driven, motion.tool, motion.travel, motion.slip,
-        motion.heat,
-    )  # fmt: skip
+def _first(condition: NDArray[np.bool_], values: Floats, otherwise: Any) -> Any:
+    """Value at the first step of a condition, for each drive."""
+    first = np.take_along_axis(values, condition.argmax(axis=0)[None], axis=0)[0]
+    return np.where(condition.any(axis=0), first, otherwise)
+
+
+def _tops(older: Floats, old: Floats, torque: Floats) -> Floats:
+    """Largest torques of the shaft, on the parabolas through three steps."""
+    sign = np.where(old < 0, -1.0, 1.0)
+    a, b, c = sign * older, sign * old, sign * torque
+    bent = 2 * b - a - c
+    turned = (b >= a) & (b >= c) & (bent > 0)
+    found: Floats = np.where(turned, b + (c - a) * (c - a) / (8 * np.where(turned, bent, 1.0)), abs(torque))
+    return found
 
 
 def stepped(motion: Motion, end: Any, *, given: bool = True, whole: bool = True, full: bool = False) -> Event:
     """Step an event, or many, from a state, to an end that is ``given`` or a horizon; arguments as of ``simulate``."""
     h = motion.h
     watch = _Watch(motion, recorded=whole and not is_array(h))
-    if watch.recorded:
-        watch.rows.append(row(motion))
     done, places, count = [], np.arange(np.size(h)), 0
     finest = h
     while True:

@@ -6,6 +6,7 @@ rigid: balls that pass it within a step exchange with both walls exactly the wor
 by the implicit midpoint rule, so that the step is limited by accuracy, not by stability.
 """
 
+from collections.abc import Callable
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
@@ -68,7 +69,7 @@ class Motion:
         self.static = bool(np.any(np.asarray(pack.static_ratio) != 1))
         self.late = bool(np.any(np.asarray(pack.lag) != 0))
         self.turning_tool = train.kind == "load"
-        self.time, self.slip, self.rate, self.trend, self.gained = (zero for _ in range(5))
+        self.time, self.slip, self.rate, self.trend, self.gained, self.top = (zero for _ in range(6))
         self.driven = self.motor = self.before = zero + train.speed
         self.tool = zero + train.speed if self.turning_tool else zero + train.led(zero)
         self.elastic = self.torque = self.clutch = self.balls = zero + train.load
@@ -98,10 +99,10 @@ class Motion:
             self._of_pack, self._of_balls = h / train.motor_inertia + self._across, self._across + self.per_torque
         else:
             self._of_pack = h / train.motor_inertia + self.per_torque
-            self._half = np.exp(-h / (2 * np.where(pack.lag > 0, pack.lag, np.inf))) * (pack.lag > 0)
+            self.half_lag = np.exp(-h / (2 * np.where(pack.lag > 0, pack.lag, np.inf))) * (pack.lag > 0)
             """Factor by which a deviation of the normal force decays in half a step; 0 without lag."""
             if h.__class__ is float:
-                self._half = float(self._half)
+                self.half_lag = float(self.half_lag)
 
     def lanes(self, kept: Any) -> "Motion":
         """Some of many drives."""
@@ -118,10 +119,10 @@ class Motion:
         free = self._without_clutch()
         motor = fast + h / train.motor_inertia * driving
         ahead, self.top = slip + self.trend, h * 0.0
+        clutch_at = self._sleeve(motor, free) if self.pack.travels else self._discs(motor, free)
         for _ in range(2 if self.static else 1):
             # friction is that at the slip in the middle of the step: first of a predicted slip, then of the result
-            ratio = self.pack.ratio((slip + ahead) / 2) if self.static else 1.0
-            result = self._sleeve(motor, free, ratio) if self.pack.travels else self._discs(motor, free, ratio)
+            result = clutch_at(self.pack.ratio((slip + ahead) / 2) if self.static else 1.0)
             ahead, self.top = result[2], larger(self.top, abs(result[0]))
         self.clutch, self.balls, self.slip, self.rate, self.normal, self.turn, lost = result
         if self.static:
@@ -158,45 +159,55 @@ class Motion:
         self.tool = (alone - self._front * h * self.resisting) / self._det
         return (self._rear * first + link * (second - h * self.resisting)) / self._det
 
-    def _discs(self, motor: Any, free: Any, ratio: Any) -> tuple[Any, ...]:
-        """Direct clutch: the torque that brings the slip to rest, or the capacity."""
-        pack, normal = self.pack, self.normal
-        if self.late:
-            loop = pack.gain * pack.controlled_pairs * pack.driven * (1 - self._half)
-            alone = pack.closing_force * (1 - self._half) + normal * self._half
-            # the normal force that the torque at slip gives in the middle of the step
-            capacity = pack.carried(direct.normal_force(alone, 1.0, loop, ratio), ratio)
-        else:
-            capacity = pack.torque(ratio)
+    def _discs(self, motor: Any, free: Any) -> Callable[[Any], tuple[Any, ...]]:
+        """Direct clutch, by friction ratio: the torque that brings the slip to rest, or the capacity."""
+        pack, normal, kept = self.pack, self.normal, self.half_lag
         needed = (motor - free) / self._of_pack
-        torque = clip(needed, -capacity, capacity)
-        if self.late:
-            balance = pack.pressed_at_stop(torque, pack.stop_gains[0])
-            normal = balance + (normal - balance) * self._half * self._half
-        # the slip is exactly 0 where it sticks
-        return torque, torque, self._of_pack * (needed - torque), self.rate, normal, self.turn, 0.0
 
-    def _sleeve(self, motor: Any, free: Any, ratio: Any) -> tuple[Any, ...]:
-        """Indirect clutch: torques of pack and balls that bring their slips to rest, or what they can carry."""
+        def result(ratio: Any) -> tuple[Any, ...]:
+            pressed = normal
+            if self.late:
+                loop = pack.gain * pack.controlled_pairs * pack.driven * (1 - kept)
+                alone = pack.closing_force * (1 - kept) + normal * kept
+                # the normal force that the torque at slip gives in the middle of the step
+                capacity = pack.carried(direct.normal_force(alone, 1.0, loop, ratio), ratio)
+            else:
+                capacity = pack.torque(ratio)
+            torque = clip(needed, -capacity, capacity)
+            if self.late:
+                balance = pack.pressed_at_stop(torque, pack.stop_gains[0])
+                pressed = balance + (normal - balance) * kept * kept
+            # the slip is exactly 0 where it sticks
+            return torque, torque, self._of_pack * (needed - torque), self.rate, pressed, self.turn, 0.0
+
+        return result
+
+    def _sleeve(self, motor: Any, free: Any) -> Callable[[Any], tuple[Any, ...]]:
+        """Indirect clutch, by friction ratio: torques that bring the slips of pack and balls to rest, or capacities."""
         hub = self.driven + self.rate
         v, w, at_stop = motor - hub, hub - free, self.turn == 0
         if at_stop is True:
-            return self._at_stop(v, w, ratio)
-        result = self._moving(v, w, ratio)
-        passes = (self.turn * result[5] <= 0) & (~at_stop if at_stop.__class__ is not bool else True)
-        near = passes | at_stop
-        if not _any(near):
-            return result
-        resting = self._at_stop(v, w, ratio)
-        comes_to_rest = passes & (resting[3] == 0)
-        if _any(passes):
-            through = self._through(v, w, ratio)
-            result = tuple(where(passes, one, other) for one, other in zip(through, result, strict=True))
-        stops = at_stop | comes_to_rest
-        return tuple(where(stops, one, other) for one, other in zip(resting, result, strict=True))
+            return lambda ratio: self._at_stop(v, w, ratio)
+        moving = self._moving(v, w)
 
-    def _moving(self, v: Any, w: Any, ratio: Any) -> tuple[Any, ...]:
-        """Balls off the stop; the key sticks at ball torques between S/κ₊ and S/κ."""
+        def result(ratio: Any) -> tuple[Any, ...]:
+            found = moving(ratio)
+            passes = (self.turn * found[5] <= 0) & (~at_stop if at_stop.__class__ is not bool else True)
+            near = passes | at_stop
+            if not _any(near):
+                return found
+            resting = self._at_stop(v, w, ratio)
+            comes_to_rest = passes & (resting[3] == 0)
+            if _any(passes):
+                through = self._through(v, w, ratio)
+                found = tuple(where(passes, one, other) for one, other in zip(through, found, strict=True))
+            stops = at_stop | comes_to_rest
+            return tuple(where(stops, one, other) for one, other in zip(resting, found, strict=True))
+
+        return result
+
+    def _moving(self, v: Any, w: Any) -> Callable[[Any], tuple[Any, ...]]:
+        """Balls off the stop, by friction ratio; the key sticks at ball torques between S/κ₊ and S/κ."""
         pack, h, rate, turn = self.pack, self.h, self.rate, self.turn
         side, ahead = where(turn < 0, -1.0, 1.0), h / 2 * rate
         # implicit midpoint: the speed before the step gives half of the turn, the speed after it the other half
@@ -209,21 +220,25 @@ class Motion:
         stiff = pack.torsional(travel, way, moment / way)
         mass = pack.inertia(travel, way) / h + larger(h / 4 * stiff, -0.25 / self._of_balls)
         most, least = side * moment / kappa, side * moment / returning
-        capacity = pack.carried(pack.pressed(travel), ratio)
         A, B, D, v, w = self._heavier(v, w, mass, rate)
-        low, high = where(side < 0, most, least), where(side < 0, least, most)
-        both = A - B * B / D
-        first = clip((v + B * w / D) / both, -capacity, capacity)
-        wanted = (w + B * first) / D
-        balls = clip(wanted, low, high)
-        needed = (v + B * balls) / A
-        clutch = clip(needed, -capacity, capacity)
-        slip = where(clutch == needed, 0.0, v + B * balls - A * clutch)
-        after = where(balls == wanted, 0.0, w + B * clutch - D * balls)
-        balls = balls + mass * (after - rate)
-        moved = h / 2 * (rate + after)
-        lost = balls * moved * (1 - where(turn * moved >= 0, kappa, returning) / gain)
-        return clutch, balls, slip, after, pack.closing_force, turn + moved, lost
+        low, high, both = where(side < 0, most, least), where(side < 0, least, most), A - B * B / D
+        pressed = pack.pressed(travel)
+
+        def result(ratio: Any) -> tuple[Any, ...]:
+            capacity = pack.carried(pressed, ratio)
+            first = clip((v + B * w / D) / both, -capacity, capacity)
+            wanted = (w + B * first) / D
+            balls = clip(wanted, low, high)
+            needed = (v + B * balls) / A
+            clutch = clip(needed, -capacity, capacity)
+            slip = where(clutch == needed, 0.0, v + B * balls - A * clutch)
+            after = where(balls == wanted, 0.0, w + B * clutch - D * balls)
+            balls = balls + mass * (after - rate)
+            moved = h / 2 * (rate + after)
+            lost = balls * moved * (1 - where(turn * moved >= 0, kappa, returning) / gain)
+            return clutch, balls, slip, after, pack.closing_force, turn + moved, lost
+
+        return result
 
     def _heavier(self, v: Any, w: Any, mass: Any, before: Any) -> tuple[Any, ...]:
         """Slips without torques, and what 1 N·m takes of them, with a torque of ``mass`` times the speed gained."""

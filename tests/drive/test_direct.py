@@ -180,6 +180,7 @@ def test_even_rise_against_the_solved_equation(lag, rate):
     assert trip_torque(lag, rate) == pytest.approx(expected, rel=CLOSE)
 
 
+@pytest.mark.slow
 def test_limits_of_the_lag():
     """s τ → 0 gives T_муф, s τ → ∞ T_п of S22 (5)."""
     own = clutch(**VARIANTS["all-driving"], friction={"static_ratio": None, "stribeck_speed": None})

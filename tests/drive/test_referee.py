@@ -36,6 +36,7 @@ STEPS = {"direct": {}, "indirect": {48: 1600, 57: 400, 79: 800}}
 """For each radian of the fastest swing, 200 else: static friction comes back within the last moment of these slips."""
 
 
+@pytest.mark.slow
 def test_the_referee_meets_the_theory():
     found = referee(EXAMPLE, [0.3], 0.35)
     assert found[:4] == pytest.approx((359.42, 250.057, 0.31498, 1113.27), rel=1e-4)

@@ -62,8 +62,19 @@ def part(whole, place: int | slice):
 
 
 @pytest.mark.parametrize("kind", ["stop", "load"])
-@pytest.mark.parametrize("variant", VARIANTS)
-def test_a_sweep_is_its_rows(variant, kind):
+@pytest.mark.parametrize("variant", ["conventional", "all-driving"])
+def test_a_sweep_has_the_answers_of_its_rows(variant, kind):
+    a_sweep_is_its_rows(variant, kind)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["stop", "load"])
+@pytest.mark.parametrize("variant", ["differentiated", "indirect"])
+def test_a_sweep_of_motors_has_the_answers_of_its_rows(variant, kind):
+    a_sweep_is_its_rows(variant, kind)
+
+
+def a_sweep_is_its_rows(variant, kind):
     """Many drives at once, of which some need finer steps, give what each alone gives, and in finer steps alike."""
     rng = np.random.default_rng([5, VARIANTS.index(variant) * 2 + (kind == "load")])
     train, pack = random_drives(variant, kind, rng)
