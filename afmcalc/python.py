@@ -255,7 +255,7 @@ class Clutch:
             (translate("clutch"), title),
             ("T", f"{low} … {high}"),
             ("K_т", localized(f"{torque.accuracy_factor:.4g}")),
-            (translate("verdict"), str(translate(check.verdict.sentence))),
+            (translate("verdict"), check.verdict.sentence),
         ]
 
     def __repr__(self) -> str:

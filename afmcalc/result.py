@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
-from pydantic import BaseModel, ConfigDict, Field, InstanceOf, PrivateAttr, WithJsonSchema
+from pydantic import BaseModel, ConfigDict, Field, PrivateAttr
 from pydantic.fields import FieldInfo
 
 from .errors import AfmcalcError
@@ -95,10 +95,6 @@ def described(description: str, **shown: Any) -> Any:
 def shown_as(field: FieldInfo) -> Shown:
     """Return how a field of a result is shown."""
     return field.json_schema_extra if isinstance(field.json_schema_extra, Shown) else Shown()
-
-
-Sentence = Annotated[InstanceOf[str], WithJsonSchema({"type": "string"})]
-"""A text that stays the ``Text`` it is, so that people are told it in their language; ``str`` would forget that."""
 
 
 class AtEnds(Result):

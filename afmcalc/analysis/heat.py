@@ -15,7 +15,7 @@ from ..equations import heat as law
 from ..equations.arrays import Values
 from ..errors import CalculationError, Problem, SpecError, given
 from ..findings import Finding, Level, finding
-from ..messages import joined, measured, say, term
+from ..messages import measured, say, translate
 from ..progress import counted
 from ..result import OpenTriple, Triple
 from ..spec.catalogues import Material, friction_materials
@@ -25,7 +25,7 @@ from .answers import Answers
 from .clutch_findings import clutch_findings
 from .registry import ANALYSES
 
-_ENDS = {"min": "f_min", "mean": term("f_cp", "symbol"), "max": "f_max"}
+_ENDS = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
 
 
 class Slip(NamedTuple):
@@ -359,7 +359,10 @@ def _carried(
     off, least = drive.cut_off, float(min(torques.values()))
     code = "motor-never-stops" if off is None else "motor-stops-at-cut-off"
     level: Level = "error" if off is None else "info"
-    at, heat = joined(_ENDS[end] for end in torques), max(float(slips[end].energy or 0.0) for end in torques)
+    at, heat = (
+        ", ".join(translate(_ENDS[end], "symbol") for end in torques),
+        max(float(slips[end].energy or 0.0) for end in torques),
+    )
     carries = measured(least, "N*m", 5)
     path, motor = "drive.cut_off", float(motor)
     yield finding(code, level, value=least, limit=motor, path=path, at=at, carries=carries, heat=heat, off=off)

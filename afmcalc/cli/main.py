@@ -13,7 +13,7 @@ from typer.core import TyperGroup
 
 from .. import __version__
 from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
-from ..messages import say, speaking, term, told, translate
+from ..messages import deferred, say, speaking, translate
 from .options import COMMON
 from .streams import drop_output, prepare, tell
 
@@ -48,8 +48,8 @@ FORMER = {
 FORMER_OPTIONS = {
     **{f"--{name}": f"--set catalogues.{name}=FILE" for name in ("materials", "discs", "balls")},
     "--excel": "--format csv --lang ru",
-    "--yes": say("a progress bar, and Ctrl-C to stop"),
-    "--symbols": say("the language of the report, --lang"),
+    "--yes": deferred("a progress bar, and Ctrl-C to stop"),
+    "--symbols": deferred("the language of the report, --lang"),
 }
 """Option of an earlier version → what is in its place."""
 FAULT = 70
@@ -62,7 +62,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     prepare()
     given, lang = without_lang(sys.argv[1:] if arguments is None else arguments)
     try:
-        speaks = chosen_language(lang, os.environ, lambda text: tell(told("note: {text}", text=text)))
+        speaks = chosen_language(lang, os.environ, lambda text: tell(say("note: {text}", text=text)))
     except AfmcalcError as error:
         _complain(str(error))
         sys.exit(error.exit_code)
@@ -85,8 +85,8 @@ def _run(given: list[str]) -> int:
         return INTERRUPTED
     except OSError as error:
         drop_output()
-        named = error.filename or told("standard output")
-        _complain(told("{named}: cannot be written: {why}", named=named, why=term(error.strerror or str(error))))
+        named = error.filename or say("standard output")
+        _complain(say("{named}: cannot be written: {why}", named=named, why=translate(error.strerror or str(error))))
         return 3
     except Exception as error:
         return _misused(error, given) if hasattr(error, "format_message") else _unexpected(error)
@@ -127,7 +127,7 @@ def application(arguments: list[str]) -> Any:
         module = import_module(f".{_MODULES[name]}", __package__)
         app.command(name)(getattr(module, f"{name}_" if name == "list" else name))
     program: Any = typer.main.get_command(app)
-    foot = told("Options of every command (--set, --json, --lang, …): afmcalc help options")
+    foot = say("Options of every command (--set, --json, --lang, …): afmcalc help options")
     for name, command in [("", program), *program.commands.items()]:
         command.help = "\n\n".join(map(translate, paragraphs(command.help)))
         command.epilog = foot if name else None
@@ -197,7 +197,7 @@ def without_lang(arguments: list[str]) -> tuple[list[str], str]:
 
 def _complain(text: str) -> None:
     """Say what is wrong; a line of a text that is shown belongs to what was said before."""
-    tell(text if text.startswith(" ") else told("error: {text}", text=text))
+    tell(text if text.startswith(" ") else say("error: {text}", text=text))
 
 
 def _misused(error: Any, given: list[str]) -> int:
@@ -207,10 +207,10 @@ def _misused(error: Any, given: list[str]) -> int:
         return 2
     if context := getattr(error, "ctx", None):
         tell(context.get_usage())
-        tell(told("Try '{path} --help' for help.", path=context.command_path))
+        tell(say("Try '{path} --help' for help.", path=context.command_path))
     message = error.format_message().rstrip(".")
     if new := FORMER_OPTIONS.get(getattr(error, "option_name", "")):
-        message = told("{name} is no option any more; instead: {new}", name=error.option_name, new=new)
+        message = say("{name} is no option any more; instead: {new}", name=error.option_name, new=translate(new))
     _complain(message)
     return 2
 

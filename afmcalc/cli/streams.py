@@ -7,7 +7,7 @@ import sys
 from contextlib import suppress
 
 from ..errors import LONGEST_LINE
-from ..messages import SPELLED, is_unicode, printable, say
+from ..messages import is_unicode, printable, say
 
 
 class _Closed(io.TextIOBase):
@@ -27,12 +27,12 @@ class _Closed(io.TextIOBase):
 
 
 def prepare() -> None:
-    """Let no stream fail because it is closed, or on a letter that its encoding lacks."""
+    """Let no stream fail because it is closed, or lacks a letter."""
     sys.stdout = sys.stdout or _Closed()
     sys.stderr = sys.stderr or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if reconfigure := getattr(stream, "reconfigure", None):
-            reconfigure(errors="backslashreplace" if is_unicode(stream) else SPELLED)
+            reconfigure(errors="backslashreplace")
 
 
 def put(text: str, *, utf8: bool = False) -> None:

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Any, NamedTuple
 
-from ..messages import joined, translate
+from ..messages import translate
 from ..result import OpenTriple, Result, Series, Shown, Triple, shown_as
 
 ENDS = {"min": "at f_min", "mean": "at mean f", "max": "at f_max"}
@@ -150,7 +150,7 @@ def _word(record: Result, name: str, shown: Shown) -> str | None:
     value = getattr(record, name)
     if shown.in_words is None or not isinstance(value, str | list):
         return record.words(name)
-    return joined(map(shown.in_words, [value] if isinstance(value, str) else value), "; ")
+    return "; ".join(map(shown.in_words, [value] if isinstance(value, str) else value))
 
 
 def _records(records: Sequence[Result]) -> Table:

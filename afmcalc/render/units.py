@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-from ..messages import Text, localized, printable, spoken, translate, with_unit
+from ..messages import localized, printable, spoken, translate, with_unit
 from ..units import ENGINEER, in_unit, per_si, typeset
 from .symbols import native
 
@@ -85,8 +85,6 @@ def headed(name: str, unit: str) -> str:
 
 def worded(text: str) -> str:
     """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
-    if isinstance(text, Text):
-        return translate(text)
     # one word may be a name; a sentence is none
     for context in ("value", "", "comment", "name") if " " in text else ("value", "unit"):
         if (told := translate(text, context)) != text:

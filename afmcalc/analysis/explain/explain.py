@@ -17,9 +17,9 @@ from ...equations.catalogue import Equation, equation_of
 from ...equations.terms import CASES, Term, quantity_of, term_of
 from ...errors import AfmcalcError
 from ...findings import Finding
-from ...messages import did_you_mean, joined, say, term
+from ...messages import did_you_mean, say, translate
 from ...papers.register import register
-from ...result import Answer, Result, Sentence, described
+from ...result import Answer, Result, described
 from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
@@ -32,7 +32,7 @@ class Step(Result):
     symbol: str = described("symbol")
     symbol_latex: str = described("symbol, LaTeX")
     name: str = described("what it is")
-    at: Sentence | None = described("friction it is for", optional=True)
+    at: str | None = described("friction it is for", optional=True)
     setting: Method | None = described("how the spring is set", optional=True)
     side: str | None = described("side of the clutch that the load is on", optional=True)
     formula: str = described("formula")
@@ -40,7 +40,7 @@ class Step(Result):
     value: float = described("value, SI")
     unit: str = described("SI unit")
     source: str = described("source")
-    print_differs: Sentence | None = described("what the paper prints instead", optional=True)
+    print_differs: str | None = described("what the paper prints instead", optional=True)
     note: str | None = described("note", optional=True)
     function: str = described("equation function that ran")
     formula_latex: str = described("formula, LaTeX")
@@ -170,9 +170,9 @@ _SETTINGS: dict[str, Method] = {"by_min": "min-friction", "by_mean": "mean-frict
 
 def _circumstance(cases: str) -> Circumstance:
     words = [case for case, word in CASES.items() if word and case in cases.split()]
-    at = [term(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
+    at = [translate(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
     setting = next((_SETTINGS[case] for case in words if case in _SETTINGS), None)
-    return Circumstance(joined(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
+    return Circumstance(", ".join(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
 
 
 def _formula_text(step: NotedStep, *, special: bool = True) -> FormulaText:
@@ -187,11 +187,16 @@ def _formula_text(step: NotedStep, *, special: bool = True) -> FormulaText:
 def _print_differs(function: str) -> str:
     """Text that the papers print in the place of an equation."""
     said = [
-        say("{id} prints {printed} ({misprint})", id=term(one.id), printed=term(one.printed), misprint=one.misprint)
+        say(
+            "{id} prints {printed} ({misprint})",
+            id=translate(one.id),
+            printed=translate(one.printed),
+            misprint=one.misprint,
+        )
         for one in register()
         if function in (one.function or "").split() and one.status == "mended" and one.printed
     ]
-    return joined(said, "; ")
+    return "; ".join(said)
 
 
 def _step(step: NotedStep) -> Step:

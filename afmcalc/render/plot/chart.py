@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from ...messages import RAISED, localized, told, translate
+from ...messages import RAISED, filled, localized, translate
 from ...result import Result, shown_as
 from ..units import converted, headed, measured
 
@@ -158,4 +158,4 @@ def stated(symbol: str, value: float, unit: str) -> str:
 
 def guide_at(text: str, symbol: str, value: float, unit: str, *, across: bool = True) -> Guide:
     """Guide at a value, which ``{stated}`` in the text of its label tells."""
-    return Guide(told(text, stated=stated(symbol, value, unit)), value, across)
+    return Guide(filled(text, {"stated": stated(symbol, value, unit)}), value, across)

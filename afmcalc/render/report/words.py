@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple
 
-from ...messages import Text, spoken, translate
+from ...messages import filled, spoken
 
 REPORT: Mapping[str, str] = {
     # title block
@@ -76,7 +76,7 @@ REPORT: Mapping[str, str] = {
 
 def told(key: str, **values: object) -> str:
     """Say what stands under a key, in the language of the user."""
-    return translate(Text(REPORT[key], values))
+    return filled(REPORT[key], values)
 
 
 def titled(path: str) -> str:

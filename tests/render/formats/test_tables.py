@@ -13,7 +13,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.registry import ANALYSES
-from afmcalc.messages import fitting
 from afmcalc.render.document import document
 from afmcalc.render.layout import TextTable, blocks, padded
 from afmcalc.render.symbols import latin_symbols, native
@@ -168,20 +167,6 @@ def test_every_number_shown_in_si_is_one_of_the_result(command, answered):
     assert answered(command, path).out == answered(command, path, "--units", "engineer").out
 
 
-@pytest.mark.parametrize("command", ["torque", "pocket", "explain torque"])
-def test_an_ascii_stream_gets_letters_and_columns(command, answered):
-    asked = *command.split(), CONFIGS / f"{ASKED.get(command, 'default')}.toml", "--quiet"
-    whole, spelled = answered(*asked), answered(*asked, encoding="ascii")
-    assert spelled.out.isascii()
-    assert "\\u" not in spelled.out
-    assert "T_n" in spelled.out or "T_н" not in whole.out
-    assert len(spelled.out.splitlines()) == len(whole.out.splitlines())
-    if header := next((line for line in spelled.out.splitlines() if line.startswith("Symbol")), ""):
-        at = header.index("Quantity")
-        table = spelled.out.split(header)[1].split("\n\n")[0].splitlines()[1:]
-        assert all(line[at - 2 : at] == "  " and line[at] != " " for line in table)
-
-
 def test_json_for_an_ascii_stream_says_the_same(answered):
     arguments = "torque", CONFIGS / "default.toml", "--json", "--set", 'name="Муфта 😀 ½"'
     whole, spelled = answered(*arguments), answered(*arguments, encoding="ascii")
@@ -211,9 +196,6 @@ def test_a_symbol_has_one_unit_and_a_spelling_of_its_own():
     known = set(filter(None, units))
     assert len(known) > 90
     assert [symbol for symbol in known if len(units[symbol]) > 1] == []
-    spelled = {symbol: fitting(symbol, "ascii") for symbol in known}
-    assert len(set(spelled.values())) == len(known), collections.Counter(spelled.values()).most_common(3)
-    assert (spelled["F_п"], spelled["F_п2"], spelled["F_p"]) == ("F_sp", "F_sp2", "F_p")
     with latin_symbols():
         latin = {native(symbol) for symbol in known}
     assert len(latin) == len(known)
