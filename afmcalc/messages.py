@@ -1,4 +1,4 @@
-"""Sentences in the language of the user: translated by gettext when they are made, numbers as its readers write them.
+"""Sentences, numbers and symbols in the language of the user; sentences are translated by gettext when they are made.
 
 English texts are the keys: ``say("{path}: is no table", path=path)``, always a literal so that it can be collected;
 one of a table made on import is marked ``deferred`` and translated where it is used. A field may end in a unit:
@@ -143,12 +143,14 @@ def say_many(one: str, many: str, /, *, count: int, **values: object) -> str:
 
 
 def translate(text: str, context: str = "") -> str:
-    """English text of a table in the language of the user; one that the catalogue does not have stays as it is.
+    """English text of a table in the language of the user, its symbols too; one that is not in the catalogue stays.
 
     Args:
         text: the text; what a user wrote is not for it, but for ``named``.
         context: context in the catalogue: ``unit``, ``value``, …
     """
+    if _current() is ENGLISH:
+        return latin(text) if context in ("", "comment", "symbol") else text
     catalogue = _current().catalogue
     if context or not text:  # of nothing gettext gives the head of the catalogue
         return catalogue.pgettext(context, text)
@@ -195,6 +197,58 @@ def percent(share: float) -> str:
 def with_unit(number: str, unit: str) -> str:
     """Number with its unit, none where it is pure; only the sign of a degree stands close to its number."""
     return number if unit in ("", "–") else f"{number}{unit if unit == '°' else f' {unit}'}"
+
+
+_LATIN = {
+    "н": "n", "т": "T", "п": "sp", "ш": "ball", "ц": "c", "д": "dyn", "в": "sh", "р": "s", "cp": "mean", "ср": "pub",
+    "муф": "c", "маш": "m", "дв": "mot", "пуск": "st", "тр": "fr", "зад": "req", "ном": "nom",
+}  # fmt: skip
+"""Letters of an index of the papers → Latin ones, of the English word that they stand for."""
+_LATIN_OF = {
+    "F_п": "cl", "T_п": "pot", "K_п": "n", "m_п": "st", "T_муф": "exp", "T_маш": "mach",
+    "σ_т": "y", "τ_т": "y",
+}  # fmt: skip
+"""The same of a symbol in which they stand for another word."""
+_INDEX_WORD = re.compile(r"[а-яё]+|(?<![^\W\d_])cp(?![^\W\d_])")
+_INDEXED = re.compile(r"(?<![^\W_])[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*")
+_QUOTED = re.compile("(«[^»]*»)")
+_SYMBOL = re.compile(
+    r"\b\w+ wanted|(?<=\)_)opt\b| or (?=κ)|"
+    r"(?<![^\W_])(?:[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*|(?:arc)?tanh?|cot)(?![^\W_])"
+)
+_WORD = re.compile(r"[^\W\d_]{2,}")
+
+
+def latin(text: str) -> str:
+    """Text with the indices of the papers' symbols in Latin letters.
+
+    >>> latin("T_н.маш, K_т,act"), latin("F_п"), latin("F_п2"), latin("f_1cp"), latin("T'_п")
+    ('T_n,m, K_T,act', 'F_cl', 'F_sp2', 'f_1mean', "T'_pot")
+    """
+    return _INDEXED.sub(_latin_symbol, text) if "_" in text else text
+
+
+def _latin_symbol(symbol: re.Match[str]) -> str:
+    letter, _, index = symbol[0].partition("_")
+    first, *others = re.split("[.,]", index)
+    own = _LATIN_OF.get(f"{letter.rstrip(chr(39))}_{first}")
+    parts = [_INDEX_WORD.sub(lambda word: _LATIN.get(word[0], word[0]), part) for part in (own or first, *others)]
+    return f"{letter}_{','.join(parts)}"
+
+
+def native(text: str) -> str:
+    """Text with symbols in the letters of the user's language: ``F_cl`` or ``F_п``, ``tan α`` or ``tg α``.
+
+    In Russian what is quoted, in «», stays as it is printed.
+    """
+    if _current() is ENGLISH:
+        return latin(text)
+    return "".join(part if part[:1] == "«" else _SYMBOL.sub(_native, part) for part in _QUOTED.split(text))
+
+
+def _native(symbol: re.Match[str]) -> str:
+    whole = translate(symbol[0], "symbol")
+    return whole if whole != symbol[0] else _WORD.sub(lambda word: translate(word[0], "symbol"), whole)
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:

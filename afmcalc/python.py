@@ -13,7 +13,7 @@ from .engines.quantities import Quantities
 from .equations.arrays import Floats
 from .errors import BEYOND_NUMBERS, AfmcalcError, CalculationError, need
 from .findings import Finding
-from .messages import localized, named, translate
+from .messages import localized, named, native, translate
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
 from .spec.edit import Overrides, apply_overrides, respecified
@@ -254,7 +254,7 @@ class Clutch:
         return [
             (translate("clutch"), title),
             ("T", f"{low} … {high}"),
-            ("K_т", localized(f"{torque.accuracy_factor:.4g}")),
+            (native("K_т"), localized(f"{torque.accuracy_factor:.4g}")),
             (translate("verdict"), check.verdict.sentence),
         ]
 

@@ -118,7 +118,7 @@ def _without_russian(part, english):
         return {name: _without_russian(value, english[name]) for name, value in part.items()}
     if isinstance(part, list):
         return [_without_russian(*pair) for pair in zip(part, english, strict=True)]
-    return english if isinstance(part, str) and re.search("[а-яё]{3}", part) else part
+    return english if isinstance(part, str) and re.search("[а-яё]", part) else part
 
 
 def test_sentences_of_json_are_in_the_language_of_the_user(afmcalc):

@@ -272,7 +272,7 @@ def _spring_rows(answers: Answers, without: Collection[str]) -> Iterator[CheckRo
             spring = translate("closing spring" if path.startswith("closing") else "control spring")
             name = say("{spring}: {what}", spring=spring, what=translate(rule.name))
             yield CheckRow(
-                code=rule.code, name=name, symbol=rule.symbol, value=each.value, limit=each.limit,
+                code=rule.code, name=name, symbol=translate(rule.symbol), value=each.value, limit=each.limit,
                 unit=rule.unit, least=rule.least, utilisation=used,
                 passed=used <= 1 + 1e-9, level=rule.level, path=path, needs="springs",
             )  # fmt: skip

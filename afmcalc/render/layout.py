@@ -6,10 +6,9 @@ from itertools import compress
 from typing import Any, NamedTuple
 
 from ..findings import Finding
-from ..messages import named, printable, say, translate, with_unit
+from ..messages import named, native, printable, say, translate, with_unit
 from ..result import Output
 from .document import ENDS, Column, Document, Table
-from .symbols import native
 from .units import display, display_unit, estimate, headed, in_numbers, measured, worded
 
 

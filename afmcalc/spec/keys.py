@@ -3,7 +3,7 @@
 from collections import Counter
 from functools import cache
 
-from ..messages import say
+from ..messages import latin, say
 from .fields import Key, Quantity, keys_below
 from .models import Spec
 from .tolerance import scattering
@@ -57,7 +57,8 @@ def names() -> dict[str, str]:
     tables = Spec.model_fields
     for pairs in ([(key.symbol, key.path) for key in of_clutch], [(_last(key.path), key.path) for key in of_clutch]):
         times = Counter(name for name, _ in pairs)
-        paths |= {name: path for name, path in pairs if name and times[name] == 1 and name not in tables}
+        of_one = ((name, path) for name, path in pairs if name and times[name] == 1 and name not in tables)
+        paths |= {spelled: path for name, path in of_one for spelled in (latin(name), name)}
     return paths | ALIASES | {path: path for path in keys()}
 
 

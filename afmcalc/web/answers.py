@@ -20,7 +20,7 @@ from ..analysis.registry import ANALYSES
 from ..analysis.sweep import parse_axis
 from ..engines import build
 from ..errors import AfmcalcError, CalculationError
-from ..messages import localized, say, translate
+from ..messages import localized, native, say, translate
 from ..render.document import Column, document
 from ..render.layout import TextTable, blocks, cells, ranked
 from ..render.plot import sheet_of
@@ -30,7 +30,6 @@ from ..render.report import Subject, render
 from ..render.report.chapters import chapters
 from ..render.report.html import drawing
 from ..render.report.title import text_as_given, title_block
-from ..render.symbols import native
 from ..render.units import display_unit
 from ..result import Result
 from ..spec import Spec, make_spec, resolved, to_toml

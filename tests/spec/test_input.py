@@ -109,7 +109,7 @@ def test_a_missing_file_names_the_nearest_and_a_file_alone_the_command(afmcalc, 
 
 
 def test_a_key_is_named_by_name_symbol_or_path_and_solve_takes_both_orders(answered):
-    for name, target in (("C", "accuracy_factor"), ("gain", "K_т"), ("control_unit.gain", "K_т")):
+    for name, target in (("C", "accuracy_factor"), ("gain", "K_т"), ("control_unit.gain", "K_T")):
         for words in ((f"{target}=2", "example:default"), ("example:default", f"{target}=2")):
             result = answered("solve", *words, "--for", name, "--json").json["result"]
             assert (result["path"], result["target"]) == ("control_unit.gain", "accuracy_factor")

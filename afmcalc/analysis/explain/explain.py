@@ -17,7 +17,7 @@ from ...equations.catalogue import Equation, equation_of
 from ...equations.terms import CASES, Term, quantity_of, term_of
 from ...errors import AfmcalcError
 from ...findings import Finding
-from ...messages import did_you_mean, say, translate
+from ...messages import did_you_mean, native, say, translate
 from ...papers.register import register
 from ...result import Answer, Result, described
 from ...spec import Spec
@@ -178,9 +178,9 @@ def _circumstance(cases: str) -> Circumstance:
 def _formula_text(step: NotedStep, *, special: bool = True) -> FormulaText:
     """Return the formula of a step and its numbers; ``special``: with the symbols of what stands for its arguments."""
     terms = _equation(step).arguments
-    symbols = {name: own.symbol for name, own in terms.items()}
+    symbols = {name: translate(own.symbol) for name, own in terms.items()}
     if special:
-        symbols |= {name: term_of(one).symbol for name, one in step.arguments.items()}
+        symbols |= {name: translate(term_of(one).symbol) for name, one in step.arguments.items()}
     return FormulaText(step.law, symbols, step.values, {name: own.unit for name, own in terms.items()})
 
 
@@ -203,9 +203,10 @@ def _step(step: NotedStep) -> Step:
     equation, formula, case = _equation(step), _formula_text(step), _circumstance(step.case)
     result = _result(step)
     return Step(
-        symbol=result.symbol, symbol_latex=symbol_latex(result.symbol), name=result.meaning or equation.about,
-        at=case.at, setting=case.setting, side=case.side, formula=formula.text(),
-        substituted=formula.text_with_numbers(), value=float(step.value), unit=result.unit, source=equation.source,
+        symbol=native(result.symbol), symbol_latex=symbol_latex(translate(result.symbol)),
+        name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
+        formula=native(formula.text()), substituted=native(formula.text_with_numbers()), value=float(step.value),
+        unit=result.unit, source=translate(equation.source),
         print_differs=_print_differs(equation.name) or None, function=equation.name, formula_latex=formula.latex(),
         substituted_latex=formula.latex_with_numbers(),
     )  # fmt: skip
@@ -292,7 +293,7 @@ class _Report:
             symbol=result.symbol,
             name=result.meaning or equation.about,
             unit=result.unit,
-            symbol_latex=symbol_latex(result.symbol),
+            symbol_latex=symbol_latex(translate(result.symbol)),
             formula=texts[0].latex() if is_new else "",
             where=list(self.meanings_of(steps)),
             rows=[

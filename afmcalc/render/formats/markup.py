@@ -4,11 +4,11 @@ import re
 from collections.abc import Iterable
 from html import escape
 
-from ...messages import printable, say, translate
+from ...messages import native, printable, say, translate
 from ...result import Output
 from ..document import Document, document
 from ..layout import TextTable, blocks, findings_lines, lead, step_lines, title, told_apart, unfolded
-from ..symbols import latex_in_numbers, native, native_latex, value_latex
+from ..symbols import latex_in_numbers, native_latex, value_latex
 from ..units import in_numbers, measured
 
 

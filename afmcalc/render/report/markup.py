@@ -35,7 +35,7 @@ def said(words: str, ours: bool = True) -> Text:
     """Set a text with its symbols; what is quoted is not ``ours``.
 
     >>> said("T_н < -1")
-    ('T', Piece(kind='sub', body=('н',), to=''), ' < −1')
+    ('T', Piece(kind='sub', body=('n',), to=''), ' < −1')
     """
     pieces = split(_MINUS.sub("−", unparted(printable(words, lines=True))), ours)
     return text(*(piece("sub", each) if low else each for each, low in pieces))

@@ -1,7 +1,7 @@
 """From what was calculated of a clutch to the page of its report."""
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
@@ -12,7 +12,7 @@ from ...analysis.check import CheckRow
 from ...analysis.dossier import Dossier
 from ...analysis.explain.explain import Meaning
 from ...findings import Finding
-from ...messages import filled, localized, named, percent, printable, say, spoken, translate
+from ...messages import filled, localized, named, native, percent, printable, say, spoken, translate
 from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
@@ -21,7 +21,6 @@ from ..layout import TextTable, ranked
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
-from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
 from . import blocks
 from .blocks import Block, Document, Piece, Text, listed, piece, text, when
@@ -52,8 +51,6 @@ class Subject:
     """Whether the text as given is an appendix."""
     short: bool = False
     """Whether it is to be two pages: task, limits, section, peaks, heat, conclusions."""
-    symbols: str = ""
-    """``latin`` or ``papers``: letters of the indices; by default Latin in English."""
 
 
 class _SpecLine(NamedTuple):
@@ -91,8 +88,7 @@ def render(subject: Subject) -> str:
 
 def report(subject: Subject) -> Document:
     """Lay a report out; the same subject gives the same document."""
-    with latin_symbols((subject.symbols or {"en": "latin"}.get(spoken())) == "latin") as latin:
-        laid_out = _report(subject, latin)
+    laid_out = _report(subject)
     body, numbers = cited(laid_out.body)
     sources = references()
     entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
@@ -103,7 +99,7 @@ def report(subject: Subject) -> Document:
     return replace(laid_out, body=[each for each in body if entries or each.key != "references"])
 
 
-def _report(subject: Subject, latin: Mapping[str, str]) -> Document:
+def _report(subject: Subject) -> Document:
     dossier, short, title = subject.dossier, subject.short, subject.title
     name = unparted(printable(named(dossier.spec.name) or say("Adaptive friction clutch")))
     kind = say("Calculation report")
@@ -115,7 +111,7 @@ def _report(subject: Subject, latin: Mapping[str, str]) -> Document:
         kind=kind,
         name=name,
         cover=[_entries(subject), _signatures(title), verdict],
-        body=_Parts(subject, latin).sections(),
+        body=_Parts(subject).sections(),
         running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
         date=_day(title),
         contents=not short,
@@ -136,9 +132,9 @@ def _day(title: TitleBlock) -> str:
 class _Parts:
     """The sections of a report: what stands in each, and its numbers of tables and figures."""
 
-    def __init__(self, subject: Subject, latin: Mapping[str, str]) -> None:
+    def __init__(self, subject: Subject) -> None:
         dossier, short = subject.dossier, subject.short
-        self.subject, self.dossier, self.short, self.latin = subject, dossier, short, latin
+        self.subject, self.dossier, self.short = subject, dossier, short
         self.chapters, self.peaks = ([], peaks(dossier)) if short else (chapters(dossier), [])
         # what is said of the papers has an appendix of its own
         findings, rows = ranked(dossier.findings), dossier.check.checks
@@ -154,7 +150,7 @@ class _Parts:
         """Lay out each section that has content, and each appendix under its letter, in their order."""
         has: dict[str, object] = {
             "requirements": self.required, "peaks": self.peaks, "misprints": self.mended,
-            "symbols": spoken() != "en" or self.subject.symbols != "papers", "source": self.subject.with_source,
+            "source": self.subject.with_source,
         }  # fmt: skip
         set_so = form()._replace(sections=SHORT, appendices=(), always=()) if self.short else form()
         sections, appendices = (
@@ -285,9 +281,9 @@ class _Parts:
         yield from ()  # when all else is laid out it is known what they are
 
     def _symbols(self) -> Iterator[Block]:
-        if self.latin:
+        if spoken() == "en":
             yield blocks.Paragraph(text(say("In brackets: as the papers write a symbol.")))
-        rows = _symbols(self.chapters, self.lines, self.dossier, self.latin)
+        rows = _symbols(self.chapters, self.lines, self.dossier)
         yield blocks.Definitions(
             "symbols",
             [
@@ -465,9 +461,7 @@ def _frame(title: TitleBlock, headline: str) -> blocks.Frame:
     )
 
 
-def _symbols(
-    parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier, latin: Mapping[str, str]
-) -> list[tuple[str, str, str]]:
+def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier) -> list[tuple[str, str, str]]:
     """Symbols, what the papers write where that is another, and what each stands for where it is first told."""
     meanings: dict[str, str] = {}
     for step in (step for chapter in parts for step in chapter.topic.derivations):
@@ -478,7 +472,7 @@ def _symbols(
         name = explained(Meaning(step.symbol, step.name, step.unit))
         first = name[:1].lower() if name[1:2].islower() else name[:1]
         meanings.setdefault(native(step.symbol), first + name[1:])
-    tables = (table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol"))
+    tables = [table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol")]
     named = (
         (row[0], row[1], row[-1] if table.header[-1] == translate("Unit") else "–")
         for table in tables
@@ -494,7 +488,14 @@ def _symbols(
     # in a ratio, a symbol may be another quantity
     alone = [each for each in known if "_" in each and not any(each in other for other in meanings)]
     meanings |= {each: known[each] for each in alone if re.search(rf"(?<!\w){re.escape(each)}(?![\w.,]*\w)", said)}
-    rows = ((each, latin.get(each, ""), words) for each, words in meanings.items())
+    of_papers = (
+        *(key.symbol or "" for key in keys().values()),
+        *(column.symbol for table in tables if table.source for column in table.source.columns),
+        *(step.symbol for chapter in parts for step in chapter.topic.derivations),
+        *(part.symbol for chapter in parts for step in chapter.topic.derivations for part in step.where),
+    )
+    printed = {shown: symbol for symbol in of_papers if (shown := native(symbol)) != symbol and spoken() == "en"}
+    rows = ((each, printed.get(each, ""), words) for each, words in meanings.items())
     return sorted(rows, key=lambda row: row[0].casefold())
 
 
