@@ -8,14 +8,15 @@ from importlib import import_module
 from typing import Annotated, Any, NoReturn, TypeAlias
 
 import typer
-from typer import Option
+from typer import Argument, Option
 from typer.core import TyperGroup
 
 from .. import __version__
 from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
-from ..messages import deferred, say, speaking, translate
+from ..messages import deferred, did_you_mean, say, speaking, translate
+from .files import drop_output, prepare, tell, width
+from .names import Named, names_of
 from .options import COMMON
-from .streams import drop_output, prepare, tell
 
 Context: TypeAlias = Any
 """Context, formatter and error of the parser behind typer, which has no public names for them."""
@@ -29,13 +30,13 @@ PANELS = {
         "solve": "design", "compare": "clutch", "explain": "papers", "plot": "plot",
     },
     "Parts and drive": {
-        "pocket": "parts", "springs": "parts", "layout": "parts", "simulate": "drive", "effects": "drive",
+        "pocket": "parts", "springs": "parts", "layout": "parts", "simulate": "parts", "effects": "parts",
     },
-    "Theory and lists": {"papers": "papers", "handbook": "report", "list": "lists", "schema": "specs"},
+    "Theory and lists": {"papers": "papers", "handbook": "report", "list": "papers", "schema": "specs"},
 }  # fmt: skip
 """Heading in the help → command → module of this package that holds its function."""
 COMMANDS = {name: module for panel in PANELS.values() for name, module in panel.items()}
-_MODULES = COMMANDS | {"help": "topics"}
+_MODULES = COMMANDS | {"help": "main"}
 FORMER = {
     "synthesize": "pocket",
     "heat": "simulate",
@@ -52,6 +53,7 @@ FORMER_OPTIONS = {
     "--symbols": deferred("the language of the report, --lang"),
 }
 """Option of an earlier version → what is in its place."""
+LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
 FAULT = 70
 """Exit code where afmcalc itself is at fault (EX_SOFTWARE of sysexits.h)."""
 INTERRUPTED = 130
@@ -177,6 +179,59 @@ def _afmcalc(
     afmcalc help options|keys|quantities|plots: options of every command, and names that can be given.
     Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written.
     """  # noqa: D301
+
+
+TOPICS = ("options", "keys", "quantities", "plots")
+
+
+def help(
+    topic: Annotated[
+        str,
+        Argument(
+            metavar="TOPIC",
+            autocompletion=lambda incomplete: [each for each in TOPICS if each.startswith(incomplete)],
+            help="options, keys, quantities, plots; or a command.",
+        ),
+    ],
+) -> None:
+    """Options of every command, and names that can be given: keys of a spec, quantities, plots.
+
+    \b
+    afmcalc help options
+    afmcalc help quantities
+    """  # noqa: D301
+    if topic not in TOPICS:
+        hint = did_you_mean(topic, [*TOPICS, *COMMANDS])
+        raise AfmcalcError("no help on {topic!r:.80}{hint}; topics: {topics}", topic=topic, hint=hint, topics=[*TOPICS])
+    match topic:
+        case "options":
+            rows = _common_options()
+        case "keys":
+            rows = [*names_of("swept"), *names_of("path")]
+        case "quantities":
+            rows = names_of("target")
+        case _:
+            rows = names_of("plot")
+    _print(rows)
+
+
+def _common_options() -> Named:
+    """Return the options that commands share, each with its help, as the parser has them."""
+    options = [each for each in application(["torque"]).commands["torque"].params if each.name in COMMON]
+    rows = [(f"{', '.join(each.opts)} {each.metavar or ''}", each.help) for each in options]
+    return [*rows, ("--lang NAME", translate(LANG))]
+
+
+def _print(rows: Named) -> None:
+    """Print names in a column, with the meaning of each beside it."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    grid = Table.grid(padding=(0, 2))
+    for name, about in rows:
+        grid.add_row(Text(name, no_wrap=True), Text(about))
+    Console(width=width(), highlight=False).print(grid)
 
 
 def without_lang(arguments: list[str]) -> tuple[list[str], str]:

@@ -1,4 +1,4 @@
-"""Names that can be given on a command line, each with its meaning: for the help and for completion in a shell."""
+"""Names that can be given on a command line, each with its meaning: for ``afmcalc help`` and completion in a shell."""
 
 from collections.abc import Callable
 from typing import TypeAlias

@@ -16,17 +16,14 @@ from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, need
 from ..messages import is_unicode, localized, say
 from ..progress import Bar
-from .files import format_of, is_json_spec, refuse, write, write_file
+from .files import format_of, is_json_spec, refuse, tell, write, write_file
 from .names import completing
-from .streams import tell
 
 if TYPE_CHECKING:
     from ..engines import Clutch
     from ..findings import Finding
     from ..result import Output
     from ..spec import Spec
-
-LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
 
 SpecArgument = Annotated[
     str | None,

@@ -11,8 +11,8 @@ from typer import Option
 
 from ..errors import AfmcalcError, FileError, reason
 from ..messages import say
+from .files import tell
 from .options import Common, SpecArgument, need_drawing, with_common
-from .streams import tell
 
 if TYPE_CHECKING:
     from ..spec import Spec
