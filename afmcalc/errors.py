@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from importlib.util import find_spec
 from typing import NamedTuple, TypeVar
 
-from .messages import ENGLISH, FOLDER, WRITTEN, Language, deferred, filled, known, language, say, translate
+from .messages import ENGLISH, FOLDER, LANGUAGES, Language, deferred, filled, language, say, translate
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
@@ -218,7 +218,6 @@ def chosen_language(
     lang: str,
     environment: Mapping[str, str],
     note: Callable[[str], object] = lambda text: None,
-    of_system: Callable[[], str] = windows_language,
 ) -> Language:
     """Return the language of the option, else of AFMCALC_LANG, else of the system: English where that is not known.
 
@@ -226,20 +225,16 @@ def chosen_language(
         lang: language asked for by the option, if any.
         environment: variables of the process.
         note: is told that the language of the system is not spoken, as its texts are missing.
-        of_system: gives the language of a system that no variable tells.
 
     Raises:
         AfmcalcError: what is asked for is unknown, or its texts are missing.
     """
     asked = {
-        OPTION: lang, VARIABLE: environment.get(VARIABLE), "": _system_language(environment, of_system) or ENGLISH.name,
+        OPTION: lang, VARIABLE: environment.get(VARIABLE), "": _system_language(environment) or ENGLISH.name,
     }  # fmt: skip
     by, name = next((by, name) for by, name in asked.items() if name)
-    languages = sorted({ENGLISH.name, *WRITTEN, *known()})
-    if name == ENGLISH.name:
-        return ENGLISH
-    if name not in languages:
-        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=", ".join(languages))
+    if name not in LANGUAGES:
+        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=LANGUAGES)
     try:
         return language(name)
     except Exception as error:  # whatever is wrong with the file
@@ -256,12 +251,12 @@ def chosen_language(
         return ENGLISH
 
 
-def _system_language(environment: Mapping[str, str], of_system: Callable[[], str]) -> str:
+def _system_language(environment: Mapping[str, str]) -> str:
     """Return the language of the system: LANGUAGE, a list, is asked first, but not where the locale is plain C."""
     locale = next(filter(None, map(environment.get, _LOCALE)), "")
     wanted = [locale] if _short(locale) in ("C", "POSIX") else [*environment.get("LANGUAGE", "").split(":"), locale]
-    wanted = [_short(name) for name in wanted if name] or [of_system()]
-    return next((name for name in wanted if name in (ENGLISH.name, *WRITTEN, *known())), "")
+    wanted = [_short(name) for name in wanted if name] or [windows_language()]
+    return next((name for name in wanted if name in LANGUAGES), "")
 
 
 def _short(name: str) -> str:

@@ -73,12 +73,8 @@ RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 ENGLISH = Language("en", NullTranslations())
 """The language that everything is written in."""
-
-
-@cache
-def known() -> list[str]:
-    """Names of the languages that there is a catalogue of."""
-    return sorted(name.removesuffix(".mo") for name in os.listdir(FOLDER) if name.endswith(".mo"))
+LANGUAGES = (ENGLISH.name, *WRITTEN)
+"""Names of the languages that ship."""
 
 
 @cache
@@ -97,9 +93,9 @@ def _current() -> Language:
     """Language of the user; where the program does not set it (from Python), that of AFMCALC_LANG."""
     if chosen := _LANGUAGE.get():
         return chosen
-    name = os.environ.get("AFMCALC_LANG")
+    name = os.environ.get("AFMCALC_LANG", "")
     with suppress(Exception):  # a file that cannot be read is reported where the language is chosen
-        return language(name) if name and name in known() else ENGLISH
+        return language(name) if name in LANGUAGES else ENGLISH
     return ENGLISH
 
 

@@ -88,7 +88,7 @@ class Clutch:
         return self._ask("check", strict=strict)
 
     def effects(self) -> "EffectsResult":
-        """What the torque law neglects, in numbers."""
+        """Effects that the torque law neglects, in numbers."""
         return self._ask("effects")
 
     def explain(self, command: str, *, model: StressRule | None = None) -> "ExplainResult":

@@ -64,7 +64,7 @@ class CheckRow(Result):
 
 
 class Verdict(Result):
-    """What became of a clutch, in one sentence."""
+    """Verdict on a clutch, in one sentence."""
 
     passed: bool | None = described("whether the check passed; null: a part is not yet judged")
     sentence: str = described("verdict")

@@ -1,4 +1,4 @@
-"""What a designer should know of a clutch, whatever is asked: the limits of its law, its setting, its springs."""
+"""Findings of every analysis of a clutch: the limits of its law, its setting, its springs."""
 
 from collections.abc import Iterator
 

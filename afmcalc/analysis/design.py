@@ -79,7 +79,7 @@ class DesignRow(Result):
 
 
 class Binding(Result):
-    """What excludes the candidate that is nearest to all checks, and what would do."""
+    """Constraint that excludes the candidate nearest to all checks, and the value that would do."""
 
     check: str = described("check that excludes the nearest candidate", in_words=_in_words)
     message: str = described("what it misses")

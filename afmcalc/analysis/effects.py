@@ -1,4 +1,4 @@
-"""What the torque law neglects, for one clutch, in numbers (handbook, chapter 13)."""
+"""Effects that the torque law neglects, for one clutch, in numbers (handbook, chapter 13)."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence

@@ -48,7 +48,7 @@ class Trips(NamedTuple):
 
 
 def remarks(clutch: Clutch, given: Heat, result: HeatResult) -> Iterator[Finding]:
-    """What a designer should know of the temperature of a trip, and what was not told."""
+    """Findings on the temperature of a trip, and on missing data."""
     # discs cannot be what they were, whatever is allowed: the discs, or their faces while they slip
     melted = (given.ambient or 0.0) + max(_most(result.temperature_rise), _most(result.surface_temperature_rise))
     if melted >= IRON_MELTS:
@@ -119,7 +119,7 @@ class Limit(NamedTuple):
 
 
 def material_limit(clutch: Clutch) -> Limit | None:
-    """What the faces may reach: the lowest of what the materials named allow."""
+    """Allowable temperature of the faces: the lowest of the materials named."""
     linings = clutch.spec.friction.linings.items()
     allowing = [(path, material) for path, material in linings if material.temperature_min is not None]
     if not allowing:
@@ -138,7 +138,7 @@ def limits_of(clutch: Clutch) -> list[Limit]:
 
 
 def limit_of(clutch: Clutch) -> Limit | None:
-    """What the mean of the discs is held against over many trips: what is required, else what the material allows."""
+    """Limit of the mean temperature of the discs over many trips: what is required, else what the material allows."""
     return next((each for each in limits_of(clutch) if each.path != "requirements.face_temperature"), None)
 
 

@@ -32,7 +32,7 @@ class MainDimension(NamedTuple):
     at: float
     """Radius that a length is measured at, place along the axis of a diameter."""
     assumed: bool
-    """Whether it rests on a key that was filled in."""
+    """True if it rests on a key that was filled in."""
 
 
 class Box(NamedTuple):
@@ -60,11 +60,11 @@ class DrawnPart(NamedTuple):
     row: LayoutPart
     boxes: list[Box]
     pockets: list[Box]
-    """What the pockets take away where a ball is."""
+    """Areas that the pockets take away where a ball is."""
     moved: list[Box]
     """Where it is at f_max; empty of what does not move."""
     assumed: bool
-    """Whether its size rests on a key that was filled in."""
+    """True if its size rests on a key that was filled in."""
     pieces: int
     turns: float
     """Turns of a spring, or packs of discs against each other; 0 of what is no spring."""

@@ -85,7 +85,7 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
 
 
 def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
-    """What turns behind the discs does to the shaft: a sudden stop by its speed, a slow one by its deceleration."""
+    """Finding on the inertia behind the discs: a sudden stop loads the shaft by speed, a slow one by deceleration."""
     path, limit = "drive.driven_inertia", float(outcomes[-1].case.pack.sliding)
     behind, load = train.driven_inertia + train.hub_inertia, min(train.load, limit)
     swing = math.pi * math.sqrt(behind / train.stiffness)
@@ -144,7 +144,7 @@ def _relative(value: float, other: float) -> float:
 
 
 def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Whether slow slip is steady (V6), where friction falls most with speed."""
+    """True if slow slip is steady (V6), where friction falls most with speed."""
     friction = clutch.spec.friction
     ratio, speed = friction.static_ratio or 1.0, friction.stribeck_speed
     if ratio == 1 or speed is None:
@@ -207,7 +207,7 @@ def _largest(ends: Triple) -> tuple[float, str]:
 
 
 def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
-    """What the springs named do not hold where the sleeve swings, and held where the law has it."""
+    """Findings on the springs: rules they break where the sleeve swings, and keep where the law has it."""
     own, rules = clutch.spec, {}
     if not own.spring_parts or not own.kind.travels:
         return
@@ -290,7 +290,7 @@ def simulate(
 
 
 def _has_key(clutch: Clutch) -> bool:
-    """Whether the sleeve slides on a key that rubs."""
+    """True if the sleeve slides on a key that rubs."""
     unit = clutch.spec.control_unit
     return clutch.spec.kind.travels and unit is not None and bool(unit.key_friction)
 

@@ -45,7 +45,7 @@ def is_json_spec(output: str) -> bool:
 
 
 def is_pdf(output: str | None) -> bool:
-    """Whether a page goes to a PDF alone, by its name; refuse a name that says it is neither that nor HTML."""
+    """True if a page goes to a PDF alone, by its name; refuse a name that says it is neither that nor HTML."""
     if _ending(output) in {*_FORMATS, *_OTHERS} - {".html", ".htm", ".pdf"}:
         raise AfmcalcError("--output {output}: this page is HTML or PDF; end it in .html or .pdf", output=output)
     return _ending(output) == ".pdf"
@@ -87,7 +87,7 @@ def refuse(*paths: str | None, force: bool, inputs: Iterable[str | None] = ()) -
 
 
 def _is_same(path: str, other: str | None) -> bool:
-    """Whether two names are of one file, that exists or would be written."""
+    """True if two names are of one file, that exists or would be written."""
     if other in (None, "-") or os.path.exists(path) != os.path.exists(other):
         return False
     return os.path.samefile(path, other) if os.path.exists(path) else os.path.realpath(path) == os.path.realpath(other)

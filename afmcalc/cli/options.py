@@ -1,4 +1,4 @@
-"""What every command shares: its options, reading the spec, running the calculation, printing its output."""
+"""Options of every command; reading the spec, running the calculation, printing its output."""
 
 import inspect
 import os

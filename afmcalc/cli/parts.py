@@ -249,7 +249,7 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
 
 @with_common
 def effects(spec: SpecArgument = None, *, common: Common) -> None:
-    """What the torque law neglects, in numbers: centrifugal force, wear, friction of the parts.
+    """Effects that the torque law neglects, in numbers: centrifugal force, wear, friction of the parts.
 
     \b
     afmcalc effects clutch.toml

@@ -1,4 +1,4 @@
-"""What a clutch has to hold: one list of checks, asked of numbers by ``check`` and of arrays by ``design``.
+"""Checks of a clutch: one list, asked of numbers by ``check`` and of arrays by ``design``.
 
 for check in checks_of(spec):                                       # with the requirements of the spec
     value, limit = check.value_of(clutch), check.limit_of(clutch)   # of Quantities, or of what a part tells

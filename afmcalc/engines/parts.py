@@ -1,4 +1,4 @@
-"""What a spring is to give, and what a part is to hold as that spring: rules as columns, for one part or many."""
+"""Demands on a spring, and the rules a part must hold as that spring: as columns, for one part or many."""
 
 import math
 from collections.abc import Iterator

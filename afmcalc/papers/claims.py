@@ -49,7 +49,7 @@ class PaperFigure(NamedTuple):
     y: list[PaperAxis]
     """The ordinate of each panel."""
     inputs: str
-    """As printed."""
+    """Inputs as printed."""
     corrections: list[str]
     """Misprints mended, with their numbers."""
     assumed: str = ""
@@ -99,7 +99,7 @@ def verdict(as_printed: bool, corrected: bool = False) -> Verdict:
 
 
 def near(computed: float, printed: float, digits: float) -> bool:
-    """Whether a computed number rounds to the printed one: ``digits`` is a unit in its last place."""
+    """True if a computed number rounds to the printed one: ``digits`` is a unit in its last place."""
     return abs(computed - printed) <= digits
 
 
@@ -155,7 +155,7 @@ class ReproduceResult(Answer):
 
 @cache
 def recorded_claims() -> list[dict[str, str]]:
-    """What the papers print, with the verdict on record; a different one means the formulas have changed."""
+    """Claims of the papers, with the verdict on record; a different one means the formulas have changed."""
     return data("claims.toml")["claim"]
 
 

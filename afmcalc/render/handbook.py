@@ -251,7 +251,7 @@ _BLOCK = re.compile(r"\{(equation|misprint|figure|plot|list) ([^{}]+)\}")
 
 
 def _blocks_of(token: Token) -> list[tuple[str, str]]:
-    """What the program puts in the place of a paragraph; nothing where it is one of prose."""
+    """Content that the program puts in the place of a paragraph; nothing where it is one of prose."""
     lines = [_BLOCK.fullmatch(line.strip()) for line in token.content.splitlines()]
     return [(line[1], line[2]) for line in lines if line] if all(lines) else []
 

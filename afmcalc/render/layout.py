@@ -19,7 +19,7 @@ class TextTable(NamedTuple):
     header: list[str]
     rows: list[list[str]]
     numeric: list[bool]
-    """Whether each column is set flush right."""
+    """True if each column is set flush right."""
     source: Table | None = None
     legend: str = ""
     """Line above the table: what is the same in all rows."""

@@ -1,4 +1,4 @@
-"""What a key of a spec may be called: its path, its name, its symbol in the papers; and what stands at its path."""
+"""Names of the keys of a spec: path, name, symbol in the papers; and the key at a path."""
 
 from collections import Counter
 from functools import cache

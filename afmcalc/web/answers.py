@@ -1,4 +1,4 @@
-"""What a page is shown: fragments of HTML, from the functions that the commands ask."""
+"""Answers to the page: fragments of HTML, from the functions that the commands ask."""
 
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
@@ -41,7 +41,7 @@ from .filled import template
 from .form import Base, State, editable, refusal
 
 Job = Mapping[str, Any]
-"""What is asked: its ``name``, the state ``pinned``, ``options`` of a tab, number of the ``first`` base to make."""
+"""Question: its ``name``, the state ``pinned``, ``options`` of a tab, number of the ``first`` base to make."""
 Answer = dict[str, Any]
 _MOST = 20
 """Clutches of a front that are shown, each to be loaded."""

@@ -1,4 +1,4 @@
-"""What a page starts from, what its form says, as ``--set`` on a command line would, and the form itself."""
+"""Form of the page: the base it starts from, its state as ``--set`` would give it, and its fields."""
 
 import math
 import re
@@ -46,7 +46,7 @@ class Base(NamedTuple):
 
 
 class State(NamedTuple):
-    """What a form says: texts of the keys that are not as in its base, empty of those taken out."""
+    """State of a form: texts of the keys that are not as in its base, empty of those taken out."""
 
     base: Base
     fields: Mapping[str, str] = {}
@@ -70,7 +70,7 @@ class State(NamedTuple):
 
     @property
     def texts(self) -> dict[str, str]:
-        """What the form shows of each key that is given."""
+        """Text that the form shows of each key that is given."""
         texts = _texts(*self.base[:3], tuple(self.base.overrides))
         return {path: text for path, text in {**texts, **self.fields}.items() if text.strip()}
 

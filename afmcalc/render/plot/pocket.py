@@ -110,7 +110,7 @@ class _Side(NamedTuple):
     angle: float
     """Where the ball touches."""
     seats: bool
-    """Whether both walls touch it."""
+    """True if both walls touch it."""
 
 
 class Position:

@@ -67,7 +67,7 @@ def _laid_out(result: Result) -> list[TextTable]:
 
 
 def peaks(dossier: Dossier) -> list[TextTable]:
-    """What a trip loads and heats, in one table; none where no trip is simulated and no slip is given."""
+    """Table of the loads and the heat of a trip; none where no trip is simulated and no slip is given."""
     topics = (topic for topic in dossier.topics if topic.name in ("simulate", "heat"))
     columns = {column.path: column for topic in topics for column in document(topic.result).triples}
     shown = [column for path, column in columns.items() if path in _PEAKS]
@@ -210,7 +210,7 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
 
 
 def explained(meaning: Meaning) -> str:
-    """What a symbol stands for, with its unit."""
+    """Meaning of a symbol, with its unit."""
     unit = translate(typeset(meaning.unit), "unit")
     return ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
 

@@ -33,13 +33,13 @@ from .words import SHORT, form, titled, told
 
 @dataclass(frozen=True)
 class Subject:
-    """What was calculated of a clutch, and whose report it is."""
+    """Subject of a report: the dossier of a clutch, and the title block."""
 
     dossier: Dossier
     given: str
     """The spec as given, its text."""
     title: TitleBlock = TitleBlock()
-    """What the title block says; without a date it has none."""
+    """Title block; without a date it has none."""
     digest: str = ""
     """SHA-256 of the file as given."""
     source: str = ""
@@ -48,9 +48,9 @@ class Subject:
     """``PATH=VALUE`` put over it."""
     version: str = ""
     with_source: bool = False
-    """Whether the text as given is an appendix."""
+    """True if the text as given is an appendix."""
     short: bool = False
-    """Whether it is to be two pages: task, limits, section, peaks, heat, conclusions."""
+    """True if it is to be two pages: task, limits, section, peaks, heat, conclusions."""
 
 
 class _SpecLine(NamedTuple):
@@ -402,7 +402,7 @@ def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterab
 
 
 def _next(dossier: Dossier) -> list[str]:
-    """What is to be done next, the gravest first."""
+    """Next steps for the designer, the gravest first."""
     rows = sorted(dossier.check.checks, key=lambda row: -(row.utilisation or 0.0))
     lines = [
         say("Bring “{name}” to its limit: {used} of it is used.", name=worded(row.name), used=percent(row.utilisation))

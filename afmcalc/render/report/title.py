@@ -1,4 +1,4 @@
-"""What heads a report, and the spec as given at its end."""
+"""Title block of a report, and the spec as given at its end."""
 
 import json
 import os
