@@ -23,15 +23,14 @@ Context: TypeAlias = Any
 
 PANELS = {
     "Everyday": {
-        "init": "specs", "check": "specs", "torque": "clutch", "design": "design", "report": "report", "serve": "serve",
+        "init": "specs", "check": "specs", "torque": "clutch", "design": "searches", "report": "report",
+        "serve": "serve",
     },
     "Questions": {
-        "accuracy": "clutch", "adjust": "clutch", "overload": "clutch", "life": "clutch", "tolerance": "design",
-        "solve": "design", "compare": "clutch", "explain": "papers", "plot": "plot",
+        "accuracy": "clutch", "adjust": "clutch", "overload": "clutch", "life": "clutch", "tolerance": "searches",
+        "solve": "searches", "compare": "clutch", "explain": "papers", "plot": "plot",
     },
-    "Parts and drive": {
-        "pocket": "parts", "springs": "parts", "layout": "parts", "simulate": "parts", "effects": "parts",
-    },
+    "Parts and drive": dict.fromkeys(("pocket", "springs", "layout", "simulate", "effects"), "hardware"),
     "Theory and lists": {"papers": "papers", "handbook": "report", "list": "papers", "schema": "specs"},
 }  # fmt: skip
 """Heading in the help → command → module of this package that holds its function."""

@@ -18,8 +18,8 @@ from .report.blocks import Block, Document, Piece, Text, listed, piece, text, wh
 from .report.chapters import broken
 from .report.formulas import formula
 from .report.html import page
-from .report.markup import said
 from .report.page import figure_of
+from .report.pieces import said
 from .report.title import today
 from .symbols import value_latex
 from .units import measured, worded

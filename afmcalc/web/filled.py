@@ -9,8 +9,8 @@ from markupsafe import Markup
 from ..messages import printable, say, translate
 from ..render.report.blocks import Block
 from ..render.report.html import fragment, inline
-from ..render.report.markup import cell, said
 from ..render.report.page import findings_of, judged, quantities
+from ..render.report.pieces import cell, said
 from ..render.report.words import titled
 
 

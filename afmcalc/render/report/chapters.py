@@ -23,7 +23,7 @@ from ..symbols import value_latex
 from ..units import in_numbers, measured, significant
 from .blocks import Piece, Step, Text, listed, piece, text
 from .formulas import Formula, formula
-from .markup import marks, said
+from .pieces import marks, said
 from .words import form, told
 
 

@@ -26,7 +26,7 @@ from . import blocks
 from .blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .chapters import Chapter, chapters, explained, peaks
 from .html import page
-from .markup import MISPRINT, cell, cited, name_of, plain, said, unparted
+from .pieces import MISPRINT, cell, cited, name_of, plain, said, unparted
 from .title import today
 from .words import SHORT, form, titled, told
 
