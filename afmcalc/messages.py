@@ -9,7 +9,7 @@ one of a table made on import is marked ``deferred`` and translated where it is 
 import os
 import re
 import string
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from functools import cache
@@ -216,12 +216,12 @@ _WORD = re.compile(r"[^\W\d_]{2,}")
 
 
 def latin(text: str) -> str:
-    """Text with the indices of the papers' symbols in Latin letters.
+    """Text with the indices of the papers' symbols in Latin letters; what is quoted, in «», stays as it is printed.
 
     >>> latin("T_н.маш, K_т,act"), latin("F_п"), latin("F_п2"), latin("f_1cp"), latin("T'_п")
     ('T_n,m, K_T,act', 'F_cl', 'F_sp2', 'f_1mean', "T'_pot")
     """
-    return _INDEXED.sub(_latin_symbol, text) if "_" in text else text
+    return _unquoted(_INDEXED, _latin_symbol, text) if "_" in text else text
 
 
 def _latin_symbol(symbol: re.Match[str]) -> str:
@@ -235,11 +235,15 @@ def _latin_symbol(symbol: re.Match[str]) -> str:
 def native(text: str) -> str:
     """Text with symbols in the letters of the user's language: ``F_cl`` or ``F_п``, ``tan α`` or ``tg α``.
 
-    In Russian what is quoted, in «», stays as it is printed.
+    What is quoted, in «», stays as it is printed.
     """
     if _current() is ENGLISH:
         return latin(text)
-    return "".join(part if part[:1] == "«" else _SYMBOL.sub(_native, part) for part in _QUOTED.split(text))
+    return _unquoted(_SYMBOL, _native, text)
+
+
+def _unquoted(pattern: re.Pattern[str], replace: Callable[[re.Match[str]], str], text: str) -> str:
+    return "".join(part if part[:1] == "«" else pattern.sub(replace, part) for part in _QUOTED.split(text))
 
 
 def _native(symbol: re.Match[str]) -> str:
