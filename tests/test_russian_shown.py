@@ -103,10 +103,11 @@ def noting(monkeypatch):
 
 
 def shown_by(run) -> str:
-    """What people read of an output: no styles, no markup, no quotations, no bibliography."""
+    """What people read of an output: no styles, no markup, no quotations, no bibliography, no error of the parser."""
     text = re.sub(r"(?s)<(style|pre|code|math|script)\b.*?</\1>|<dl class=.references.*?</dl>", " ", run.out + run.err)
     no_text = r"(?m)<[^>]*>|^.*(?:Juvinall| // |EN 13906).*$|^ *\d* \| .*$|'[^']*'|\"[^\"]*\""
-    return re.sub(no_text, " ", html.unescape(text))
+    of_parser = r"--from|(?m:^ошибка: (?:Invalid value|Missing|No such|Got|Option|Argument) .*$)"
+    return re.sub(no_text, " ", re.sub(of_parser, " ", html.unescape(text)))
 
 
 @pytest.mark.parametrize("part", ["law", "steps", *slow(*sorted(WALK.keys() - {"law", "steps"}), *SLOW)])

@@ -484,7 +484,7 @@ def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier)
     # what stands in no formula and no table, but in a check, a note or a meaning
     known = {native(key.symbol): name_of(path) for path, key in keys().items() if key.symbol}
     notes = (*(row.symbol for row in dossier.check.checks), *(finding.message for finding in dossier.findings))
-    said = native(" ".join(map(translate, (*notes, *meanings.values()))))
+    said = native(" ".join((*notes, *meanings.values())))
     # in a ratio, a symbol may be another quantity
     alone = [each for each in known if "_" in each and not any(each in other for other in meanings)]
     meanings |= {each: known[each] for each in alone if re.search(rf"(?<!\w){re.escape(each)}(?![\w.,]*\w)", said)}
