@@ -7,9 +7,9 @@ import re
 import sys
 from collections.abc import Callable, Mapping
 from importlib.util import find_spec
-from typing import NamedTuple, Self, TypeVar
+from typing import NamedTuple, TypeVar
 
-from .messages import ENGLISH, FOLDER, WRITTEN, Language, Text, joined, known, language, say, term, told, translate
+from .messages import ENGLISH, FOLDER, LANGUAGES, Language, deferred, filled, language, say, translate
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
@@ -17,7 +17,7 @@ LONGEST_LINE = 390
 """Characters of a line of an error; with what is put before it, below 400."""
 
 
-BEYOND_NUMBERS = say("a result is not finite (beyond the range of numbers): check the magnitudes in the spec")
+BEYOND_NUMBERS = deferred("a result is not finite (beyond the range of numbers): check the magnitudes in the spec")
 
 
 T = TypeVar("T")
@@ -35,12 +35,12 @@ class AfmcalcError(Exception):
     exit_code = 2
 
     def __init__(self, template: str, /, **values: object) -> None:
-        """Say what is wrong: a template of ``messages`` and what fills it, or what was said already."""
-        super().__init__(template if isinstance(template, Text) else Text(template, values))
+        """Take a template and the values that fill it, or a sentence."""
+        super().__init__(filled(template, values) if values else translate(template))
 
     def __str__(self) -> str:
         """The message in the language of the user, no line of it too long to read."""
-        return _cut(translate(super().__str__()))
+        return _cut(super().__str__())
 
 
 def _cut(text: str) -> str:
@@ -63,7 +63,7 @@ def reason(error: OSError) -> str:
             os.getcwd()
         except FileNotFoundError:
             return say("the working directory {path} does not exist any more", path=os.environ.get("PWD", "."))
-    return term(error.strerror or str(error))
+    return translate(error.strerror or str(error))
 
 
 def unexpected(error: Exception) -> tuple[bool, list[str]]:
@@ -81,19 +81,19 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
     if beyond:
         return True, [translate(BEYOND_NUMBERS)]
     if isinstance(error, MemoryError):
-        return True, [told("not enough memory for what was asked")]
+        return True, [say("not enough memory for what was asked")]
     import os
     import traceback
 
     from . import __version__
 
     at = traceback.extract_tb(error.__traceback__)[-1]
-    fault = told(
+    fault = say(
         "this is a fault of afmcalc {version}, not of what it was given: {kind}: {why} ({file}, line {line})",
         version=__version__, kind=type(error).__name__, why=" ".join(str(error).split())[:200],
         file=os.path.basename(at.filename), line=at.lineno,
     )  # fmt: skip
-    report = told(
+    report = say(
         "please report it: this line, the command line and the spec; AFMCALC_TRACEBACK=1 before the command shows "
         "where it comes from"
     )
@@ -119,7 +119,7 @@ def need(extra: str, *modules: str) -> None:
     if missing:
         raise AfmcalcError(
             "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",
-            missing=joined(missing, say(" and ")),
+            missing=say(" and ").join(missing),
             extra=extra,
         )
 
@@ -147,18 +147,9 @@ class Place(NamedTuple):
 class Label(str):
     """Name of a text in messages."""
 
-    name: str
-    """The same as it was given, so that what is in no file can be translated."""
-
-    def __new__(cls, label: str) -> Self:
-        """Keep the name."""
-        made = super().__new__(cls, label)
-        made.name = label.name if isinstance(label, Label) else label
-        return made
-
     def origin(self, path: str) -> str:
         """Origin of the value at a dotted path: the text, or an option of the command line."""
-        return self.name
+        return self
 
     def place(self, path: str) -> Place | None:
         """Line of the key at a dotted path; None where the text is not known."""
@@ -196,16 +187,16 @@ class SpecError(AfmcalcError, ValueError):
         ]
         lines: list[str] = []
         for problem in self.problems[:MOST_SHOWN]:
-            lines.append(say("{where}: {problem}", where=self.where(problem), problem=term(str(problem))))
+            lines.append(say("{where}: {problem}", where=self.where(problem), problem=str(problem)))
             lines += [problem.place.shown()] if problem.place else []
         if hidden := len(self.problems[MOST_SHOWN:]) + more:
-            lines.append(say("{source}: and {hidden:,} more", source=self.source.name, hidden=hidden))
-        super().__init__(joined(lines, "\n"))
+            lines.append(say("{source}: and {hidden:,} more", source=self.source, hidden=hidden))
+        super().__init__("{problems}", problems="\n".join(lines))
 
     def where(self, problem: Problem) -> str:
         """Origin of the value, with its line, as far as that is known."""
         origin = self.source.origin(problem.path)
-        return joined([origin, str(problem.place.line)], ":") if problem.place else origin
+        return f"{origin}:{problem.place.line}" if problem.place else origin
 
 
 OPTION, VARIABLE = "--lang", "AFMCALC_LANG"
@@ -227,7 +218,6 @@ def chosen_language(
     lang: str,
     environment: Mapping[str, str],
     note: Callable[[str], object] = lambda text: None,
-    of_system: Callable[[], str] = windows_language,
 ) -> Language:
     """Return the language of the option, else of AFMCALC_LANG, else of the system: English where that is not known.
 
@@ -235,20 +225,16 @@ def chosen_language(
         lang: language asked for by the option, if any.
         environment: variables of the process.
         note: is told that the language of the system is not spoken, as its texts are missing.
-        of_system: gives the language of a system that no variable tells.
 
     Raises:
         AfmcalcError: what is asked for is unknown, or its texts are missing.
     """
     asked = {
-        OPTION: lang, VARIABLE: environment.get(VARIABLE), "": _system_language(environment, of_system) or ENGLISH.name,
+        OPTION: lang, VARIABLE: environment.get(VARIABLE), "": _system_language(environment) or ENGLISH.name,
     }  # fmt: skip
     by, name = next((by, name) for by, name in asked.items() if name)
-    languages = sorted({ENGLISH.name, *WRITTEN, *known()})
-    if name == ENGLISH.name:
-        return ENGLISH
-    if name not in languages:
-        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=", ".join(languages))
+    if name not in LANGUAGES:
+        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=LANGUAGES)
     try:
         return language(name)
     except Exception as error:  # whatever is wrong with the file
@@ -265,12 +251,12 @@ def chosen_language(
         return ENGLISH
 
 
-def _system_language(environment: Mapping[str, str], of_system: Callable[[], str]) -> str:
+def _system_language(environment: Mapping[str, str]) -> str:
     """Return the language of the system: LANGUAGE, a list, is asked first, but not where the locale is plain C."""
     locale = next(filter(None, map(environment.get, _LOCALE)), "")
     wanted = [locale] if _short(locale) in ("C", "POSIX") else [*environment.get("LANGUAGE", "").split(":"), locale]
-    wanted = [_short(name) for name in wanted if name] or [of_system()]
-    return next((name for name in wanted if name in (ENGLISH.name, *WRITTEN, *known())), "")
+    wanted = [_short(name) for name in wanted if name] or [windows_language()]
+    return next((name for name in wanted if name in LANGUAGES), "")
 
 
 def _short(name: str) -> str:

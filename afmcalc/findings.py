@@ -1,13 +1,13 @@
 """Findings: what a designer should know about a legal design, and the sentence of each."""
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from math import isfinite
 from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .messages import Text
+from .messages import filled
 
 Level = Literal["info", "warning", "error"]
 
@@ -50,38 +50,7 @@ def finding(
     if not all(isfinite(number) for number in values.values() if isinstance(number, float)):
         raise OverflowError
     value, limit = (number if number is None or type(number) is int else float(number) for number in (value, limit))
-    return Finding(level, code.partition("/")[0], Text(FINDINGS[code], values), value, limit, path)
-
-
-_OF_CLUTCH = "{name}: {message}"
-
-
-def of_clutch(remark: Finding, name: str) -> Finding:
-    """Return a finding that says which of several clutches it is of."""
-    return replace(remark, message=Text(_OF_CLUTCH, {"name": name, "message": remark.message}))
-
-
-def told_once(findings: Iterable[Finding]) -> list[Finding]:
-    """Join what several clutches have in one sentence: their names, and in the same order the values that differ."""
-    alike: dict[object, list[tuple[Finding, object, Text]]] = {}
-    for each in findings:
-        whole = each.message
-        names = whole.values if isinstance(whole, Text) and whole.template == _OF_CLUTCH else None
-        said = names["message"] if names else None
-        if names and isinstance(said, Text) and said.values and not said.plural and "!" not in said.template:
-            key: object = (each.level, each.code, each.path, said.template)
-            alike.setdefault(key, []).append((each, names["name"], said))
-        else:
-            alike.setdefault(each, []).append((each, "", Text(each.message)))
-    joined = []
-    for (first, name, said), *others in alike.values():
-        every = [said.values or {}, *(other.values or {} for _, _, other in others)]
-        sets = {key: [values[key] for values in every] for key in every[0]}
-        values = {key: of[0] if all(value == of[0] for value in of) else of for key, of in sets.items()}
-        clutches = list(dict.fromkeys([name, *(other for _, other, _ in others)]))
-        message = Text(_OF_CLUTCH, {"name": clutches, "message": Text(said.template, values)})
-        joined.append(replace(first, message=message) if name and others else first)
-    return joined
+    return Finding(level, code.partition("/")[0], filled(FINDINGS[code], values), value, limit, path)
 
 
 FINDINGS: Mapping[str, str] = {

@@ -11,8 +11,6 @@ from contextvars import ContextVar
 from types import TracebackType
 from typing import Any, TypeVar
 
-from .messages import translate
-
 T = TypeVar("T")
 
 PATIENCE = 1.0
@@ -68,7 +66,7 @@ class Bar:
             self._shown = Progress(*columns, console=Console(stderr=True), transient=True)
             self._shown.start()
         if work not in self._tasks:
-            self._tasks[work] = self._shown.add_task(translate(work))
+            self._tasks[work] = self._shown.add_task(work)
         self._shown.update(self._tasks[work], completed=done, total=total)
 
     def __enter__(self) -> "Bar":

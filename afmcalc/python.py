@@ -13,7 +13,7 @@ from .engines.quantities import Quantities
 from .equations.arrays import Floats
 from .errors import BEYOND_NUMBERS, AfmcalcError, CalculationError, need
 from .findings import Finding
-from .messages import localized, named, translate
+from .messages import localized, named, native, translate
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
 from .spec.edit import Overrides, apply_overrides, respecified
@@ -88,7 +88,7 @@ class Clutch:
         return self._ask("check", strict=strict)
 
     def effects(self) -> "EffectsResult":
-        """What the torque law neglects, in numbers."""
+        """Effects that the torque law neglects, in numbers."""
         return self._ask("effects")
 
     def explain(self, command: str, *, model: StressRule | None = None) -> "ExplainResult":
@@ -254,8 +254,8 @@ class Clutch:
         return [
             (translate("clutch"), title),
             ("T", f"{low} … {high}"),
-            ("K_т", localized(f"{torque.accuracy_factor:.4g}")),
-            (translate("verdict"), str(translate(check.verdict.sentence))),
+            (native("K_т"), localized(f"{torque.accuracy_factor:.4g}")),
+            (translate("verdict"), check.verdict.sentence),
         ]
 
     def __repr__(self) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
-from pydantic import BaseModel, ConfigDict, Field, InstanceOf, PrivateAttr, WithJsonSchema
+from pydantic import BaseModel, ConfigDict, Field, PrivateAttr
 from pydantic.fields import FieldInfo
 
 from .errors import AfmcalcError
@@ -37,7 +37,7 @@ class Shown:
     symbol: str | None = None
     """Symbol of the papers."""
     null: str = "–"
-    """What a missing value means, for people."""
+    """Meaning of a missing value, for people."""
     unit_in: str = ""
     """Attribute that holds the SI unit of the value, where the unit is no constant."""
     is_unit: bool = False
@@ -61,7 +61,7 @@ class Shown:
     ranked: bool = False
     """True if a dictionary is shown with its largest magnitude first."""
     keys_are: str = "parameter"
-    """What the keys of a dictionary are called."""
+    """Name of the keys of a dictionary."""
     in_words: Callable[[str], str] | None = None
     """``name`` → what people read in place of a name, of each in a list, or of each key of a dictionary."""
     steps: bool = False
@@ -95,10 +95,6 @@ def described(description: str, **shown: Any) -> Any:
 def shown_as(field: FieldInfo) -> Shown:
     """Return how a field of a result is shown."""
     return field.json_schema_extra if isinstance(field.json_schema_extra, Shown) else Shown()
-
-
-Sentence = Annotated[InstanceOf[str], WithJsonSchema({"type": "string"})]
-"""A text that stays the ``Text`` it is, so that people are told it in their language; ``str`` would forget that."""
 
 
 class AtEnds(Result):
@@ -145,7 +141,7 @@ def _cell(text: str) -> float | str | None:
 
 @dataclass(frozen=True)
 class Output:
-    """What every command prints."""
+    """Output of every command."""
 
     command: Annotated[str, Field(description="name of the command")]
     version: Annotated[str, Field(description="version of afmcalc")]
@@ -177,7 +173,7 @@ class Answer(Result):
 
     @property
     def output(self) -> Output:
-        """What the command prints; only of an answer that was asked for from Python."""
+        """Output of the command; only of an answer that was asked for from Python."""
         return self._output
 
     @property
@@ -192,7 +188,7 @@ class Answer(Result):
 
     @property
     def findings(self) -> list[Finding]:
-        """What a designer should know."""
+        """Findings on the clutch."""
         return self._output.findings
 
     def to_dataframe(self) -> "pandas.DataFrame":

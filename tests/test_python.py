@@ -176,7 +176,7 @@ def test_a_clutch_shows_saves_plots_and_reports_itself(tmp_path, undrawn):
     assert repr(clutch).splitlines()[:3] == [
         "clutch: Base clutch, differentiated",
         "T: 118.52 N·m … 336.84 N·m",
-        "K_т: 2.842",
+        "K_T: 2.842",
     ]
     assert clutch.check().verdict.sentence in repr(clutch)
     ElementTree.fromstring(clutch._repr_html_())

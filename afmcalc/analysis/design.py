@@ -16,9 +16,9 @@ from ..engines.selection import NAMES
 from ..equations.terms import TERMS, term_of
 from ..errors import AfmcalcError, CalculationError
 from ..findings import Finding, finding
-from ..messages import did_you_mean, measured, say, term
+from ..messages import deferred, did_you_mean, measured, say, translate
 from ..progress import tell, unwatched
-from ..result import Answer, Result, Sentence, described, quantity, shown_as
+from ..result import Answer, Result, described, quantity, shown_as
 from ..spec import Spec
 from ..spec.edit import as_written, with_values
 from ..spec.keys import keys
@@ -38,21 +38,21 @@ _NO_SPRING = "no-spring"
 
 def _in_words(code: str) -> str:
     """Say what a check is called, by its code or the key of its requirement."""
-    return term(_NAMES.get(code, code))
+    return translate(_NAMES.get(code, code))
 
 
 _NAMES = {
     **{name_of(check): check.name for check in reversed(CHECKS)},
     **{name: keys()[f"requirements.{name}"].description.partition(",")[0] for name in REQUIRED},
-    "not-a-clutch": term("radii, pairs or friction out of order, or a gain below its threshold"),
-    "parts-collide": term("parts that collide"),
-    _NO_SPRING: term("springs to be had"),
+    "not-a-clutch": deferred("radii, pairs or friction out of order, or a gain below its threshold"),
+    "parts-collide": deferred("parts that collide"),
+    _NO_SPRING: deferred("springs to be had"),
 }
 
 
 def _small(objective: str) -> str:
     """Say what an objective is."""
-    meaning = term(term_of(objective.removeprefix("-")).meaning)
+    meaning = translate(term_of(objective.removeprefix("-")).meaning)
     return say("{quantity} (large)", quantity=meaning) if objective.startswith("-") else meaning
 
 
@@ -79,10 +79,10 @@ class DesignRow(Result):
 
 
 class Binding(Result):
-    """What excludes the candidate that is nearest to all checks, and what would do."""
+    """Constraint that excludes the candidate nearest to all checks, and the value that would do."""
 
     check: str = described("check that excludes the nearest candidate", in_words=_in_words)
-    message: Sentence = described("what it misses")
+    message: str = described("what it misses")
     value: float | None = described("its value", unit_in="unit", optional=True)
     limit: float | None = described("limit", unit_in="unit", optional=True)
     unit: str = described("unit", is_unit=True)
@@ -398,11 +398,11 @@ def _missed(row: Row) -> str:
     if second:
         return say(
             "{first} and {second} collide by at least {missing:.4g mm}",
-            first=term(first), second=term(second), missing=value,
+            first=translate(first), second=translate(second), missing=value,
         )  # fmt: skip
     has, wanted = (measured(number, ENGINEER.get(check.unit, check.unit), 5) for number in (value, limit))
-    bound = term("at least" if check.least else "at most")
-    return say("{name} {has}, {bound} {wanted}", name=term(check.name), has=has, bound=bound, wanted=wanted)
+    bound = translate("at least" if check.least else "at most")
+    return say("{name} {has}, {bound} {wanted}", name=translate(check.name), has=has, bound=bound, wanted=wanted)
 
 
 def _key_that_would_do(spec: Spec, near: Nearest) -> tuple[str, float] | None:

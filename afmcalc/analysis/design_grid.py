@@ -16,7 +16,7 @@ from ..engines.layout import TOUCHES, SectionPart, length_of, overlaps, parts_of
 from ..engines.quantities import Quantities
 from ..equations.arrays import next_listed
 from ..errors import SpecError
-from ..messages import say
+from ..messages import deferred, say
 from ..progress import tell
 from ..spec import Spec, make_spec, resolved
 from ..spec.edit import put, value_at, with_values, without_replaced
@@ -183,7 +183,7 @@ _WARNINGS = (
     "gain-above-limit", "reduced-gain-above-limit", "feedback-idle", "mean-pressure-in-range", "peak-pressure-in-range",
 )  # fmt: skip
 """Warnings that exclude a candidate as errors do."""
-COLLIDE = Check("parts-collide", say("overlap of two parts"), "", "m", "", TOUCHES, path="envelope")
+COLLIDE = Check("parts-collide", deferred("overlap of two parts"), "", "m", "", TOUCHES, path="envelope")
 
 
 def wired(spec: Spec) -> Quantities:

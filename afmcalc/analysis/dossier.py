@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from ..engines import build
 from ..errors import CalculationError, given
 from ..findings import Finding
-from ..messages import Text, term
+from ..messages import filled, translate
 from ..result import Result
 from ..spec import Spec
 from .answers import Answers
@@ -95,7 +95,5 @@ def _drawn(plot: str, answers: Answers) -> Any:
 
 def _said(told: Told, result: Result) -> str:
     """Fill what a section says with the fields of its result."""
-    return Text(
-        told(result) if callable(told) else told,
-        {name: term(each) if isinstance(each, str) else each for name, each in dict(result).items()},
-    )
+    values = {name: translate(each) if isinstance(each, str) else each for name, each in dict(result).items()}
+    return filled(told(result) if callable(told) else told, values)

@@ -1,4 +1,4 @@
-"""What there is to draw: each kind of plot as data, gathered from what was asked of a clutch."""
+"""Data of each kind of plot, gathered from the answers of a clutch."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from .tolerance_result import ToleranceResult
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "search": "SPEC"}
-"""What stands alone, as the help calls it."""
+"""Name of the one argument of a plot, as the help calls it."""
 
 
 class Request(NamedTuple):
-    """What to draw."""
+    """Request for a drawing."""
 
     subjects: Sequence[Any]
     """``Answers`` of clutches, names of the papers' figures, or specs with [search]."""

@@ -1,4 +1,4 @@
-"""What the handbook is made of: its chapters, what there is to say of every formula, and the numbers of examples.
+"""Content of the handbook: its chapters, the texts of every formula, and the numbers of examples.
 
 A chapter is a Markdown file of ``afmcalc/papers/handbook``, in Russian the file of the same name in its folder ``ru``.
 A paragraph in braces is put in by the program: ``{equation direct.torque}``, ``{misprint M1}``, ``{figure F11-1}``,

@@ -15,7 +15,7 @@ from ..equations import heat as law
 from ..equations.arrays import Values
 from ..errors import CalculationError, Problem, SpecError, given
 from ..findings import Finding, Level, finding
-from ..messages import joined, measured, say, term
+from ..messages import measured, say, translate
 from ..progress import counted
 from ..result import OpenTriple, Triple
 from ..spec.catalogues import Material, friction_materials
@@ -25,7 +25,7 @@ from .answers import Answers
 from .clutch_findings import clutch_findings
 from .registry import ANALYSES
 
-_ENDS = {"min": "f_min", "mean": term("f_cp", "symbol"), "max": "f_max"}
+_ENDS = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
 
 
 class Slip(NamedTuple):
@@ -48,7 +48,7 @@ class Trips(NamedTuple):
 
 
 def remarks(clutch: Clutch, given: Heat, result: HeatResult) -> Iterator[Finding]:
-    """What a designer should know of the temperature of a trip, and what was not told."""
+    """Findings on the temperature of a trip, and on missing data."""
     # discs cannot be what they were, whatever is allowed: the discs, or their faces while they slip
     melted = (given.ambient or 0.0) + max(_most(result.temperature_rise), _most(result.surface_temperature_rise))
     if melted >= IRON_MELTS:
@@ -119,7 +119,7 @@ class Limit(NamedTuple):
 
 
 def material_limit(clutch: Clutch) -> Limit | None:
-    """What the faces may reach: the lowest of what the materials named allow."""
+    """Allowable temperature of the faces: the lowest of the materials named."""
     linings = clutch.spec.friction.linings.items()
     allowing = [(path, material) for path, material in linings if material.temperature_min is not None]
     if not allowing:
@@ -138,7 +138,7 @@ def limits_of(clutch: Clutch) -> list[Limit]:
 
 
 def limit_of(clutch: Clutch) -> Limit | None:
-    """What the mean of the discs is held against over many trips: what is required, else what the material allows."""
+    """Limit of the mean temperature of the discs over many trips: what is required, else what the material allows."""
     return next((each for each in limits_of(clutch) if each.path != "requirements.face_temperature"), None)
 
 
@@ -359,7 +359,10 @@ def _carried(
     off, least = drive.cut_off, float(min(torques.values()))
     code = "motor-never-stops" if off is None else "motor-stops-at-cut-off"
     level: Level = "error" if off is None else "info"
-    at, heat = joined(_ENDS[end] for end in torques), max(float(slips[end].energy or 0.0) for end in torques)
+    at, heat = (
+        ", ".join(translate(_ENDS[end], "symbol") for end in torques),
+        max(float(slips[end].energy or 0.0) for end in torques),
+    )
     carries = measured(least, "N*m", 5)
     path, motor = "drive.cut_off", float(motor)
     yield finding(code, level, value=least, limit=motor, path=path, at=at, carries=carries, heat=heat, off=off)

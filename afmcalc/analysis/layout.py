@@ -6,7 +6,7 @@ from ..engines import Clutch
 from ..engines.checks import failures_of
 from ..engines.layout import TOUCHES, PartName, SectionPart, inertia_of, length_of, overlaps, parts_of, sizes_of
 from ..findings import Finding, finding
-from ..messages import say, term
+from ..messages import say, translate
 from ..result import Answer, Result, described, quantity
 from .clutch_findings import clutch_findings
 
@@ -69,7 +69,9 @@ def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) ->
     """Say what is in the way of what, what is beyond the space, and what is not in the layout."""
     for first, second, missing in overlaps(parts):
         if missing > TOUCHES:
-            yield finding("parts-collide", "error", value=float(missing), first=term(first), second=term(second))
+            yield finding(
+                "parts-collide", "error", value=float(missing), first=translate(first), second=translate(second)
+            )
     if clutch.spec.friction_group.pairs % 2:
         yield finding("odd-pairs", "warning", value=clutch.spec.friction_group.pairs, path="friction_group.pairs")
     known = {"outer_diameter": result.outer_diameter, "length": result.length}
@@ -77,7 +79,7 @@ def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) ->
     absent = {part.name for part in parts} - {row.part for row in result.parts}
     for name, path in _SOUGHT.items():
         if name in absent and (name != "balls" or (clutch.spec.control_unit is not None and clutch.gain > 0)):
-            yield finding("layout-without", "info", path=path, name=term(name))
+            yield finding("layout-without", "info", path=path, name=translate(name))
 
 
 _SOUGHT: dict[PartName, str] = {

@@ -18,7 +18,7 @@ from ..engines.selection import by_rule
 from ..equations.arrays import Floats, Values, mean_along, spread
 from ..errors import AfmcalcError, given
 from ..findings import Finding, finding
-from ..messages import say, term
+from ..messages import say, translate
 from ..result import Answer, Result, Series, described, quantity
 from ..spec.fields import Key
 from ..spec.models import Method, Spec
@@ -257,4 +257,4 @@ def _judged(load: Quantities, model: StressRule, side: str) -> Iterator[Finding]
     if _is_unlimited(load):
         code = "life-not-limited/no-number" if model in _NEEDS else "life-not-limited/extrapolated"
         stress, limit = _stress(load), load["endurance_limit"]
-        yield finding(code, "info", value=stress, limit=limit, path="fatigue.endurance_limit", side=term(side))
+        yield finding(code, "info", value=stress, limit=limit, path="fatigue.endurance_limit", side=translate(side))

@@ -1,4 +1,4 @@
-"""What ships with the program, as results: example specs and friction materials."""
+"""Lists that ship with the program, as results: example specs and friction materials."""
 
 import tomllib
 from collections.abc import Mapping, Sequence

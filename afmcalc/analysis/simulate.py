@@ -20,7 +20,7 @@ from ..equations import drive as law
 from ..equations.arrays import Floats, Values
 from ..errors import CalculationError
 from ..findings import Finding, Level, finding
-from ..messages import measured, say, term
+from ..messages import measured, say, translate
 from ..progress import counted
 from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
 from ..spec.edit import with_values
@@ -32,7 +32,12 @@ from .synthesize import pocket
 from .torque import Pair, friction_fields, outside_range, pairs_asked
 from .wall import wall_of
 
-_ENDS = ("f_min", term("f_cp", "symbol"), "f_max")
+
+def _end_symbols() -> tuple[str, str, str]:
+    """Symbols of the smallest, the mean and the largest friction."""
+    return "f_min", translate("f_cp", "symbol"), "f_max"
+
+
 _CLOSED = 1e-3
 _SPREAD = 0.01
 """Relative difference of heat or slip time by two step sizes beyond which they are ill-conditioned."""
@@ -58,7 +63,7 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
     if carried < load * (1 - _ROUNDING):
         yield finding("ordinary-slips-before-event", "info", value=carried, limit=load, path="adjustment.method")
     # does the clutch carry the load before the event, the motor drive it?
-    for end, one in zip(_ENDS, outcomes, strict=True):
+    for end, one in zip(_end_symbols(), outcomes, strict=True):
         if (carried := float(one.case.pack.breakaway)) < load * (1 - _ROUNDING):
             path = "drive.load_torque"
             yield finding("slips-before-event", "error", value=carried, limit=load, path=path, at=end)
@@ -80,7 +85,7 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
 
 
 def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
-    """What turns behind the discs does to the shaft: a sudden stop by its speed, a slow one by its deceleration."""
+    """Finding on the inertia behind the discs: a sudden stop loads the shaft by speed, a slow one by deceleration."""
     path, limit = "drive.driven_inertia", float(outcomes[-1].case.pack.sliding)
     behind, load = train.driven_inertia + train.hub_inertia, min(train.load, limit)
     swing = math.pi * math.sqrt(behind / train.stiffness)
@@ -95,7 +100,7 @@ def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
 def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
     """Does the motor stop, and does the slip end within the time that is simulated?"""
     strongest, path = float(train.engine.torque), "drive.cut_off"
-    for end, one in zip(_ENDS, outcomes, strict=True):
+    for end, one in zip(_end_symbols(), outcomes, strict=True):
         pulled = abs(one.event.last) if one.endless else one.event.pulled
         if not pulled or not (one.endless or pulled <= strongest):
             continue
@@ -111,7 +116,7 @@ def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
         yield finding(
             code, level, value=pulled, limit=strongest, path=path, at=end, carries=carries, heat=heat, off=off
         )
-    for end, one in zip(_ENDS, outcomes, strict=True):
+    for end, one in zip(_end_symbols(), outcomes, strict=True):
         path, lasted = "drive.event.duration", one.event.time
         if not one.event.stuck and not one.endless:
             yield finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end)
@@ -121,7 +126,7 @@ def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
 
 def _accuracy(outcomes: Sequence[Outcome]) -> Iterator[Finding]:
     """Say where twice the step gives other figures."""
-    for end, one in zip(_ENDS, outcomes, strict=True):
+    for end, one in zip(_end_symbols(), outcomes, strict=True):
         event, other = one.event, one.event.other
         if event.peak_error > CLOSE:
             yield finding("peak-not-converged", "warning", value=event.peak_error, limit=CLOSE, at=end)
@@ -139,7 +144,7 @@ def _relative(value: float, other: float) -> float:
 
 
 def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Whether slow slip is steady (V6), where friction falls most with speed."""
+    """True if slow slip is steady (V6), where friction falls most with speed."""
     friction = clutch.spec.friction
     ratio, speed = friction.static_ratio or 1.0, friction.stribeck_speed
     if ratio == 1 or speed is None:
@@ -198,11 +203,11 @@ def event_values(clutch: Clutch, result: SimulateResult) -> dict[str, Any]:
 
 def _largest(ends: Triple) -> tuple[float, str]:
     """Largest of the values at f_min, mean and f_max, and where it is."""
-    return max(zip(vars(ends).values(), _ENDS, strict=True))
+    return max(zip(vars(ends).values(), _end_symbols(), strict=True))
 
 
 def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
-    """What the springs named do not hold where the sleeve swings, and held where the law has it."""
+    """Findings on the springs: rules they break where the sleeve swings, and keep where the law has it."""
     own, rules = clutch.spec, {}
     if not own.spring_parts or not own.kind.travels:
         return
@@ -212,7 +217,7 @@ def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
         if each.beyond > _ROUNDING and not rules.get((path, each.rule)):
             yield finding(
                 "event-spring", each.rule.level, value=each.value, limit=each.limit, path=path, travel=travel,
-                what=term(each.rule.name),
+                what=translate(each.rule.name),
             )  # fmt: skip
 
 
@@ -285,7 +290,7 @@ def simulate(
 
 
 def _has_key(clutch: Clutch) -> bool:
-    """Whether the sleeve slides on a key that rubs."""
+    """True if the sleeve slides on a key that rubs."""
     unit = clutch.spec.control_unit
     return clutch.spec.kind.travels and unit is not None and bool(unit.key_friction)
 

@@ -16,7 +16,7 @@ from ..equations.arrays import Floats
 from ..equations.terms import CASES, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
-from ..messages import did_you_mean, measured, plain, say
+from ..messages import did_you_mean, latin, measured, say
 from ..progress import tell, unwatched
 from ..result import Answer, Result, described
 from ..spec.edit import replaced, respecified, value_at
@@ -100,9 +100,11 @@ def quantity_at(path: str) -> str:
 def targets() -> dict[str, str]:
     """Names and symbols of targets → their names; of quantities with the same symbol the one of the shortest name."""
     names = sorted(filter(is_quantity, TERMS), key=len, reverse=True)
-    called = {plain(keys()[f"requirements.{name}"].symbol or name): name for name in REQUIRED}
-    called |= {plain(TERMS[name].symbol): name for name in names}
-    return called | {plain(name): name for name in (*names, *REQUIRED)}
+    called = {keys()[f"requirements.{name}"].symbol or name: name for name in REQUIRED}
+    called |= {TERMS[name].symbol: name for name in names}
+    return (
+        {latin(symbol): name for symbol, name in called.items()} | called | {name: name for name in (*names, *REQUIRED)}
+    )
 
 
 def parse_target(text: str) -> tuple[str, float, list[Finding]]:
@@ -112,7 +114,7 @@ def parse_target(text: str) -> tuple[str, float, list[Finding]]:
     """
     given, _, value = (part.strip() for part in text.partition("="))
     path = path_of(given)
-    name = targets().get(plain(given)) or (quantity_at(path) if path else given)
+    name = targets().get(given) or (quantity_at(path) if path else given)
     if not (name in REQUIRED or is_quantity(name)):
         raise AfmcalcError(
             "{text!r:.80} is no target{hint}; write NAME=VALUE, NAME a quantity by its name in JSON or its symbol, "

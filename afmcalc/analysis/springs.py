@@ -16,8 +16,8 @@ from ..equations import springs as law
 from ..equations.arrays import Floats
 from ..errors import AfmcalcError, CalculationError
 from ..findings import Finding, finding
-from ..messages import joined, say, term
-from ..result import Answer, Result, Sentence, described, quantity
+from ..messages import say, translate
+from ..result import Answer, Result, described, quantity
 from ..spec import Spec
 from ..spec.catalogues import Disc, discs
 from ..spec.edit import respecified
@@ -66,7 +66,7 @@ class SpringOption(Result):
     number: int | None = described("number", optional=True)
     spring: SpringName | None = described("spring", optional=True)
     kind: Kind = described("kind", detail=True)
-    part: Sentence = described("part")
+    part: str = described("part")
     parallel: int | None = quantity("1", "n", "discs nested in each other, in parallel")
     series: int | None = quantity("1", "i", "packs against each other, in series")
     count: int | None = quantity("1", "n_п", "springs around the shaft")
@@ -138,7 +138,7 @@ class SpringCurve(Result):
     """Force over deflection of one spring, and where on it the clutch works."""
 
     spring: SpringName = described("spring")
-    part: Sentence = described("part")
+    part: str = described("part")
     deflection: list[float] = quantity("m", "s", "deflection")
     force: list[float] = quantity("N", "F", "force")
     tangent: list[float] = quantity("N", "c s", "straight spring of the stiffness as set")
@@ -428,10 +428,10 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tup
 
 def _none(demand: SpringDemand, part: Part, missed: Mapping[str, float]) -> Finding:
     """Say that no part does, and what the nearest misses."""
-    misses = joined(
-        say("{name} by {by:.1%}", name=term(name), by=by)
+    misses = ", ".join(
+        say("{name} by {by:.1%}", name=translate(name), by=by)
         if by < 1
-        else say("{name} by {by:.3g} times", name=term(name), by=by)
+        else say("{name} by {by:.3g} times", name=translate(name), by=by)
         for name, by in sorted(missed.items(), key=lambda miss: -miss[1])
     )
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
@@ -450,7 +450,7 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
         if part is None:
             best = ranked(demand)
             if not best:
-                raise CalculationError("plot springs: nothing fits: {name}", name=term(f"{demand.name} spring"))
+                raise CalculationError("plot springs: nothing fits: {name}", name=translate(f"{demand.name} spring"))
             part = best[0].made
         spring = characteristic(part)
         deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)

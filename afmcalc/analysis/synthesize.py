@@ -12,7 +12,7 @@ from ..engines.selection import quantities_of
 from ..equations.arrays import next_listed
 from ..findings import Finding, finding
 from ..messages import say
-from ..result import Answer, Sentence, described, quantity
+from ..result import Answer, described, quantity
 from ..spec import Spec
 from ..spec.edit import with_key
 from ..spec.lists import ball_designation, diameters
@@ -41,7 +41,7 @@ class SynthesisResult(Asking, Answer):
     ball_radius: float = asked()
     undercut_radius: float | None = asked(optional=True)
     ball_diameter_standard: float | None = asked()
-    ball_designation: Sentence | None = described("designation of the ball, without its grade", optional=True)
+    ball_designation: str | None = described("designation of the ball, without its grade", optional=True)
     edge_clearance_standard: float | None = asked()
     pocket_depth: float = asked()
     pocket_depth_cut: float = asked()

@@ -1,12 +1,15 @@
-"""Writing to standard output, or to a file that is either whole or untouched; no file that exists is lost."""
+"""Output: the standard streams, and files that are either whole or untouched; no file that exists is lost."""
 
+import errno
+import io
 import os
+import sys
 from collections.abc import Iterable
 from contextlib import suppress
 from itertools import combinations
 
-from ..errors import AfmcalcError, FileError, reason
-from .streams import put
+from ..errors import LONGEST_LINE, AfmcalcError, FileError, reason
+from ..messages import is_unicode, printable, say
 
 _FORMATS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
@@ -42,7 +45,7 @@ def is_json_spec(output: str) -> bool:
 
 
 def is_pdf(output: str | None) -> bool:
-    """Whether a page goes to a PDF alone, by its name; refuse a name that says it is neither that nor HTML."""
+    """True if a page goes to a PDF alone, by its name; refuse a name that says it is neither that nor HTML."""
     if _ending(output) in {*_FORMATS, *_OTHERS} - {".html", ".htm", ".pdf"}:
         raise AfmcalcError("--output {output}: this page is HTML or PDF; end it in .html or .pdf", output=output)
     return _ending(output) == ".pdf"
@@ -84,7 +87,7 @@ def refuse(*paths: str | None, force: bool, inputs: Iterable[str | None] = ()) -
 
 
 def _is_same(path: str, other: str | None) -> bool:
-    """Whether two names are of one file, that exists or would be written."""
+    """True if two names are of one file, that exists or would be written."""
     if other in (None, "-") or os.path.exists(path) != os.path.exists(other):
         return False
     return os.path.samefile(path, other) if os.path.exists(path) else os.path.realpath(path) == os.path.realpath(other)
@@ -151,3 +154,60 @@ def _replace(target: str, content: bytes, *, created: bool) -> None:
             with suppress(OSError):
                 os.unlink(path)
         raise
+
+
+class _Closed(io.TextIOBase):
+    """Standard output that was closed: an error when something is written, and not before."""
+
+    def __init__(self) -> None:
+        # takes the place of the closed one: a file opened later would get its number
+        self._place = open(os.devnull, "rb")  # noqa: SIM115
+
+    def write(self, text: str) -> int:
+        """Refuse."""
+        raise OSError(errno.EBADF, say("it is closed"))
+
+    def fileno(self) -> int:
+        """Return the number of the place."""
+        return self._place.fileno()
+
+
+def prepare() -> None:
+    """Let no stream fail because it is closed, or lacks a letter."""
+    sys.stdout = sys.stdout or _Closed()
+    sys.stderr = sys.stderr or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
+    for stream in (sys.stdout, sys.stderr):
+        if reconfigure := getattr(stream, "reconfigure", None):
+            reconfigure(errors="backslashreplace")
+
+
+def put(text: str, *, utf8: bool = False) -> None:
+    """Write text to standard output, where asked as UTF-8 whatever the locale; a reader that left wants no more."""
+    try:
+        if utf8 and not is_unicode(sys.stdout) and not sys.stdout.isatty():
+            sys.stdout.flush()
+            sys.stdout.buffer.write(text.encode())
+        else:
+            sys.stdout.write(text)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        drop_output()
+
+
+def drop_output() -> None:
+    """Keep the interpreter from trying once more, as it ends, to write what could not be written."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def tell(text: str) -> None:
+    """Say something on standard error: lines of a text stay lines, are not endless, and do not act on the terminal."""
+    with suppress(OSError):  # nobody listens
+        for line in text.split("\n"):
+            shown = printable(line)
+            print(shown if len(shown) <= LONGEST_LINE else f"{shown[: LONGEST_LINE - 3]}...", file=sys.stderr)
+
+
+def width() -> int | None:
+    """Return the columns that COLUMNS asks for; None: those of the terminal."""
+    columns = os.environ.get("COLUMNS", "")
+    return int(columns) if columns.isdecimal() and 20 <= int(columns) <= 1000 else None

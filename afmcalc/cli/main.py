@@ -8,34 +8,34 @@ from importlib import import_module
 from typing import Annotated, Any, NoReturn, TypeAlias
 
 import typer
-from typer import Option
+from typer import Argument, Option
 from typer.core import TyperGroup
 
 from .. import __version__
 from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
-from ..messages import say, speaking, term, told, translate
+from ..messages import deferred, did_you_mean, say, speaking, translate
+from .files import drop_output, prepare, tell, width
+from .names import Named, names_of
 from .options import COMMON
-from .streams import drop_output, prepare, tell
 
 Context: TypeAlias = Any
 """Context, formatter and error of the parser behind typer, which has no public names for them."""
 
 PANELS = {
     "Everyday": {
-        "init": "specs", "check": "specs", "torque": "clutch", "design": "design", "report": "report", "serve": "serve",
+        "init": "specs", "check": "specs", "torque": "clutch", "design": "searches", "report": "report",
+        "serve": "serve",
     },
     "Questions": {
-        "accuracy": "clutch", "adjust": "clutch", "overload": "clutch", "life": "clutch", "tolerance": "design",
-        "solve": "design", "compare": "clutch", "explain": "papers", "plot": "plot",
+        "accuracy": "clutch", "adjust": "clutch", "overload": "clutch", "life": "clutch", "tolerance": "searches",
+        "solve": "searches", "compare": "clutch", "explain": "papers", "plot": "plot",
     },
-    "Parts and drive": {
-        "pocket": "parts", "springs": "parts", "layout": "parts", "simulate": "drive", "effects": "drive",
-    },
-    "Theory and lists": {"papers": "papers", "handbook": "report", "list": "lists", "schema": "specs"},
+    "Parts and drive": dict.fromkeys(("pocket", "springs", "layout", "simulate", "effects"), "hardware"),
+    "Theory and lists": {"papers": "papers", "handbook": "report", "list": "papers", "schema": "specs"},
 }  # fmt: skip
 """Heading in the help → command → module of this package that holds its function."""
 COMMANDS = {name: module for panel in PANELS.values() for name, module in panel.items()}
-_MODULES = COMMANDS | {"help": "topics"}
+_MODULES = COMMANDS | {"help": "main"}
 FORMER = {
     "synthesize": "pocket",
     "heat": "simulate",
@@ -48,10 +48,11 @@ FORMER = {
 FORMER_OPTIONS = {
     **{f"--{name}": f"--set catalogues.{name}=FILE" for name in ("materials", "discs", "balls")},
     "--excel": "--format csv --lang ru",
-    "--yes": say("a progress bar, and Ctrl-C to stop"),
-    "--symbols": say("the language of the report, --lang"),
+    "--yes": deferred("a progress bar, and Ctrl-C to stop"),
+    "--symbols": deferred("the language of the report, --lang"),
 }
 """Option of an earlier version → what is in its place."""
+LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
 FAULT = 70
 """Exit code where afmcalc itself is at fault (EX_SOFTWARE of sysexits.h)."""
 INTERRUPTED = 130
@@ -62,7 +63,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     prepare()
     given, lang = without_lang(sys.argv[1:] if arguments is None else arguments)
     try:
-        speaks = chosen_language(lang, os.environ, lambda text: tell(told("note: {text}", text=text)))
+        speaks = chosen_language(lang, os.environ, lambda text: tell(say("note: {text}", text=text)))
     except AfmcalcError as error:
         _complain(str(error))
         sys.exit(error.exit_code)
@@ -85,8 +86,8 @@ def _run(given: list[str]) -> int:
         return INTERRUPTED
     except OSError as error:
         drop_output()
-        named = error.filename or told("standard output")
-        _complain(told("{named}: cannot be written: {why}", named=named, why=term(error.strerror or str(error))))
+        named = error.filename or say("standard output")
+        _complain(say("{named}: cannot be written: {why}", named=named, why=translate(error.strerror or str(error))))
         return 3
     except Exception as error:
         return _misused(error, given) if hasattr(error, "format_message") else _unexpected(error)
@@ -127,7 +128,7 @@ def application(arguments: list[str]) -> Any:
         module = import_module(f".{_MODULES[name]}", __package__)
         app.command(name)(getattr(module, f"{name}_" if name == "list" else name))
     program: Any = typer.main.get_command(app)
-    foot = told("Options of every command (--set, --json, --lang, …): afmcalc help options")
+    foot = say("Options of every command (--set, --json, --lang, …): afmcalc help options")
     for name, command in [("", program), *program.commands.items()]:
         command.help = "\n\n".join(map(translate, paragraphs(command.help)))
         command.epilog = foot if name else None
@@ -179,6 +180,59 @@ def _afmcalc(
     """  # noqa: D301
 
 
+TOPICS = ("options", "keys", "quantities", "plots")
+
+
+def help(
+    topic: Annotated[
+        str,
+        Argument(
+            metavar="TOPIC",
+            autocompletion=lambda incomplete: [each for each in TOPICS if each.startswith(incomplete)],
+            help="options, keys, quantities, plots; or a command.",
+        ),
+    ],
+) -> None:
+    """Options of every command, and names that can be given: keys of a spec, quantities, plots.
+
+    \b
+    afmcalc help options
+    afmcalc help quantities
+    """  # noqa: D301
+    if topic not in TOPICS:
+        hint = did_you_mean(topic, [*TOPICS, *COMMANDS])
+        raise AfmcalcError("no help on {topic!r:.80}{hint}; topics: {topics}", topic=topic, hint=hint, topics=[*TOPICS])
+    match topic:
+        case "options":
+            rows = _common_options()
+        case "keys":
+            rows = [*names_of("swept"), *names_of("path")]
+        case "quantities":
+            rows = names_of("target")
+        case _:
+            rows = names_of("plot")
+    _print(rows)
+
+
+def _common_options() -> Named:
+    """Return the options that commands share, each with its help, as the parser has them."""
+    options = [each for each in application(["torque"]).commands["torque"].params if each.name in COMMON]
+    rows = [(f"{', '.join(each.opts)} {each.metavar or ''}", each.help) for each in options]
+    return [*rows, ("--lang NAME", translate(LANG))]
+
+
+def _print(rows: Named) -> None:
+    """Print names in a column, with the meaning of each beside it."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    grid = Table.grid(padding=(0, 2))
+    for name, about in rows:
+        grid.add_row(Text(name, no_wrap=True), Text(about))
+    Console(width=width(), highlight=False).print(grid)
+
+
 def without_lang(arguments: list[str]) -> tuple[list[str], str]:
     """Return the arguments without the language, which may stand anywhere, and the last one asked for, if any."""
     kept, name = [], ""
@@ -197,7 +251,7 @@ def without_lang(arguments: list[str]) -> tuple[list[str], str]:
 
 def _complain(text: str) -> None:
     """Say what is wrong; a line of a text that is shown belongs to what was said before."""
-    tell(text if text.startswith(" ") else told("error: {text}", text=text))
+    tell(text if text.startswith(" ") else say("error: {text}", text=text))
 
 
 def _misused(error: Any, given: list[str]) -> int:
@@ -207,10 +261,10 @@ def _misused(error: Any, given: list[str]) -> int:
         return 2
     if context := getattr(error, "ctx", None):
         tell(context.get_usage())
-        tell(told("Try '{path} --help' for help.", path=context.command_path))
+        tell(say("Try '{path} --help' for help.", path=context.command_path))
     message = error.format_message().rstrip(".")
     if new := FORMER_OPTIONS.get(getattr(error, "option_name", "")):
-        message = told("{name} is no option any more; instead: {new}", name=error.option_name, new=new)
+        message = say("{name} is no option any more; instead: {new}", name=error.option_name, new=translate(new))
     _complain(message)
     return 2
 

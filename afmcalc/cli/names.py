@@ -1,9 +1,9 @@
-"""Names that can be given on a command line, each with its meaning: for the help and for completion in a shell."""
+"""Names that can be given on a command line, each with its meaning: for ``afmcalc help`` and completion in a shell."""
 
 from collections.abc import Callable
 from typing import TypeAlias
 
-from ..messages import translate
+from ..messages import native, translate
 
 Named: TypeAlias = list[tuple[str, str]]
 """Names, and the meaning of each."""
@@ -32,7 +32,6 @@ def names_of(kind: str) -> Named:
         case "target":
             from ..analysis.solve import is_quantity
             from ..equations.terms import TERMS
-            from ..render.symbols import native
 
             terms = {name: own for name, own in TERMS.items() if is_quantity(name)}
             about = {name: f"{native(own.symbol)}, {translate(own.meaning)}" for name, own in terms.items()}
@@ -40,8 +39,6 @@ def names_of(kind: str) -> Named:
     from ..spec.keys import ALIASES, keys
 
     if kind == "required":
-        from ..render.symbols import native
-
         judged = ((path, key) for path, key in keys().items() if path.startswith("requirements."))
         return [
             (path.partition(".")[2], f"{native(key.symbol or '')}, {translate(key.description).partition(',')[0]}")

@@ -1,4 +1,4 @@
-"""What every command shares: its options, reading the spec, running the calculation, printing its output."""
+"""Options of every command; reading the spec, running the calculation, printing its output."""
 
 import inspect
 import os
@@ -14,19 +14,16 @@ from typer import Argument, Option
 from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, need
-from ..messages import is_unicode, localized, say, told, translate
+from ..messages import is_unicode, localized, say
 from ..progress import Bar
-from .files import format_of, is_json_spec, refuse, write, write_file
+from .files import format_of, is_json_spec, refuse, tell, write, write_file
 from .names import completing
-from .streams import tell
 
 if TYPE_CHECKING:
     from ..engines import Clutch
     from ..findings import Finding
     from ..result import Output
     from ..spec import Spec
-
-LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
 
 SpecArgument = Annotated[
     str | None,
@@ -131,7 +128,7 @@ class Common:
     def note(self, text: str) -> None:
         """Print a note on standard error, unless ``--quiet``."""
         if not self.quiet:
-            tell(told("note: {text}", text=text))
+            tell(say("note: {text}", text=text))
 
     def source(self, given: str | None, of: str = "") -> str:
         """Return SPEC, or the default example of an analysis: of the command, or of what is plotted or explained."""
@@ -195,7 +192,7 @@ class Common:
         terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
         text = self._rendered(output, chosen, terminal)
         if self.default and chosen in ("table", "markdown"):
-            text = f"{translate(_no_spec(self.default))}\n\n{text}"
+            text = f"{_no_spec(self.default)}\n\n{text}"
         if chosen == "json" and self.output in (None, "-") and not is_unicode(sys.stdout):
             from ..render.formats import in_ascii
 

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 from typer import Option
 
 from ..errors import AfmcalcError, FileError, reason
-from ..messages import say, told
+from ..messages import say
+from .files import tell
 from .options import Common, SpecArgument, need_drawing, with_common
-from .streams import tell
 
 if TYPE_CHECKING:
     from ..spec import Spec
@@ -63,7 +63,7 @@ def serve(
 
     def ready() -> None:
         url = f"http://127.0.0.1:{port}/{token}/"
-        tell(told("note: {text}", text=say("serving {url}", url=url)))
+        tell(say("note: {text}", text=say("serving {url}", url=url)))
         sys.stderr.flush()
         if browser:
             Thread(target=webbrowser.open, args=[url], daemon=True).start()  # one of the terminal does not return
@@ -99,6 +99,6 @@ def _saver(common: Common, target: str) -> "Callable[[Spec], tuple[str, str]]":
             raise AfmcalcError("nothing to save to: start with --save FILE, or with --force to save to SPEC")
         common.save_spec(spec, {}, spec, target)
         common.force = True  # what was saved is saved over
-        return target, told("wrote {output}", output=target)
+        return target, say("wrote {output}", output=target)
 
     return save

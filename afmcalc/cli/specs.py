@@ -7,7 +7,7 @@ import typer
 from typer import Argument, Option
 
 from ..errors import AfmcalcError, SpecError
-from ..messages import say, translate
+from ..messages import native, say, translate
 from .files import refuse, write
 from .names import completing
 from .options import Common, ForceOption, QuietOption, SpecArgument, output_option, with_common
@@ -86,13 +86,14 @@ def _schema_of(kind: str | None) -> str:
 
 
 def _described(part: Any) -> Any:
-    """Return a part of a schema with its descriptions in the language of the user; names stay."""
+    """Part of a schema with descriptions and symbols in the language of the user; names stay."""
     if isinstance(part, list):
         return [_described(each) for each in part]
     if not isinstance(part, dict):
         return part
+    said = {"description": translate, "symbol": native}
     return {
-        name: translate(each) if name == "description" and isinstance(each, str) else _described(each)
+        name: said[name](each) if name in said and isinstance(each, str) else _described(each)
         for name, each in part.items()
     }
 

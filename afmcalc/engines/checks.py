@@ -1,4 +1,4 @@
-"""What a clutch has to hold: one list of checks, asked of numbers by ``check`` and of arrays by ``design``.
+"""Checks of a clutch: one list, asked of numbers by ``check`` and of arrays by ``design``.
 
 for check in checks_of(spec):                                       # with the requirements of the spec
     value, limit = check.value_of(clutch), check.limit_of(clutch)   # of Quantities, or of what a part tells
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, cast
 
 from ..equations.arrays import is_array
 from ..findings import FINDINGS, Finding, Level, finding
-from ..messages import measured, term
+from ..messages import measured, translate
 from ..spec.keys import keys
 from ..spec.lists import diameters
 from ..units import ENGINEER, ZEROS
@@ -304,8 +304,8 @@ def _failure(spec: "Spec", check: Check, known: Known, value: Any, limit: Any) -
     """Make the finding of a check; its sentence may name any quantity, the check and the material."""
     lining = spec.friction.linings.get(check.path or "")
     shown, required = apart(value, limit, check.unit)
-    words = {"name": term(check.name), "shown": shown, "required": required, "lining": lining and lining.name}
-    words["bound"] = term("at least") if check.least else term("at most")
+    words = {"name": translate(check.name), "shown": shown, "required": required, "lining": lining and lining.name}
+    words["bound"] = translate("at least") if check.least else translate("at most")
     fields = {field for _, field, _, _ in string.Formatter().parse(FINDINGS[check.code]) if field}
     named = {field: words[field] if field in words else known.get(field) for field in fields - _ALWAYS}
     return finding(check.code, check.level, value=value, limit=limit, path=check.path, **named)

@@ -1,4 +1,4 @@
-"""What a quantity of a clutch is sensitive to: elasticities by spec path, from one vectorised difference."""
+"""Elasticities of a quantity of a clutch by spec path, from one vectorised difference."""
 
 from typing import Any, NamedTuple
 

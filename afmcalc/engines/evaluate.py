@@ -5,7 +5,7 @@ from itertools import product
 
 from ..equations.arrays import Floats, Values
 from ..errors import AfmcalcError, SpecError
-from ..messages import joined, say
+from ..messages import say
 from ..spec import Spec, edit
 from ..spec.keys import is_whole
 from . import build
@@ -42,7 +42,7 @@ def evaluate(
             valid = edit.respecified(spec, corner)
             build(valid)
         except SpecError as error:
-            where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
+            where = ", ".join(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
             problems = [problem._replace(place=None) for problem in error.problems]
             raise SpecError(say("sweep at {where}", where=where), problems) from None
     size = max(array.size for array in arrays.values())

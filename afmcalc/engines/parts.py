@@ -1,4 +1,4 @@
-"""What a spring is to give, and what a part is to hold as that spring: rules as columns, for one part or many."""
+"""Demands on a spring, and the rules a part must hold as that spring: as columns, for one part or many."""
 
 import math
 from collections.abc import Iterator
@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple
 from ..equations import springs as law
 from ..equations.arrays import Values, chosen, is_array, logarithm, sin, smaller
 from ..findings import Finding, finding
-from ..messages import term
+from ..messages import translate
 from ..spec.catalogues import Disc
 from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Room
 from .adapter import Clutch
@@ -265,7 +265,7 @@ def _finding(path: str, missed: PartCheck) -> Finding:
     elif rule.code == "spring-beyond-range":
         share = LEAST_USED if rule.least else MOST_USED
         value, limit = value / limit * share, share
-    return finding(rule.code, rule.level, value=value, limit=limit, path=path, what=term(rule.name))
+    return finding(rule.code, rule.level, value=value, limit=limit, path=path, what=translate(rule.name))
 
 
 def _remarks(clutch: Clutch, demand: SpringDemand) -> Iterator[Finding]:

@@ -21,17 +21,17 @@ class Equation(NamedTuple):
     """``module.function``."""
     function: Callable[..., Any]
     summary: str
-    """What its docstring says before ``Source:``."""
+    """Summary: its docstring before ``Source:``."""
     source: str
-    """What follows ``Source:`` there."""
+    """Text after ``Source:`` there."""
     validity: str
-    """What follows ``Validity:``."""
+    """Text after ``Validity:``."""
     arguments: dict[str, Term]
     result: Term
 
     @property
     def about(self) -> str:
-        """What is calculated: the summary without its formula."""
+        """Name of the result: the summary without its formula."""
         return re.split("[,:;]", self.summary)[0].rstrip(".")
 
 

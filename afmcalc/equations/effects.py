@@ -1,4 +1,4 @@
-"""What the torque law neglects (handbook, chapter 13)."""
+"""Effects that the torque law neglects (handbook, chapter 13)."""
 
 
 def spline_share(spline_friction, friction, mean_radius, spline_radius):

@@ -1,4 +1,4 @@
-"""What the plate of a motor and the drawing of a shaft say of torque and strength (handbook, chapter 4)."""
+"""Torque and strength from the plate of a motor and the drawing of a shaft (handbook, chapter 4)."""
 
 import math
 

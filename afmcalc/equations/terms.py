@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Term(NamedTuple):
-    """What a quantity is called."""
+    """Symbol, unit and meaning of a quantity."""
 
     symbol: str
     """Symbol of the papers."""

@@ -97,12 +97,12 @@ def check_papers(papers: list[str]) -> None:
 
 
 def is_numbered(formula: Formula) -> bool:
-    """Whether the paper numbers the formula."""
+    """True if the paper numbers the formula."""
     return "unnumbered" not in formula.id
 
 
 def is_accounted(formula: Formula) -> bool:
-    """Whether a function implements the formula or an identity covers it."""
+    """True if a function implements the formula or an identity covers it."""
     return formula.function is not None or formula.covered_by is not None or formula.proof is not None
 
 

@@ -118,7 +118,7 @@ def _ends(pairs: int, margin: float, setting: float) -> tuple[float, float]:
 
 
 def _ratios(of: Callable[[float, float], float], pairs: Iterable[int] = PAIRS) -> list[float]:
-    """What is asked of T_max and T_min, second method over first."""
+    """Ratios of ``of(T_max, T_min)``, second method over first."""
     ends = [(_ends(z, _MARGIN, _MEAN), _ends(z, 1.0, _MIN)) for z in pairs]
     return [of(second[1], second[0]) / of(first[1], first[0]) for second, first in ends]
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..equations import accuracy, adjustment, direct, indirect, overload
 from ..equations.arrays import Values
-from ..messages import say, term
+from ..messages import say, translate
 from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
 
 _THRESHOLD: Any = adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"]
@@ -249,7 +249,7 @@ def p22() -> Found:
     thresholds = [float(_THRESHOLD(1, 1.6, 0.15, 0.33, margin)) for margin in (1.25, 1.5)]
     text = say(
         "rises: {rises}; {ends:.3f}; z > {thresholds:.3f}",
-        rises=term("yes" if rises else "no"), ends=ends, thresholds=thresholds,
+        rises=translate("yes" if rises else "no"), ends=ends, thresholds=thresholds,
     )  # fmt: skip
     return Found(text, verdict(rises and ends[0] < 0.1 and ends[1] < 0.2 and thresholds[1] < thresholds[0]))
 

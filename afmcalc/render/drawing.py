@@ -32,7 +32,7 @@ class Layer(NamedTuple):
     fill: float = 0.0
     """Opacity that its areas are filled with."""
     hides: bool = False
-    """Whether its areas hide what is painted before them: they are filled with the colour of the paper."""
+    """True if its areas hide what is painted before them: they are filled with the colour of the paper."""
 
     @property
     def face(self) -> str:
@@ -108,9 +108,9 @@ class Inscription(NamedTuple):
     anchor: str = "start"
     """``start``, ``middle`` or ``end``."""
     upright: bool = False
-    """Whether it reads from below upwards."""
+    """True if it reads from below upwards."""
     ours: bool = True
-    """Whether symbols in it are set as such; what a user wrote is set as it is."""
+    """True if symbols in it are set as such; what a user wrote is set as it is."""
     layer: str = "dimensions"
 
 

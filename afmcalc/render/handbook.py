@@ -8,7 +8,7 @@ from markdown_it.token import Token
 
 from .. import __version__
 from ..analysis.handbook import Entry, Handbook
-from ..messages import spoken, told, translate
+from ..messages import say, spoken, translate
 from ..papers.register import Misprint, misprints, references
 from ..units import typeset
 from .plot import sheet_of
@@ -18,8 +18,8 @@ from .report.blocks import Block, Document, Piece, Text, listed, piece, text, wh
 from .report.chapters import broken
 from .report.formulas import formula
 from .report.html import page
-from .report.markup import said
 from .report.page import figure_of
+from .report.pieces import said
 from .report.title import today
 from .symbols import value_latex
 from .units import measured, worded
@@ -32,8 +32,8 @@ def render(handbook: Handbook) -> str:
 
 def book(handbook: Handbook) -> Document:
     """Lay the handbook out."""
-    about = told("What afmcalc calculates and why: every formula is set from the function that calculates it.")
-    program, name = f"afmcalc {__version__}", told("Handbook")
+    about = say("What afmcalc calculates and why: every formula is set from the function that calculates it.")
+    program, name = f"afmcalc {__version__}", say("Handbook")
     cover = [blocks.Paragraph(text(about))]
     return Document(spoken(), program, program, name, cover, _Book(handbook).chapters(), name, today(), paper="book")
 
@@ -121,16 +121,16 @@ class _Book:
         ]
         lines = []
         if entry.worked:
-            example = piece("soft", told("In numbers, example:{example}", example=entry.example))
+            example = piece("soft", say("In numbers, example:{example}", example=entry.example))
             value = value_latex(measured(entry.value, equation.result.unit))
             lines = [([text(example)], [formula(broken(f"{entry.worked} = {value}"))])]
         notes = []
         if validity := translate(equation.validity):
-            notes.append(text(_strong(told("Validity:")), " ", self._linked(validity, equation.name)))
+            notes.append(text(_strong(say("Validity:")), " ", self._linked(validity, equation.name)))
         notes += [
             text(
                 *(
-                    _strong(told("Printed:")),
+                    _strong(say("Printed:")),
                     " ",
                     said(worded(place.id)),
                     ": ",
@@ -141,10 +141,10 @@ class _Book:
             for place in entry.printed
             if place.status == "mended"
         ]
-        proofs = when(entry.proofs, _strong(told("Proved by:")), " ", _codes(entry.proofs), "; ")
-        commands = _codes(entry.commands) if entry.commands else text(told("no command"))
-        by = text(_strong(told("Calculated by:")), " ", commands, "; ")
-        notes.append(text(proofs, by, _strong(told("Function:")), " ", piece("code", equation.name)))
+        proofs = when(entry.proofs, _strong(say("Proved by:")), " ", _codes(entry.proofs), "; ")
+        commands = _codes(entry.commands) if entry.commands else text(say("no command"))
+        by = text(_strong(say("Calculated by:")), " ", commands, "; ")
+        notes.append(text(proofs, by, _strong(say("Function:")), " ", piece("code", equation.name)))
         return blocks.Step(
             what=listed(what, " "),
             number=self.numbers[equation.name],
@@ -188,7 +188,7 @@ class _Book:
         if name in self.numbers:
             return piece("link", f"({self.numbers[name]})", f"formula-{self.numbers[name]}")
         if name.isdecimal():
-            return piece("link", told("chapter {number}", number=name), f"chapter-{name}")
+            return piece("link", say("chapter {number}", number=name), f"chapter-{name}")
         return piece("link", name if re.fullmatch(r"[MP]\d+", name) else f"[{name}]", name)
 
     def _notation(self) -> blocks.Table:
@@ -234,12 +234,12 @@ def _misprint(entry: Misprint) -> blocks.Step:
     status = [translate(entry.status, "value") + (f" {entry.repeats}" if entry.repeats else "")]
     status += [translate(entry.certainty, "value")] if entry.certainty != entry.status else []
     quote = when(entry.quote, piece("q", said(entry.quote or "", False)))
-    printed = [text(_strong(told("Printed") + ":")), said(translate(entry.printed), False), quote]
-    reading = when(entry.reading, ". ", _strong(told("Right if read as:")), " ", said(translate(entry.reading or "")))
+    printed = [text(_strong(say("Printed") + ":")), said(translate(entry.printed), False), quote]
+    reading = when(entry.reading, ". ", _strong(say("Right if read as:")), " ", said(translate(entry.reading or "")))
     notes = [
         listed(printed, " "),
-        *([text(_strong(told("Should be:")), " ", said(translate(entry.correct)))] if entry.correct != "–" else []),
-        text(_strong(told("Why") + ":"), " ", said(translate(entry.why)), reading),
+        *([text(_strong(say("Should be:")), " ", said(translate(entry.correct)))] if entry.correct != "–" else []),
+        text(_strong(say("Why") + ":"), " ", said(translate(entry.why)), reading),
     ]
     what = text(_strong(entry.id), " ", said(translate(entry.where)), " ", piece("sources", f"[{'; '.join(status)}]"))
     return blocks.Step(what, notes=notes, key=entry.id)
@@ -251,7 +251,7 @@ _BLOCK = re.compile(r"\{(equation|misprint|figure|plot|list) ([^{}]+)\}")
 
 
 def _blocks_of(token: Token) -> list[tuple[str, str]]:
-    """What the program puts in the place of a paragraph; nothing where it is one of prose."""
+    """Content that the program puts in the place of a paragraph; nothing where it is one of prose."""
     lines = [_BLOCK.fullmatch(line.strip()) for line in token.content.splitlines()]
     return [(line[1], line[2]) for line in lines if line] if all(lines) else []
 

@@ -5,11 +5,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import compress
 from typing import Any, NamedTuple
 
-from ..findings import Finding, told_once
-from ..messages import named, printable, term, told, translate, with_unit
+from ..findings import Finding
+from ..messages import named, native, printable, say, translate, with_unit
 from ..result import Output
 from .document import ENDS, Column, Document, Table
-from .symbols import native
 from .units import display, display_unit, estimate, headed, in_numbers, measured, worded
 
 
@@ -20,7 +19,7 @@ class TextTable(NamedTuple):
     header: list[str]
     rows: list[list[str]]
     numeric: list[bool]
-    """Whether each column is set flush right."""
+    """True if each column is set flush right."""
     source: Table | None = None
     legend: str = ""
     """Line above the table: what is the same in all rows."""
@@ -43,10 +42,10 @@ def lead(output: Output) -> str:
         for row in output.result.clutches:
             variant = translate(row.variant, "value")
             name = f"{variant}, {worded(row.basis)}" if row.basis else printable(named(row.name) or variant)
-            lines[f"{name}: {translate(row.sentence)}"] = None
+            lines[f"{name}: {row.sentence}"] = None
         return "\n".join(lines)
     checked = output.result if output.command == "check" else getattr(output.result, "verdict", None)
-    return "" if checked is None else translate(checked.verdict.sentence)
+    return "" if checked is None else checked.verdict.sentence
 
 
 def blocks(laid_out: Document) -> list[TextTable]:
@@ -149,7 +148,7 @@ def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
             same.append(f"{name} = {with_unit(text, display_unit(column.unit))}")
         else:
             kept.append(column)
-    return kept, told("the same in all: {list}", list="; ".join(same)) if same else ""
+    return kept, say("the same in all: {list}", list="; ".join(same)) if same else ""
 
 
 _NUMBER = re.compile(r"(\(?[-−]?\d+(?:\xa0\d{3})*|–)(.*)")
@@ -202,7 +201,7 @@ def step_lines(laid_out: Document) -> list[str]:
     """Lines of an explanation, for each step: name, formula, numbers, value with source, and how the print differs."""
     lines = []
     for step in laid_out.steps:
-        at = told(" at {place}", place=in_numbers(translate(step.at))) if step.at else ""
+        at = say(" at {place}", place=in_numbers(step.at)) if step.at else ""
         at = ", ".join([at, *told_apart(step, laid_out.steps)])
         symbol = native(step.symbol)
         lines += ["", f"{symbol}{at}: {translate(step.name)}", f"    {symbol} = {in_numbers(step.formula)}"]
@@ -211,7 +210,7 @@ def step_lines(laid_out: Document) -> list[str]:
             lines.append(f"{indent}= {in_numbers(step.substituted)}")
         lines.append(f"{indent}= {measured(step.value, step.unit)}    [{translate(step.source).rstrip('.')}]")
         if step.print_differs:
-            lines.append(told("    print differs: {what}", what=term(step.print_differs)))
+            lines.append(say("    print differs: {what}", what=step.print_differs))
     return lines
 
 
@@ -219,7 +218,7 @@ def told_apart(step: Any, steps: Sequence[Any]) -> list[str]:
     """Setting of the spring and side of a step, where steps of the same quantity differ in them."""
     alike = [other for other in steps if (other.function, other.symbol) == (step.function, step.symbol)]
     names = [name for name in _APART if len({getattr(other, name) for other in alike}) > 1]
-    return [told(_APART[name][value]) for name in names if (value := getattr(step, name))]
+    return [translate(_APART[name][value]) for name in names if (value := getattr(step, name))]
 
 
 _APART: Mapping[str, Mapping[str, str]] = {
@@ -234,8 +233,8 @@ def ranked(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def findings_lines(findings: Iterable[Finding]) -> list[str]:
-    """One line per finding, gravest first; what several clutches have is told once."""
+    """One line per finding, gravest first."""
     return [
-        printable(f"{translate(f.level, 'value')}: {translate(f.message)} [{f.code}{', ' + f.path if f.path else ''}]")
-        for f in told_once(ranked(findings))
+        printable(f"{translate(f.level, 'value')}: {f.message} [{f.code}{', ' + f.path if f.path else ''}]")
+        for f in ranked(findings)
     ]

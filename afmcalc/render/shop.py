@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from ..analysis.section import ClutchSection
 from ..analysis.shop import ShopDrawing
-from ..messages import localized, named, told, translate
+from ..messages import localized, named, say, translate
 from ..spec import Spec
 from ..spec.models import ShopNotes, TitleBlock
 from .drawing import (
@@ -53,9 +53,9 @@ class ShopSheet:
         """Reserve what title block and notes need: of the spec, as ``said``, and ``below`` without numbers."""
         shop = spec.drawing or ShopNotes()
         told_first = [
-            shop.hardness and told("hardness of the pocket walls {hardness}", hardness=shop.hardness),
+            shop.hardness and say("hardness of the pocket walls {hardness}", hardness=shop.hardness),
             shop.tolerance
-            and told(
+            and say(
                 "limit deviations of dimensions that show none: {tolerance}; the same for the division, along the ball "
                 "circle, and for wall angles, across the wall",
                 tolerance=shop.tolerance,
@@ -138,24 +138,24 @@ def notes(drawing: ShopDrawing) -> list[str]:
     """Texts that stand beside a drawing."""
     ball = drawing.synthesis
     if ball.wall_angle_max is None:
-        wall = told("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
+        wall = say("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
     else:
-        wall = told(
+        wall = say(
             "curved wall, angle to the axis {angle:.4f deg} at the stop, {most:.4f deg} at x = {travel:.4f mm}; "
             "chords within {chord:g mm}",
             angle=ball.wall_angle, most=ball.wall_angle_max, travel=ball.travel_max, chord=drawing.chord,
         )  # fmt: skip
     return [
-        told("{name}: pocket, cylindrical section at the ball circle, radius {radius:.4f mm}, unrolled; mm, sleeves at "
+        say("{name}: pocket, cylindrical section at the ball circle, radius {radius:.4f mm}, unrolled; mm, sleeves at "
             "the stop", name=named(drawing.name), radius=ball.ball_circle_radius),
-        told(
+        say(
             "pocket {width:.4f mm} wide at the face, cut to {depth:.4f mm}; ball {ball:.4f mm}, gap {gap:g mm}",
             width=ball.pocket_width, depth=ball.pocket_depth_cut, ball=ball.ball_diameter, gap=ball.face_gap,
         ),
-        *([told("{ball}, of a grade for the designer to set", ball=ball.ball_designation)]
+        *([say("{ball}, of a grade for the designer to set", ball=ball.ball_designation)]
             if ball.ball_designation else []),
         wall,
-        told("relief under the ball {groove:.4g mm} wide and {relief:g mm} deep, corners R {corner:g mm} at most: "
+        say("relief under the ball {groove:.4g mm} wide and {relief:g mm} deep, corners R {corner:g mm} at most: "
             "the ball touches the walls only", groove=drawing.sleeve.groove, relief=drawing.sleeve.relief,
             corner=drawing.sleeve.relief / 2),
     ]  # fmt: skip
@@ -170,7 +170,7 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     (back, side), outer = contours["sleeve_1"][-1], sleeve.outer_diameter * 1e3
     said, near = notes(drawing), unit.edge_clearance_standard
     said += [
-        told(
+        say(
             "1 mm around the ball circle is {turn:.5g deg} of a turn: walls and grooves run towards the axis, from "
             "the rim to R {end:.5g mm}",
             turn=1e-3 / unit.ball_circle_radius, end=sleeve.pocket_end,
@@ -182,7 +182,7 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     ]  # fmt: skip
     if near is not None and near > 0:
         said.append(
-            told(
+            say(
                 "edges of the pockets at the face broken by {most:.2g mm} at most: the ball touches as near as "
                 "{near:.3g mm}",
                 most=near / 5, near=near,
@@ -212,11 +212,11 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     shapes += _section_dimensions(sheet, drawing, contours)
     x = _LEFT + 52 + float(own) * outer / 2
     shapes += _end_view(sheet, drawing, sheet.at(x, middle), float(own / sheet.scale))
-    title = told("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
+    title = say("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
     shapes.append(Inscription(title, (0.0, side + 30 * sheet.unit), _TITLE_TEXT * sheet.unit, "middle"))
-    title = told("Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
+    title = say("Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
     if unit.wall is not None:
-        title = told("Sleeve 1 ({scale})", scale=_stated(own))
+        title = say("Sleeve 1 ({scale})", scale=_stated(own))
     shapes.append(Inscription(title, sheet.at(_LEFT + 8, _HIGH - 15), _TITLE_TEXT * sheet.unit))
     return sheet.drawing(shapes)
 
@@ -305,8 +305,8 @@ def section(clutch: ClutchSection, spec: Spec) -> Drawing:
     shop = spec.drawing or ShopNotes()
     mass = localized(f"{sum(part.row.mass for part in clutch.parts.values()):.3g}")
     of_sleeves = (
-        shop.material and told("material of the sleeves with pockets {material}", material=shop.material),
-        shop.roughness and told("roughness of the pocket walls {roughness}", roughness=shop.roughness),
+        shop.material and say("material of the sleeves with pockets {material}", material=shop.material),
+        shop.roughness and say("roughness of the pocket walls {roughness}", roughness=shop.roughness),
     )
     sheet = ShopSheet(spec, page.title, [*filter(None, of_sleeves), page.caption], mass=mass)
     left, low, right, high = drawing.frame

@@ -1,4 +1,4 @@
-"""What is bought: the disc springs of DIN EN 16983 and friction materials, each with its source."""
+"""Catalogues of bought parts: disc springs of DIN EN 16983 and friction materials, each with its source."""
 
 import re
 import tomllib

@@ -1,9 +1,9 @@
-"""What a key of a spec may be called: its path, its name, its symbol in the papers; and what stands at its path."""
+"""Names of the keys of a spec: path, name, symbol in the papers; and the key at a path."""
 
 from collections import Counter
 from functools import cache
 
-from ..messages import joined, plain, say
+from ..messages import latin, say
 from .fields import Key, Quantity, keys_below
 from .models import Spec
 from .tolerance import scattering
@@ -46,7 +46,7 @@ def path_of(name: str) -> str | None:
     ('control_unit.gain', 'friction_group.driving_pairs', None)
     """
     name = name.strip()
-    return names().get(plain(name)) if len(name) <= 100 else None
+    return names().get(name) if len(name) <= 100 else None
 
 
 @cache
@@ -57,7 +57,8 @@ def names() -> dict[str, str]:
     tables = Spec.model_fields
     for pairs in ([(key.symbol, key.path) for key in of_clutch], [(_last(key.path), key.path) for key in of_clutch]):
         times = Counter(name for name, _ in pairs)
-        paths |= {plain(name): path for name, path in pairs if name and times[name] == 1 and name not in tables}
+        of_one = ((name, path) for name, path in pairs if name and times[name] == 1 and name not in tables)
+        paths |= {spelled: path for name, path in of_one for spelled in (latin(name), name)}
     return paths | ALIASES | {path: path for path in keys()}
 
 
@@ -66,7 +67,7 @@ def elsewhere(name: str) -> str:
     paths = [path for path in keys() if _last(path) == name]
     if not paths and (path := path_of(name)):
         paths = [path]
-    return say("; did you mean {paths}?", paths=joined(paths, say(" or "))) if paths else ""
+    return say("; did you mean {paths}?", paths=say(" or ").join(paths)) if paths else ""
 
 
 def _last(path: str) -> str:

@@ -1,4 +1,4 @@
-"""What a clutch is, and what stands around it: the pydantic models of a spec (contract, Spec). SI inside."""
+"""Models of a spec (pydantic): the clutch, and what stands around it. SI inside."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -317,7 +317,7 @@ class CoilSprings(RuledBlock):
 
 
 class _Spring(RuledBlock):
-    """What both springs may say of the part."""
+    """Keys of the part that both springs share."""
 
     room: Room | None = None
     disc: DiscStack | None = None
@@ -423,7 +423,7 @@ class Motor(Block):
 
 
 class Event(Block):
-    """What makes the clutch slip, at t = 0."""
+    """Event at t = 0 that makes the clutch slip."""
 
     kind: EventKind = required(
         "what happens to the tool; stop: it is stopped in stop_time; load: its load rises to torque within rise_time"
@@ -568,7 +568,7 @@ def around_the_shaft(source: Any) -> Iterable[Broken]:
 
 
 class Required(RuledBlock):
-    """What a clutch is to hold; each key is a row of ``check`` and of the report, and what ``design`` searches by."""
+    """Requirements; each key is a row of ``check`` and of the report, and a constraint of ``design``."""
 
     nominal_torque: Torque | None = key("nominal torque of the clutch, at least", "T_н")
     machine_torque: Torque | None = key(
@@ -614,7 +614,7 @@ SheetForm = Literal["calculation", "report"]
 
 
 class TitleBlock(Block):
-    """What stands in the title block of a report or a drawing; each is text."""
+    """Entries of the title block of a report or a drawing; each is text."""
 
     project: Entry | None = key("project the clutch belongs to")
     drawing: Entry | None = key("number of the drawing")
@@ -631,7 +631,7 @@ class TitleBlock(Block):
 
 
 class ShopNotes(Block):
-    """What a shop needs beside the dimensions of a drawing; each is text, for the title block and the notes."""
+    """Notes of a drawing for the shop, beside its dimensions; each is text."""
 
     tolerance: Entry | None = key("limit deviations of the dimensions that show none, such as ±0.02 mm")
     roughness: Entry | None = key("roughness of the pocket walls, such as Ra 0.8")

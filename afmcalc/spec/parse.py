@@ -10,10 +10,10 @@ from os import PathLike
 from pathlib import Path
 
 from ..errors import AfmcalcError, FileError, Place, Problem, SpecError, reason
-from ..messages import did_you_mean, say
+from ..messages import deferred, did_you_mean, say, translate
 from .source import Source
 
-_STANDARD_INPUT = say("standard input")
+_STANDARD_INPUT = deferred("standard input")
 PREFIX = "example:"
 """Prefix that makes the name of an example a source."""
 
@@ -53,10 +53,14 @@ MOST_ITEMS = 100_000
 """Items in all lists."""
 DEEPEST = 32
 """Tables and lists inside each other, and parts of a dotted key."""
-TOO_DEEP = say("is nested more than {most} levels deep", most=DEEPEST)
 MOST_BITS = 1024
 """Of a whole number: what a real one can hold."""
 _LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){{{DEEPEST}}}"""
+
+
+def too_deep() -> str:
+    """Refusal of what is nested too deep."""
+    return say("is nested more than {most} levels deep", most=DEEPEST)
 
 
 def text_of(source: str | PathLike[str] | None) -> Source:
@@ -70,7 +74,7 @@ def text_of(source: str | PathLike[str] | None) -> Source:
 def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
     """Return what is in the file of a spec, and what to call it in messages; the errors are those of ``text_of``."""
     source = f"{PREFIX}default" if source is None else source
-    label = _STANDARD_INPUT if source == "-" else str(source)
+    label = translate(_STANDARD_INPUT) if source == "-" else str(source)
     if label.startswith(PREFIX):
         return example_text(label.removeprefix(PREFIX)).encode(), label
     try:
@@ -129,7 +133,7 @@ def parse(source: Source) -> dict[str, object]:
     try:
         data = _json_of(source) if is_json(source) else toml_of(source)
     except RecursionError:
-        raise _refused(source, TOO_DEEP) from None
+        raise _refused(source, too_deep()) from None
     check_size(data, source)
     return data
 
@@ -195,7 +199,7 @@ def check_size(data: object, label: str) -> None:
     while left:
         path, depth, value = left.pop()
         if depth > DEEPEST:
-            raise _refused(label, TOO_DEEP)
+            raise _refused(label, too_deep())
         if isinstance(value, dict):
             if (keys := keys + len(value)) > MOST_KEYS:
                 raise _refused(label, say("has more than {most:,} keys", most=MOST_KEYS))

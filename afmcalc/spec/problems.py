@@ -1,4 +1,4 @@
-"""What is wrong with plain data, said for people: path, value as written, what is allowed."""
+"""Problems of plain data, in sentences for people: path, value as written, what is allowed."""
 
 import json
 import math

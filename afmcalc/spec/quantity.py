@@ -8,7 +8,7 @@ from decimal import Decimal
 from functools import cache
 
 from ..findings import Finding, finding
-from ..messages import Text, did_you_mean, joined, say, term
+from ..messages import deferred, did_you_mean, filled, say, translate
 from ..units import BASES, ZEROS, UnknownUnitError, product, words
 
 EXAMPLES = {
@@ -25,7 +25,7 @@ EXAMPLES = {
 }  # fmt: skip
 """SI unit of a field → the quantity, and an example of a value."""
 
-_FOREIGN = {"J": say("an energy"), "m^2": say("an area"), "K": say("a temperature difference")}
+_FOREIGN = {"J": deferred("an energy"), "m^2": deferred("an area"), "K": deferred("a temperature difference")}
 """SI unit of a dimension that no field has → name of the quantity."""
 
 _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН", "мм", "см", "МПа", "мс", "кг")
@@ -35,12 +35,10 @@ _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН"
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 """A number as it is read."""
 
-_CYRILLIC = str.maketrans("ABEKMHOPCTXacekmop", "АВЕКМНОРСТХасекмор")
-
 
 def wrong(template: str, unit: str, **values: object) -> ValueError:
     """Return an error about a field of the SI unit ``unit``; it fills ``kind`` and ``allowed`` of the template."""
-    return ValueError(Text(template, {"kind": term(EXAMPLES[unit][0]), "allowed": allowed(unit), **values}))
+    return ValueError(filled(template, {"kind": translate(EXAMPLES[unit][0]), "allowed": allowed(unit), **values}))
 
 
 @cache
@@ -52,11 +50,6 @@ def factor(text: str, unit: str) -> Decimal:
     try:
         given = product(text)
     except UnknownUnitError as error:
-        meant = text.translate(_CYRILLIC)  # of letters of two alphabets, or of the wrong one
-        if _fits(meant, unit):
-            latin = product(meant).latin
-            hint = say("; write {latin!r}, or {meant!r} in Cyrillic letters alone", latin=latin, meant=meant)
-            raise ValueError(say("unknown unit {text!r}{hint}", text=text, hint=hint)) from None
         (word,) = error.args
         near = did_you_mean(word, [name for name in (*_COMMON, *words()) if _fits(text.replace(word, name), unit)])
         raise wrong("unknown unit {names!r}{hint}; {allowed}", unit, names=word, hint=near) from None
@@ -67,12 +60,12 @@ def factor(text: str, unit: str) -> Decimal:
     if unit == "rad/s" and given == product("1/min")._replace(latin=given.latin):
         return product("rpm").factor  # a speed of rotation in 1/min is one of revolutions; in 1/s it could be either
     kinds = {si: kind for si, (kind, _) in EXAMPLES.items() if si not in ("1", "K abs")} | _FOREIGN
-    other = next((term(kind) for si, kind in kinds.items() if product(si).exponents == given.exponents), None)
+    other = next((translate(kind) for si, kind in kinds.items() if product(si).exponents == given.exponents), None)
     if other is None:
         powers = [(base, power) for base, power in zip(BASES, given.exponents, strict=True) if power]
-        bases = ((term(base, "unit"), power) for base, power in powers)
+        bases = ((translate(base, "unit"), power) for base, power in powers)
         raised = [base if power == 1 else say("{base}^{power}", base=base, power=power) for base, power in bases]
-        dimension = joined(raised, "*") if raised else "1"
+        dimension = "*".join(raised) if raised else "1"
         other = say("of dimension {dimension}", dimension=dimension)
     raise wrong("{text} is {other}, not {kind}; {allowed}", unit, text=text, other=other)
 
@@ -89,10 +82,10 @@ def allowed(unit: str) -> str:
     """Say what may stand in a field of the SI unit ``unit``."""
     kind, example = EXAMPLES[unit]
     if unit == "1":
-        return say("give {kind} such as {example}", kind=term(kind), example=example)
+        return say("give {kind} such as {example}", kind=translate(kind), example=example)
     return say(
         'give {kind}: a number in SI ({unit}) or a string with a unit such as "{example}"',
-        kind=term(kind), unit=term(unit, "unit"), example=example,
+        kind=translate(kind), unit=translate(unit, "unit"), example=example,
     )  # fmt: skip
 
 

@@ -52,7 +52,7 @@ def data_of(source: Source, overrides: Overrides) -> tuple[dict[str, object], So
     what programs write, in SI: there only an override may be meant otherwise.
     """
     data = parse(source)
-    _locate(data, source.name)
+    _locate(data, source)
     changed = apply_overrides(data, overrides) if overrides else {}
     _locate(data, "")
     in_si, known = is_json(source), keys_below(Spec)
@@ -66,7 +66,7 @@ def data_of(source: Source, overrides: Overrides) -> tuple[dict[str, object], So
                 questions += [asked_unit(number, key.unit, path) for number in numbers if not isinstance(number, str)]
             except ValueError as error:
                 broken.append((path, str(error)))
-    by = "--set" if source.name.startswith(PREFIX) else ""
+    by = "--set" if source.startswith(PREFIX) else ""
     return data, Source(source, source.text, dict.fromkeys(changed, by), filter(None, questions)), broken
 
 

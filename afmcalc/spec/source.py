@@ -24,7 +24,6 @@ class Source(Label):
     ) -> "Source":
         """Name a text."""
         source = str.__new__(cls, label)
-        source.name = label.name if isinstance(label, Source) else label
         source.text, source.overridden, source.findings = text, dict(overridden or {}), tuple(findings)
         return source
 
@@ -32,11 +31,11 @@ class Source(Label):
         """The same text, with other values at some paths."""
         gone = dict.fromkeys(paths, "")
         findings = (finding for finding in self.findings if finding.path not in gone)
-        return Source(self.name, self.text, {**self.overridden, **gone}, findings)
+        return Source(self, self.text, {**self.overridden, **gone}, findings)
 
     def origin(self, path: str) -> str:
         """Origin of the value at a dotted path: the text, or an option of the command line."""
-        return next((by for gone, by in self.overridden.items() if f"{path}.".startswith(f"{gone}.")), "") or self.name
+        return next((by for gone, by in self.overridden.items() if f"{path}.".startswith(f"{gone}.")), "") or self
 
     def place(self, path: str) -> Place | None:
         """Line of the key at a dotted path; of a missing one, that of the table that lacks it."""

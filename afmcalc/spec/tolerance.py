@@ -53,7 +53,7 @@ class Distribution(Block):
 
 
 class Tolerance(Block):
-    """What scatters, and how it is calculated."""
+    """Fields that scatter, and the method of the calculation."""
 
     setting: Setting = key(
         "how the springs of a sample are set; as-made: for the nominal clutch, and held; each-adjusted: on the bench",

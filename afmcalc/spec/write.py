@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from decimal import Decimal
 from typing import Any
 
-from ..messages import named, translate
+from ..messages import named, native, translate
 from ..units import ENGINEER, ZEROS, product
 from .keys import keys, scatter_at
 from .quantity import parse_quantity
@@ -36,7 +36,7 @@ def to_toml(data: Mapping[str, object], about: str = "") -> str:
         if line.startswith("["):
             table = line.strip("[]") + "."
         key = keys().get(table + line.partition(" = ")[0])
-        words = [key.symbol, re.split(r"; | \(", key.description)[0]] if key else []
+        words = [native(key.symbol or ""), re.split(r"; | \(", key.description)[0]] if key else []
         text = ", ".join(filter(None, words))
         lines.append(f"{line:<{_COMMENT - 1}} # {text}" if text else line)
     return "\n".join(lines) + "\n"

@@ -1,4 +1,4 @@
-"""What a page is shown: fragments of HTML, from the functions that the commands ask."""
+"""Answers to the page: fragments of HTML, from the functions that the commands ask."""
 
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
@@ -20,7 +20,7 @@ from ..analysis.registry import ANALYSES
 from ..analysis.sweep import parse_axis
 from ..engines import build
 from ..errors import AfmcalcError, CalculationError
-from ..messages import localized, told, translate
+from ..messages import localized, native, say, translate
 from ..render.document import Column, document
 from ..render.layout import TextTable, blocks, cells, ranked
 from ..render.plot import sheet_of
@@ -30,7 +30,6 @@ from ..render.report import Subject, render
 from ..render.report.chapters import chapters
 from ..render.report.html import drawing
 from ..render.report.title import text_as_given, title_block
-from ..render.symbols import native
 from ..render.units import display_unit
 from ..result import Result
 from ..spec import Spec, make_spec, resolved, to_toml
@@ -42,7 +41,7 @@ from .filled import template
 from .form import Base, State, editable, refusal
 
 Job = Mapping[str, Any]
-"""What is asked: its ``name``, the state ``pinned``, ``options`` of a tab, number of the ``first`` base to make."""
+"""Question: its ``name``, the state ``pinned``, ``options`` of a tab, number of the ``first`` base to make."""
 Answer = dict[str, Any]
 _MOST = 20
 """Clutches of a front that are shown, each to be loaded."""
@@ -173,7 +172,7 @@ def search_of(spec: Spec) -> str:
 
 def _design(state: State, job: Job) -> Answer:
     """Search around a clutch; each clutch of the front that is shown is a base to go on from."""
-    source = Source(told("search"), job["options"].get("requirements", ""))
+    source = Source(say("search"), job["options"].get("requirements", ""))
     try:
         given = parse(source)
         if others := given.keys() - {"objectives", "requirements", "search"}:
@@ -184,7 +183,7 @@ def _design(state: State, job: Job) -> Answer:
         return refusal(error, "requirements")
     front = shown(result, None, _MOST)
     bases = [
-        Base(told("number {pick} of the front", pick=row.number), to_toml(resolved(candidate(spec, row.changes))), "-")
+        Base(say("number {pick} of the front", pick=row.number), to_toml(resolved(candidate(spec, row.changes))), "-")
         for row in front.front
     ]
     numbers = [job["first"] + number for number in range(len(bases))]
@@ -192,7 +191,7 @@ def _design(state: State, job: Job) -> Answer:
     table = next((each for each in tables if each.source and each.source.path == "front"), none)
     notes = [line for line in (table.legend, table.meanings) if line]
     if len(result.front) > len(front.front):
-        notes.append(told("{top} of {count} shown; --top {count} shows all", top=_MOST, count=len(result.front)))
+        notes.append(say("{top} of {count} shown; --top {count} shows all", top=_MOST, count=len(result.front)))
     number = 2 + list(_ANSWERS).index("design")
     drawn = len({*result.objectives}) > 1 and result.front
     figures = [_drawn(sheet_of("pareto", ParetoFigure(spec.name, result)), number)] if drawn else []

@@ -82,7 +82,7 @@ class Gate:
 
 
 class Page:
-    """What is served: one clutch and those that a design gave, changed by forms; it keeps nothing else."""
+    """State of the server: one clutch and those that a design gave, changed by forms; it keeps nothing else."""
 
     def __init__(self, base: Base, requirements: str, units: str, target: str, save: Callable[[Any], Any]) -> None:
         """Serve a clutch, and a search around it; ``target``: what ``save`` writes, if anything."""

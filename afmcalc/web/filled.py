@@ -6,11 +6,11 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from markupsafe import Markup
 
-from ..messages import printable, told, translate
+from ..messages import printable, say, translate
 from ..render.report.blocks import Block
 from ..render.report.html import fragment, inline
-from ..render.report.markup import cell, said
 from ..render.report.page import findings_of, judged, quantities
+from ..render.report.pieces import cell, said
 from ..render.report.words import titled
 
 
@@ -33,7 +33,7 @@ def template(name: str) -> Template:
         "translate": translate,
     }
     environment.globals.update(
-        _=told, set=_set, titled=titled, judged=judged, quantities=quantities, findings_of=findings_of
+        _=say, set=_set, titled=titled, judged=judged, quantities=quantities, findings_of=findings_of
     )
     return environment.get_template(name)
 

@@ -109,7 +109,7 @@ def test_a_missing_file_names_the_nearest_and_a_file_alone_the_command(afmcalc, 
 
 
 def test_a_key_is_named_by_name_symbol_or_path_and_solve_takes_both_orders(answered):
-    for name, target in (("C", "accuracy_factor"), ("gain", "К_т"), ("control_unit.gain", "K_t"), ("С", "K_т")):
+    for name, target in (("C", "accuracy_factor"), ("gain", "K_т"), ("control_unit.gain", "K_T")):
         for words in ((f"{target}=2", "example:default"), ("example:default", f"{target}=2")):
             result = answered("solve", *words, "--for", name, "--json").json["result"]
             assert (result["path"], result["target"]) == ("control_unit.gain", "accuracy_factor")
@@ -219,12 +219,9 @@ def test_a_temperature_without_a_unit_asks_for_degrees(afmcalc):
     assert "at least 173.15\n" in afmcalc("torque", "-", stdin=BASE + '[heat]\nambient = "20 K"\n').err
 
 
-def test_letters_are_compared_as_what_they_look_like():
+def test_the_nearest_known_word_is_suggested():
     for word, known, said in REFUSED["meant"]:
         assert did_you_mean(word, known.split()) == said
-    for seen, meant in zip("АВЕКМНОРСТХавекморстх", "ABEKMHOPCTXabekmopctx", strict=True):
-        assert did_you_mean(f"{seen}1", [f"{meant}1"]) == f"; did you mean '{meant}1' (all Latin)?"
-        assert did_you_mean(f"wall_{seen}1", [f"wall_{meant}2"]) == f"; did you mean 'wall_{meant}2'?"
 
 
 def test_a_nominal_torque_takes_the_place_of_both_springs():

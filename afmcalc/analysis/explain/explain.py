@@ -17,9 +17,9 @@ from ...equations.catalogue import Equation, equation_of
 from ...equations.terms import CASES, Term, quantity_of, term_of
 from ...errors import AfmcalcError
 from ...findings import Finding
-from ...messages import did_you_mean, joined, say, term
+from ...messages import did_you_mean, native, say, translate
 from ...papers.register import register
-from ...result import Answer, Result, Sentence, described
+from ...result import Answer, Result, described
 from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
@@ -32,7 +32,7 @@ class Step(Result):
     symbol: str = described("symbol")
     symbol_latex: str = described("symbol, LaTeX")
     name: str = described("what it is")
-    at: Sentence | None = described("friction it is for", optional=True)
+    at: str | None = described("friction it is for", optional=True)
     setting: Method | None = described("how the spring is set", optional=True)
     side: str | None = described("side of the clutch that the load is on", optional=True)
     formula: str = described("formula")
@@ -40,7 +40,7 @@ class Step(Result):
     value: float = described("value, SI")
     unit: str = described("SI unit")
     source: str = described("source")
-    print_differs: Sentence | None = described("what the paper prints instead", optional=True)
+    print_differs: str | None = described("what the paper prints instead", optional=True)
     note: str | None = described("note", optional=True)
     function: str = described("equation function that ran")
     formula_latex: str = described("formula, LaTeX")
@@ -170,37 +170,43 @@ _SETTINGS: dict[str, Method] = {"by_min": "min-friction", "by_mean": "mean-frict
 
 def _circumstance(cases: str) -> Circumstance:
     words = [case for case, word in CASES.items() if word and case in cases.split()]
-    at = [term(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
+    at = [translate(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
     setting = next((_SETTINGS[case] for case in words if case in _SETTINGS), None)
-    return Circumstance(joined(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
+    return Circumstance(", ".join(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
 
 
 def _formula_text(step: NotedStep, *, special: bool = True) -> FormulaText:
     """Return the formula of a step and its numbers; ``special``: with the symbols of what stands for its arguments."""
     terms = _equation(step).arguments
-    symbols = {name: own.symbol for name, own in terms.items()}
+    symbols = {name: translate(own.symbol) for name, own in terms.items()}
     if special:
-        symbols |= {name: term_of(one).symbol for name, one in step.arguments.items()}
+        symbols |= {name: translate(term_of(one).symbol) for name, one in step.arguments.items()}
     return FormulaText(step.law, symbols, step.values, {name: own.unit for name, own in terms.items()})
 
 
 def _print_differs(function: str) -> str:
     """Text that the papers print in the place of an equation."""
     said = [
-        say("{id} prints {printed} ({misprint})", id=term(one.id), printed=term(one.printed), misprint=one.misprint)
+        say(
+            "{id} prints {printed} ({misprint})",
+            id=translate(one.id),
+            printed=translate(one.printed),
+            misprint=one.misprint,
+        )
         for one in register()
         if function in (one.function or "").split() and one.status == "mended" and one.printed
     ]
-    return joined(said, "; ")
+    return "; ".join(said)
 
 
 def _step(step: NotedStep) -> Step:
     equation, formula, case = _equation(step), _formula_text(step), _circumstance(step.case)
     result = _result(step)
     return Step(
-        symbol=result.symbol, symbol_latex=symbol_latex(result.symbol), name=result.meaning or equation.about,
-        at=case.at, setting=case.setting, side=case.side, formula=formula.text(),
-        substituted=formula.text_with_numbers(), value=float(step.value), unit=result.unit, source=equation.source,
+        symbol=native(result.symbol), symbol_latex=symbol_latex(translate(result.symbol)),
+        name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
+        formula=native(formula.text()), substituted=native(formula.text_with_numbers()), value=float(step.value),
+        unit=result.unit, source=translate(equation.source),
         print_differs=_print_differs(equation.name) or None, function=equation.name, formula_latex=formula.latex(),
         substituted_latex=formula.latex_with_numbers(),
     )  # fmt: skip
@@ -287,7 +293,7 @@ class _Report:
             symbol=result.symbol,
             name=result.meaning or equation.about,
             unit=result.unit,
-            symbol_latex=symbol_latex(result.symbol),
+            symbol_latex=symbol_latex(translate(result.symbol)),
             formula=texts[0].latex() if is_new else "",
             where=list(self.meanings_of(steps)),
             rows=[

@@ -290,7 +290,7 @@ def _number(value: Any, unit: str, *, latex: bool) -> str:
 
 def symbol_latex(name: str) -> str:
     """Return a symbol of the papers in LaTeX."""
-    if "\\" in name or name[:1].isdigit() or name[:1] == "-":
+    if "\\" in name or (name[:1].isdigit() and "_" not in name) or name[:1] == "-":
         return name
     for letter, command in _GREEK.items():
         name = name.replace(letter, command)

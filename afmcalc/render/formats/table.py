@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from ...messages import fitting, is_unicode, translate
+from ...messages import is_unicode, translate
 from ...result import Output
 from ..document import document
 from ..layout import TextTable, blocks, findings_lines, lead, padded, step_lines, title, unfolded
@@ -30,7 +30,12 @@ def render(output: Output, terminal: bool) -> str:
     laid_out, width = document(output.result), _width(terminal)
     text = io.StringIO()
     console = Console(
-        file=text, force_terminal=terminal, no_color=None if terminal else True, width=width, highlight=False
+        file=text,
+        force_terminal=terminal,
+        no_color=None if terminal else True,
+        width=width,
+        height=_NARROWEST,
+        highlight=False,
     )
     lines = [(title(output), "bold"), *((line, "") for line in lead(output).splitlines())]
     _print(console, *lines)
@@ -63,11 +68,7 @@ def _width(terminal: bool) -> int:
 
 
 def _aligned(block: TextTable) -> TextTable:
-    """Spell what standard output lacks, and set numbers with their points below each other."""
-    if not is_unicode(sys.stdout):
-        encoding = sys.stdout.encoding or "ascii"
-        header, *rows = ([fitting(cell, encoding) for cell in cells] for cells in (block.header, *block.rows))
-        block = block._replace(header=header, rows=rows)
+    """Set numbers with their points below each other."""
     numeric = [right and width <= _SENTENCE for right, width in zip(block.numeric, _widths(block), strict=True)]
     return padded(block._replace(numeric=numeric))
 

@@ -1,11 +1,11 @@
-"""What is drawn, as data in SI: a sheet of panels, each with its axes, lines, points and guides."""
+"""Plots as data in SI: a sheet of panels, each with its axes, lines, points and guides."""
 
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from ...messages import RAISED, localized, told, translate
+from ...messages import RAISED, filled, localized, translate
 from ...result import Result, shown_as
 from ..units import converted, headed, measured
 
@@ -91,11 +91,11 @@ class Chart:
     spans: list[Dimension] = field(default_factory=list)
     areas: list[Area] = field(default_factory=list)
     from_zero: bool = False
-    """Whether the axis of y begins at 0."""
+    """True if the axis of y begins at 0."""
     bounds: tuple[float, float, float, float] | None = None
     """Ends of the axes where they are not the data's: of x, then of y."""
     named: bool = False
-    """Whether the lines are labelled with names of the user's, set as they are."""
+    """True if the lines are labelled with names of the user's, set as they are."""
 
     @property
     def labels(self) -> list[str]:
@@ -106,7 +106,7 @@ class Chart:
 
 @dataclass(frozen=True)
 class Sheet:
-    """What one plot command draws: panels one below the other, title above, caption below."""
+    """Drawing of one plot command: panels one below the other, title above, caption below."""
 
     title: str
     panels: Sequence[Any]
@@ -115,11 +115,11 @@ class Sheet:
     name: str | None = None
     """Name of the user's (a spec's), beside the title; set as it is."""
     aside: str = ""
-    """What is said below the caption where the drawing stands alone."""
+    """Text below the caption where the drawing stands alone."""
 
     @property
     def below(self) -> str:
-        """What is said below the drawing where it stands alone."""
+        """Text below the drawing where it stands alone."""
         return f"{self.caption} {self.aside}".strip()
 
 
@@ -158,4 +158,4 @@ def stated(symbol: str, value: float, unit: str) -> str:
 
 def guide_at(text: str, symbol: str, value: float, unit: str, *, across: bool = True) -> Guide:
     """Guide at a value, which ``{stated}`` in the text of its label tells."""
-    return Guide(told(text, stated=stated(symbol, value, unit)), value, across)
+    return Guide(filled(text, {"stated": stated(symbol, value, unit)}), value, across)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ...analysis.figures import PocketSection
 from ...analysis.synthesize import SynthesisResult
-from ...messages import localized, told, translate
+from ...messages import localized, say, translate
 from ..drawing import (
     TEXT,
     WIDTH,
@@ -40,7 +40,7 @@ def _drawing(section: PocketSection) -> Drawing:
     """Lay out the positions one below the other, to one scale."""
     synthesis, titles = section.synthesis, [(0.0, "")]
     if travel := synthesis.travel_max:
-        moved = told("at f_max, {stated}", stated=stated("x_max", travel, "m"))
+        moved = say("at f_max, {stated}", stated=stated("x_max", travel, "m"))
         titles = [(0.0, translate("at the stop, x = 0")), (travel, moved)]
     positions = [Position(synthesis, each) for each, _ in titles]
     back, top = positions[0].back, max(each.top for each in positions)
@@ -59,7 +59,7 @@ def _drawing(section: PocketSection) -> Drawing:
 def _caption(section: PocketSection) -> str:
     synthesis = section.synthesis
     sentences = [
-        told(
+        say(
             "To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch horizontal, "
             "dots: contact. S21 (20), (23), (24): smallest ball {smallest}.",
             circle=stated("r", synthesis.ball_circle_radius, "m"), smallest=stated("r_ш", synthesis.ball_radius, "m"),
@@ -71,29 +71,29 @@ def _caption(section: PocketSection) -> str:
         ),
     ]  # fmt: skip
     if synthesis.contact_force is not None:
-        sentences.append(told("On one ball {force}.", force=stated("F_n", synthesis.contact_force, "N")))
+        sentences.append(say("On one ball {force}.", force=stated("F_n", synthesis.contact_force, "N")))
     if synthesis.web is not None and synthesis.web > 0:
-        sentences.append(told("The web between pockets is {web}.", web=stated("e", synthesis.web, "m")))
+        sentences.append(say("The web between pockets is {web}.", web=stated("e", synthesis.web, "m")))
     elif synthesis.web is not None:
-        sentences.append(told("{pockets} pockets cut into each other.", pockets=section.balls))
+        sentences.append(say("{pockets} pockets cut into each other.", pockets=section.balls))
     if synthesis.wall_angle_max is not None and synthesis.wall is None:
         sentences.append(
             translate("The ball undercuts the curved wall, which cannot be cut: straight walls are drawn.")
         )
     elif synthesis.wall_angle_max is not None:
         angle = synthesis.wall_angle_max
-        sentences.append(told("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=angle))
+        sentences.append(say("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=angle))
     return " ".join(sentences)
 
 
 def _ball(synthesis: SynthesisResult) -> str:
     ball = stated("d_ш", synthesis.ball_diameter, "m")
     if synthesis.ball_diameter_standard is None:
-        return told("Drawn with {ball}, for no standard ball is that large.", ball=ball)
+        return say("Drawn with {ball}, for no standard ball is that large.", ball=ball)
     if synthesis.edge_clearance_standard is None:
-        return told("Drawn with {ball}.", ball=ball)
+        return say("Drawn with {ball}.", ball=ball)
     clearance = stated("y", synthesis.edge_clearance_standard, "m")
-    return told("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)
+    return say("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)
 
 
 class _Side(NamedTuple):
@@ -110,7 +110,7 @@ class _Side(NamedTuple):
     angle: float
     """Where the ball touches."""
     seats: bool
-    """Whether both walls touch it."""
+    """True if both walls touch it."""
 
 
 class Position:
@@ -184,7 +184,7 @@ class Position:
         ends = (face, middle - half), (face, middle + half)
         yield Length(f"b = {_tenths(2 * half)}", size, *ends, self.back + 2 * size, upright=True)
         reach = self.radius * math.sqrt(0.5)
-        diameter = told("ball d_ш = {diameter}", diameter=display(2 * self.radius / _MM, "m"))
+        diameter = say("ball d_ш = {diameter}", diameter=display(2 * self.radius / _MM, "m"))
         yield from leader(diameter, (-reach, reach - down), (-self.back / 2, top + size), size)
         # the wall angle at the apex of the left pocket, between wall and axis
         angle = self.synthesis.wall_angle

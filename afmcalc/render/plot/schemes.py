@@ -27,7 +27,7 @@ class Part(NamedTuple):
     """One part of a clutch in half section, axis below."""
 
     number: str
-    """As in the paper; empty of a part without one."""
+    """Number as in the paper; empty of a part without one."""
     boxes: tuple[Rectangle, ...]
     at: Point
     """Where its number stands."""

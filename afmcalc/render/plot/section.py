@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 
 from ...analysis.section import Box, ClutchSection, DrawnPart, MainDimension
 from ...findings import finding
-from ...messages import term, told, translate
+from ...messages import say, translate
 from ...spec.keys import keys
 from ...spec.lists import ball_designation
 from .. import drawing as draw
@@ -66,7 +66,7 @@ def _drawing(section: ClutchSection) -> draw.Drawing:
 def _dimension(measure: MainDimension, size: float, line: float, hand: int = 1) -> draw.Length:
     low, high, at, upright = measure.low * _MM, measure.high * _MM, hand * measure.at * _MM, measure.low < 0
     ends = ((at, low), (at, high)) if upright else ((low, at), (high, at))
-    return draw.Length(_label(measure), size, *ends, line, upright, measure.key, translate(measure.about))
+    return draw.Length(_label(measure), size, *ends, line, upright, measure.key, measure.about)
 
 
 def _label(measure: MainDimension) -> str:
@@ -203,21 +203,21 @@ def _part_list(section: ClutchSection) -> list[list[str]]:
 
 def _assumed(section: ClutchSection) -> str:
     sizes = (f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items())
-    return told("Defaults: {keys}.", keys="; ".join(sizes)) if section.assumed else ""
+    return say("Defaults: {keys}.", keys="; ".join(sizes)) if section.assumed else ""
 
 
 def _caption(section: ClutchSection) -> str:
     said = [translate("To scale, dimensions in mm; without clearances, bearings, splines and bolts.")]
     if section.travel:
         travel = stated("x_max", section.travel, "m")
-        said.append(told("Dash-dot-dot: at f_max, the sleeve off its stop by {travel}.", travel=travel))
+        said.append(say("Dash-dot-dot: at f_max, the sleeve off its stop by {travel}.", travel=travel))
     elif "balls" in section.parts:
         said.append(translate("By its law nothing of a direct clutch travels: at f_max it is as at rest."))
     if section.bypass_pairs:
         said.append(translate("Orange: discs of the pairs that bypass the control unit."))
     for one, other, missing in section.overlaps:
-        overlap = finding("parts-collide", "error", value=missing, first=term(one), second=term(other))
-        said.append(told("Red: {overlap}.", overlap=overlap.message))  # in the words of check
+        overlap = finding("parts-collide", "error", value=missing, first=translate(one), second=translate(other))
+        said.append(say("Red: {overlap}.", overlap=overlap.message))  # in the words of check
     if section.assumed:
         said.append(translate("* and dashed: drawn at a default, for the spec does not give it."))
     if "bore" in section.measures:

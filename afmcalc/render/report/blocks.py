@@ -14,7 +14,7 @@ class Piece:
     kind: Literal["sub", "sup", "b", "em", "q", "code", "soft", "sources", "grade", "link"]
     body: "Text"
     to: str = ""
-    """What a link leads to; the kind of a grade."""
+    """Target of a link; the kind of a grade."""
 
 
 class Text(tuple["str | Piece", ...]):
@@ -83,10 +83,10 @@ class Table:
     head: Sequence[Text]
     rows: Sequence[Sequence[Text]]
     numeric: Sequence[bool] = ()
-    """Whether each column is set flush right."""
+    """True if each column is set flush right."""
     number: int = 0
     named: bool = False
-    """Whether links lead to the rows, by what stands in the first cell."""
+    """True if links lead to the rows, by what stands in the first cell."""
 
 
 @dataclass(frozen=True)
@@ -116,14 +116,14 @@ class Step:
     formula: Formula | None = None
     where: Sequence[Text] = ()
     lined: bool = False
-    """Whether each symbol is explained on a line of its own."""
+    """True if each symbol is explained on a line of its own."""
     head: Sequence[Text] = ()
     """Of the labels and the numbers, where there are several labels."""
     lines: Sequence[tuple[Sequence[Text], Sequence[Formula]]] = ()
     """Labels, and numbers put in with what comes out, between which a line may end."""
     notes: Sequence[Text] = ()
     key: str = ""
-    """What links lead to, where that is no formula."""
+    """Anchor that links lead to, where that is no formula."""
 
 
 @dataclass(frozen=True)
@@ -206,13 +206,13 @@ class Document:
     cover: Sequence[Block]
     body: Sequence[Section]
     running: str
-    """What heads each sheet that has no frame."""
+    """Running title of a sheet that has no frame."""
     date: str
     """Day of the file, ISO 8601."""
     contents: bool = True
     paper: Literal["plain", "framed", "report", "book"] = "plain"
     short: bool = False
-    """Whether it is to be two sheets."""
+    """True if it is to be two sheets."""
     author: str = ""
     frame: "Frame | None" = None
     """Title block of sheets that have a frame."""
@@ -220,7 +220,7 @@ class Document:
 
 @dataclass(frozen=True)
 class Frame:
-    """What a title block of ГОСТ 2.104 says: forms 2 and 2а."""
+    """Entries of a title block of ГОСТ 2.104, forms 2 and 2а."""
 
     headline: str
     drawing: str

@@ -10,8 +10,7 @@ from ...analysis.dossier import Dossier, Topic
 from ...analysis.explain.explain import CaseRow, Derivation, Meaning
 from ...analysis.springs import SpringsResult
 from ...analysis.tolerance_result import ToleranceResult
-from ...messages import term, translate, with_unit
-from ...messages import told as message
+from ...messages import deferred, say, translate, with_unit
 from ...result import Result, Triple
 from ...spec.keys import keys
 from ...units import typeset
@@ -24,7 +23,7 @@ from ..symbols import value_latex
 from ..units import in_numbers, measured, significant
 from .blocks import Piece, Step, Text, listed, piece, text
 from .formulas import Formula, formula
-from .markup import marks, said
+from .pieces import marks, said
 from .words import form, told
 
 
@@ -68,7 +67,7 @@ def _laid_out(result: Result) -> list[TextTable]:
 
 
 def peaks(dossier: Dossier) -> list[TextTable]:
-    """What a trip loads and heats, in one table; none where no trip is simulated and no slip is given."""
+    """Table of the loads and the heat of a trip; none where no trip is simulated and no slip is given."""
     topics = (topic for topic in dossier.topics if topic.name in ("simulate", "heat"))
     columns = {column.path: column for topic in topics for column in document(topic.result).triples}
     shown = [column for path, column in columns.items() if path in _PEAKS]
@@ -125,9 +124,9 @@ def _named(column: Column) -> list[Column]:
 
 
 _FRICTION = {
-    "friction": ("f", term("friction in service")),
-    "friction.driving": ("f_1", term("friction of the driving pairs in service")),
-    "friction.driven": ("f_2", term("friction of the driven pairs in service")),
+    "friction": ("f", deferred("friction in service")),
+    "friction.driving": ("f_1", deferred("friction of the driving pairs in service")),
+    "friction.driven": ("f_2", deferred("friction of the driven pairs in service")),
 }
 
 _TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {
@@ -159,7 +158,7 @@ def step_of(step: Derivation, method: str) -> Step:
         ([*map(said, labels)], _worked(symbol, broken(row.numbers, room), _values(row.value, step.unit)))
         for row, *labels in zip(rows, *(labels for _, labels in columns), strict=True)
     ]
-    heads = [*(told(name) for name, _ in columns), message("Numbers put in")]
+    heads = [*(told(name) for name, _ in columns), say("Numbers put in")]
     return Step(
         what=_what(step),
         number=str(step.number) if step.formula else "",
@@ -175,7 +174,7 @@ def _what(step: Derivation) -> Text:
     """Symbol, name and sources of a quantity; where its formula stands already, its number."""
     parts: list[Text | Piece] = [piece("b", said(step.symbol)), said(translate(step.name))]
     if not step.formula:
-        parts.append(piece("soft", message("By formula ({number}).", number=step.number)))
+        parts.append(piece("soft", say("By formula ({number}).", number=step.number)))
     notes = [said(translate(step.source).rstrip(".")), *map(text, marks(step))]
     if step.source or notes[1:]:
         parts.append(piece("sources", text("[", listed(notes if step.source else notes[1:], "; "), "]")))
@@ -202,7 +201,7 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
     """One column of labels; empty where it would say of each line what goes without saying."""
     cases = [row.case for row in rows]
     if name == "friction":
-        return [in_numbers(translate(case.at)) if case.at else "" for case in cases]
+        return [in_numbers(case.at) if case.at else "" for case in cases]
     if name == "side":
         on_sides = any(case.side for case in cases)
         return [told(f"side/{case.side or 'protected'}") if on_sides else "" for case in cases]
@@ -211,7 +210,7 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
 
 
 def explained(meaning: Meaning) -> str:
-    """What a symbol stands for, with its unit."""
+    """Meaning of a symbol, with its unit."""
     unit = translate(typeset(meaning.unit), "unit")
     return ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
 
@@ -237,9 +236,7 @@ def _origin(given: tuple[str, int]) -> Piece:
     """Say what a symbol is there, and by which formula."""
     source, number = given
     words = (
-        message("{source} by ({number})", source=source, number=number)
-        if source
-        else message("by ({number})", number=number)
+        say("{source} by ({number})", source=source, number=number) if source else say("by ({number})", number=number)
     )
     return piece("link", said(words), f"formula-{number}")
 

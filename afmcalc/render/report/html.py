@@ -6,7 +6,7 @@ from html import escape
 from importlib.resources import files
 from typing import Any
 
-from ...messages import told
+from ...messages import say
 from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
 from . import blocks
 from .blocks import Block, Document, Piece, Section, Text
@@ -104,7 +104,7 @@ def _block(block: Block, level: int) -> str:
             svg = "\n".join(
                 drawing(each.svg, str(block.title), f"{block.number}-{n}") for n, each in enumerate(block.drawings, 1)
             )
-            caption = _caption(told("Figure {number}", number=block.number), block.title)
+            caption = _caption(say("Figure {number}", number=block.number), block.title)
             caption = f"{caption}. {inline(block.caption)}"
             return element(
                 "figure",
@@ -171,7 +171,7 @@ def table(block: blocks.Table) -> str:
             bodies[-1].append(element("tr", *cells, id=str(row[0]) if block.named else ""))
     caption = ""
     if block.number:
-        name = told("Table {number}", number=block.number)
+        name = say("Table {number}", number=block.number)
         caption = element("caption", _caption(name, block.title), id=f"table-{block.number}")
     elif block.title:
         caption = element("caption", inline(block.title))
@@ -190,7 +190,7 @@ def _step(step: blocks.Step) -> str:
     if step.where:
         *most, last = map(inline, step.where)
         spans = " ".join([*(element("span", each, ";") for each in most), element("span", last)])
-        parts.append(element("p", told("where"), " ", spans, class_="where lined" if step.lined else "where"))
+        parts.append(element("p", say("where"), " ", spans, class_="where lined" if step.lined else "where"))
     if step.lines:
         rows = (
             element(
@@ -251,7 +251,7 @@ def page(document: Document) -> str:
         fragment(document.cover),
     ]
     if document.contents:
-        contents = told("Contents")
+        contents = say("Contents")
         cover.append(element("nav", element("h2", contents), _contents(document.body), aria_label=contents))
     body = element("header", *cover), element("main", fragment(document.body))
     return "<!DOCTYPE html>\n" + element(

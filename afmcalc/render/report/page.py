@@ -1,7 +1,7 @@
 """From what was calculated of a clutch to the page of its report."""
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
@@ -12,8 +12,7 @@ from ...analysis.check import CheckRow
 from ...analysis.dossier import Dossier
 from ...analysis.explain.explain import Meaning
 from ...findings import Finding
-from ...messages import localized, named, percent, printable, spoken, translate
-from ...messages import told as message
+from ...messages import filled, localized, named, native, percent, printable, say, spoken, translate
 from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
@@ -22,26 +21,25 @@ from ..layout import TextTable, ranked
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
-from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
 from . import blocks
 from .blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .chapters import Chapter, chapters, explained, peaks
 from .html import page
-from .markup import MISPRINT, cell, cited, name_of, plain, said, unparted
+from .pieces import MISPRINT, cell, cited, name_of, plain, said, unparted
 from .title import today
 from .words import SHORT, form, titled, told
 
 
 @dataclass(frozen=True)
 class Subject:
-    """What was calculated of a clutch, and whose report it is."""
+    """Subject of a report: the dossier of a clutch, and the title block."""
 
     dossier: Dossier
     given: str
     """The spec as given, its text."""
     title: TitleBlock = TitleBlock()
-    """What the title block says; without a date it has none."""
+    """Title block; without a date it has none."""
     digest: str = ""
     """SHA-256 of the file as given."""
     source: str = ""
@@ -50,11 +48,9 @@ class Subject:
     """``PATH=VALUE`` put over it."""
     version: str = ""
     with_source: bool = False
-    """Whether the text as given is an appendix."""
+    """True if the text as given is an appendix."""
     short: bool = False
-    """Whether it is to be two pages: task, limits, section, peaks, heat, conclusions."""
-    symbols: str = ""
-    """``latin`` or ``papers``: letters of the indices; by default Latin in English."""
+    """True if it is to be two pages: task, limits, section, peaks, heat, conclusions."""
 
 
 class _SpecLine(NamedTuple):
@@ -70,7 +66,7 @@ class _SpecLine(NamedTuple):
 
     def cells(self, changed: Collection[str]) -> list[Text]:
         """Row of a table; what was ``changed`` says so."""
-        mark = when(self.path in changed, " ", piece("soft", f"({message('overridden')})"))
+        mark = when(self.path in changed, " ", piece("soft", f"({say('overridden')})"))
         set_so = cell if self.numeric or self.path == "adjustment.method" else plain
         return [said(self.symbol), text(said(self.about), mark), set_so(self.value), text(self.unit)]
 
@@ -92,8 +88,7 @@ def render(subject: Subject) -> str:
 
 def report(subject: Subject) -> Document:
     """Lay a report out; the same subject gives the same document."""
-    with latin_symbols((subject.symbols or {"en": "latin"}.get(spoken())) == "latin") as latin:
-        laid_out = _report(subject, latin)
+    laid_out = _report(subject)
     body, numbers = cited(laid_out.body)
     sources = references()
     entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
@@ -104,19 +99,19 @@ def report(subject: Subject) -> Document:
     return replace(laid_out, body=[each for each in body if entries or each.key != "references"])
 
 
-def _report(subject: Subject, latin: Mapping[str, str]) -> Document:
+def _report(subject: Subject) -> Document:
     dossier, short, title = subject.dossier, subject.short, subject.title
-    name = unparted(printable(named(dossier.spec.name) or message("Adaptive friction clutch")))
-    kind = message("Calculation report")
+    name = unparted(printable(named(dossier.spec.name) or say("Adaptive friction clutch")))
+    kind = say("Calculation report")
     paper = "report" if title.form == "report" and not short else form().paper
-    verdict = blocks.Paragraph(said(translate(dossier.check.verdict.sentence)), f"sum {dossier.check.grade}", "verdict")
+    verdict = blocks.Paragraph(said(dossier.check.verdict.sentence), f"sum {dossier.check.grade}", "verdict")
     return Document(
         language=spoken(),
         program=f"afmcalc {subject.version}",
         kind=kind,
         name=name,
         cover=[_entries(subject), _signatures(title), verdict],
-        body=_Parts(subject, latin).sections(),
+        body=_Parts(subject).sections(),
         running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
         date=_day(title),
         contents=not short,
@@ -137,9 +132,9 @@ def _day(title: TitleBlock) -> str:
 class _Parts:
     """The sections of a report: what stands in each, and its numbers of tables and figures."""
 
-    def __init__(self, subject: Subject, latin: Mapping[str, str]) -> None:
+    def __init__(self, subject: Subject) -> None:
         dossier, short = subject.dossier, subject.short
-        self.subject, self.dossier, self.short, self.latin = subject, dossier, short, latin
+        self.subject, self.dossier, self.short = subject, dossier, short
         self.chapters, self.peaks = ([], peaks(dossier)) if short else (chapters(dossier), [])
         # what is said of the papers has an appendix of its own
         findings, rows = ranked(dossier.findings), dossier.check.checks
@@ -155,7 +150,7 @@ class _Parts:
         """Lay out each section that has content, and each appendix under its letter, in their order."""
         has: dict[str, object] = {
             "requirements": self.required, "peaks": self.peaks, "misprints": self.mended,
-            "symbols": spoken() != "en" or self.subject.symbols != "papers", "source": self.subject.with_source,
+            "source": self.subject.with_source,
         }  # fmt: skip
         set_so = form()._replace(sections=SHORT, appendices=(), always=()) if self.short else form()
         sections, appendices = (
@@ -164,7 +159,7 @@ class _Parts:
         )
         self.labels = {name: str(number) for number, name in enumerate(sections, 1)}
         lettered = zip(appendices, set_so.letters, strict=False)
-        self.labels |= {name: message("Appendix {letter}", letter=letter) for name, letter in lettered}
+        self.labels |= {name: say("Appendix {letter}", letter=letter) for name, letter in lettered}
         return [
             blocks.Section(
                 name,
@@ -179,41 +174,41 @@ class _Parts:
     def _requirements(self) -> Iterator[Block]:
         if not self.required:
             yield blocks.Paragraph(
-                text(message("The spec states no requirements; the clutch is calculated as it is given."))
+                text(say("The spec states no requirements; the clutch is calculated as it is given."))
             )
             return
         number = next(self._tables)
-        lead = message("What the clutch is to hold, and what it uses of each limit:")
+        lead = say("What the clutch is to hold, and what it uses of each limit:")
         yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
-        yield from judged(self.required, number, message("Requirements"))
+        yield from judged(self.required, number, say("Requirements"))
 
     def _checks(self) -> Iterator[Block]:
         held, many = self.held, len(self.held)
         if self.short:
             most = max(_LEAST, _MOST - len(self.required))
             held = sorted(held, key=lambda row: -(row.utilisation or 0.0))[:most]
-        lead = message("Every limit the clutch is held against; utilisation 1 is the limit:")
+        lead = say("Every limit the clutch is held against; utilisation 1 is the limit:")
         if len(held) < many:
-            lead = message(
+            lead = say(
                 "The {shown} limits of which the clutch uses most, of {count}; utilisation 1 is the limit:",
                 shown=len(held), count=many,
             )  # fmt: skip
         number = next(self._tables)
         yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
-        yield from judged(held, number, message("Limits and their utilisation"))
+        yield from judged(held, number, say("Limits and their utilisation"))
         if self.findings and not self.short:
-            yield blocks.Heading(3, text(message("Findings")))
+            yield blocks.Heading(3, text(say("Findings")))
             yield findings_of(self.findings)
         if self.remarks and not self.short:
             at = piece("link", self.labels["misprints"], "misprints")
-            lead = message("Remarks that concern misprints of the papers:")
+            lead = say("Remarks that concern misprints of the papers:")
             yield blocks.Paragraph(text(lead, " ", at, "."), "note")
 
     def _spec(self) -> Iterator[Block]:
         figures = self._shown("spec")
-        drawing = message("The clutch in section:")
+        drawing = say("The clutch in section:")
         lead = text(drawing, " ", see("figure", *(each.number for each in figures)), ". ") if figures else text()
-        lead = text(lead, message("The values calculated with:"), " ")
+        lead = text(lead, say("The values calculated with:"), " ")
         if self.short:
             yield blocks.Paragraph(text(lead, *map(_in_a_line, self._groups().items())))
         else:
@@ -223,8 +218,8 @@ class _Parts:
             changed = _changed(self.subject.overrides)
             for group, lines in self._groups().items():
                 rows += [[text(group)], *(line.cells(changed) for line in lines)]
-            heads = map(text, (message("Symbol"), message("Quantity"), message("Value"), message("Unit")))
-            title = text(message("Values calculated with"))
+            heads = map(text, (say("Symbol"), say("Quantity"), say("Value"), say("Unit")))
+            title = text(say("Values calculated with"))
             yield blocks.Table("keys", title, [*heads], rows, [False, False, True, False], number)
         yield from figures
 
@@ -243,17 +238,17 @@ class _Parts:
 
     def _peaks(self) -> Iterator[Block]:
         number = next(self._tables)
-        yield blocks.Paragraph(text(message("What a trip loads and heats:"), " ", see("table", number), "."))
+        yield blocks.Paragraph(text(say("What a trip loads and heats:"), " ", see("table", number), "."))
         yield quantities(self.peaks[0]._replace(title=told("peaks")), number)
 
     def _calculation(self) -> Iterator[Block]:
         if not self.short:
-            lead = message(
+            lead = say(
                 "Each formula stands once, with its source; below it the numbers put in, in SI units, and what "
                 "comes out, in the units of the tables."
             )
             notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
-            notes += [] if self.dossier.spec.friction.unlike else [message("All pairs are alike: f_1 = f_2 = f.")]
+            notes += [] if self.dossier.spec.friction.unlike else [say("All pairs are alike: f_1 = f_2 = f.")]
             yield blocks.Paragraph(listed([text(lead), *map(said, notes)], " "))
         for place, chapter in enumerate(self.chapters, 1):
             label = f"{self.labels['calculation']}.{place}"
@@ -265,22 +260,20 @@ class _Parts:
         figures = self._shown(topic.name)
         results = [see("table", *(each.number for each in tables))] if tables else []
         results += [see("figure", *(each.number for each in figures))] if figures else []
-        parts: list[Text | Piece | str] = [said(translate(topic.about)), message("Results:"), listed(results)]
+        parts: list[Text | Piece | str] = [said(topic.about), say("Results:"), listed(results)]
         parts[1:1] = [piece("sources", f"[{', '.join(topic.sources)}]")] if topic.sources else []
         yield blocks.Paragraph(text(listed(parts, " "), "."))
         yield from tables
         yield from figures
         if chapter.steps:
-            yield blocks.Heading(4, text(message("Derivation")))
+            yield blocks.Heading(4, text(say("Derivation")))
             yield from chapter.steps
 
     def _conclusion(self) -> Iterator[Block]:
         check = self.dossier.check
         if not self.short:
-            yield blocks.Paragraph(said(translate(check.verdict.sentence)), f"sum {check.grade}")
-            yield blocks.Bullets(
-                [said(translate(topic.conclusion)) for topic in self.dossier.topics if topic.conclusion]
-            )
+            yield blocks.Paragraph(said(check.verdict.sentence), f"sum {check.grade}")
+            yield blocks.Bullets([said(topic.conclusion) for topic in self.dossier.topics if topic.conclusion])
             yield blocks.Heading(3, text(told("next")))
         yield blocks.Bullets([*map(said, _next(self.dossier))], "next")
 
@@ -288,9 +281,9 @@ class _Parts:
         yield from ()  # when all else is laid out it is known what they are
 
     def _symbols(self) -> Iterator[Block]:
-        if self.latin:
-            yield blocks.Paragraph(text(message("In brackets: as the papers write a symbol.")))
-        rows = _symbols(self.chapters, self.lines, self.dossier, self.latin)
+        if spoken() == "en":
+            yield blocks.Paragraph(text(say("In brackets: as the papers write a symbol.")))
+        rows = _symbols(self.chapters, self.lines, self.dossier)
         yield blocks.Definitions(
             "symbols",
             [
@@ -301,9 +294,9 @@ class _Parts:
 
     def _misprints(self) -> Iterator[Block]:
         number = next(self._tables)
-        lead = message("Where this calculation departs from the print of its sources, by the number that stands there:")
+        lead = say("Where this calculation departs from the print of its sources, by the number that stands there:")
         yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
-        heads = map(text, (message("No."), message("Where"), message("Printed"), message("Should be")))
+        heads = map(text, (say("No."), say("Where"), say("Printed"), say("Should be")))
         rows = [
             [
                 text(each.id),
@@ -319,7 +312,7 @@ class _Parts:
 
     def _source(self) -> Iterator[Block]:
         if overrides := self.subject.overrides:
-            lead = message("Overridden on the command line")
+            lead = say("Overridden on the command line")
             yield blocks.Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
         yield blocks.Code(printable(self.subject.given, lines=True))
 
@@ -327,7 +320,7 @@ class _Parts:
 def see(what: Literal["table", "figure"], *numbers: int) -> Text:
     """Name tables or figures, each with a link to it."""
     name = {"table": "table {number}", "figure": "figure {number}"}[what]
-    return listed([piece("link", message(name, number=number), f"{what}-{number}") for number in numbers])
+    return listed([piece("link", filled(name, {"number": number}), f"{what}-{number}") for number in numbers])
 
 
 def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterator[Block]:
@@ -348,7 +341,7 @@ def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterat
     numeric = [False, False, False, True, True, False, True]
     yield blocks.Table("judged", text(title), [text(translate(head)) for head in heads], cells, numeric, number)
     if any(row.shown_unit == "K abs" for row in rows):
-        note = message("The share of a temperature is that of the rise which its limit allows.")
+        note = say("The share of a temperature is that of the rise which its limit allows.")
         yield blocks.Paragraph(text(note), "note")
 
 
@@ -364,7 +357,7 @@ def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Fi
     items = []
     for finding in findings:
         grade = {"error": "fail", "warning": "warning", "info": "note"}[finding.level]
-        words = said(translate(finding.message) if keys else in_words(translate(finding.message)))
+        words = said(finding.message if keys else in_words(finding.message))
         code = when(keys and finding.path, " ", piece("code", finding.path or ""))
         items.append((piece("grade", told(f"level/{finding.level}"), grade), text(words, code)))
     return blocks.Findings(items)
@@ -409,20 +402,16 @@ def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterab
 
 
 def _next(dossier: Dossier) -> list[str]:
-    """What is to be done next, the gravest first."""
+    """Next steps for the designer, the gravest first."""
     rows = sorted(dossier.check.checks, key=lambda row: -(row.utilisation or 0.0))
     lines = [
-        message(
-            "Bring “{name}” to its limit: {used} of it is used.", name=worded(row.name), used=percent(row.utilisation)
-        )
+        say("Bring “{name}” to its limit: {used} of it is used.", name=worded(row.name), used=percent(row.utilisation))
         for row in rows
         if row.passed is False and row.utilisation is not None
     ]
-    lines += [
-        message("Give what it takes to judge “{name}”.", name=worded(row.name)) for row in rows if row.passed is None
-    ]
+    lines += [say("Give what it takes to judge “{name}”.", name=worded(row.name)) for row in rows if row.passed is None]
     grave = [finding for finding in ranked(dossier.findings) if finding.level != "info"]
-    lines += [in_words(translate(finding.message)) for finding in grave if not finding.code.startswith("requirement-")]
+    lines += [in_words(finding.message) for finding in grave if not finding.code.startswith("requirement-")]
     return lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
 
 
@@ -437,9 +426,9 @@ def _entries(subject: Subject) -> blocks.Entries:
     entries = [name for name in form().entries if title[name] or name in form().signed]
     changed = "; ".join(name_of(path) if path in keys() else path for path in _changed(subject.overrides))
     long = {
-        message("Spec"): subject.source,
-        message("SHA-256 of the spec as given"): subject.digest,
-        **({message("Overridden on the command line"): changed} if changed else {}),
+        say("Spec"): subject.source,
+        say("SHA-256 of the spec as given"): subject.digest,
+        **({say("Overridden on the command line"): changed} if changed else {}),
     }
     return blocks.Entries(
         [
@@ -451,7 +440,7 @@ def _entries(subject: Subject) -> blocks.Entries:
 
 def _signatures(title: TitleBlock) -> blocks.Signatures:
     """Cells of all who sign in this language, and of others who are named."""
-    heads = message("Responsible"), message("Name"), message("Signature"), message("Date")
+    heads = say("Responsible"), say("Name"), say("Signature"), say("Date")
     names = {who: getattr(title, who) for who in form().people}
     people = [(told(who), printable(name or "")) for who, name in names.items() if name or who in form().signed]
     return blocks.Signatures(heads, people)
@@ -472,9 +461,7 @@ def _frame(title: TitleBlock, headline: str) -> blocks.Frame:
     )
 
 
-def _symbols(
-    parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier, latin: Mapping[str, str]
-) -> list[tuple[str, str, str]]:
+def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier) -> list[tuple[str, str, str]]:
     """Symbols, what the papers write where that is another, and what each stands for where it is first told."""
     meanings: dict[str, str] = {}
     for step in (step for chapter in parts for step in chapter.topic.derivations):
@@ -485,7 +472,7 @@ def _symbols(
         name = explained(Meaning(step.symbol, step.name, step.unit))
         first = name[:1].lower() if name[1:2].islower() else name[:1]
         meanings.setdefault(native(step.symbol), first + name[1:])
-    tables = (table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol"))
+    tables = [table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol")]
     named = (
         (row[0], row[1], row[-1] if table.header[-1] == translate("Unit") else "–")
         for table in tables
@@ -497,11 +484,18 @@ def _symbols(
     # what stands in no formula and no table, but in a check, a note or a meaning
     known = {native(key.symbol): name_of(path) for path, key in keys().items() if key.symbol}
     notes = (*(row.symbol for row in dossier.check.checks), *(finding.message for finding in dossier.findings))
-    said = native(" ".join(map(translate, (*notes, *meanings.values()))))
+    said = native(" ".join((*notes, *meanings.values())))
     # in a ratio, a symbol may be another quantity
     alone = [each for each in known if "_" in each and not any(each in other for other in meanings)]
     meanings |= {each: known[each] for each in alone if re.search(rf"(?<!\w){re.escape(each)}(?![\w.,]*\w)", said)}
-    rows = ((each, latin.get(each, ""), words) for each, words in meanings.items())
+    of_papers = (
+        *(key.symbol or "" for key in keys().values()),
+        *(column.symbol for table in tables if table.source for column in table.source.columns),
+        *(step.symbol for chapter in parts for step in chapter.topic.derivations),
+        *(part.symbol for chapter in parts for step in chapter.topic.derivations for part in step.where),
+    )
+    printed = {shown: symbol for symbol in of_papers if (shown := native(symbol)) != symbol and spoken() == "en"}
+    rows = ((each, printed.get(each, ""), words) for each, words in meanings.items())
     return sorted(rows, key=lambda row: row[0].casefold())
 
 
@@ -578,6 +572,6 @@ def _scatter(group: str, name: str, given: dict[str, Any]) -> _SpecLine:
     symbol, about = "f", translate("scatter of the friction in service")
     if key:
         symbol = key.symbol or ""
-        about = message("scatter: {about}", about=name_of(name))
+        about = say("scatter: {about}", about=name_of(name))
     value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
     return _SpecLine(group, f"tolerance.fields.{name}", symbol, about, value, shown_unit, False)

@@ -4,7 +4,7 @@ import json
 from datetime import date
 from pathlib import Path
 
-from ...messages import told
+from ...messages import say
 from .blocks import Document, data_of
 
 
@@ -15,9 +15,9 @@ def print_pdf(document: Document) -> bytes:
 
     day = date.fromisoformat(document.date)
     words = {
-        "where": told("where"), "contents": told("Contents"),
-        "table": told("Table {number}", number="|"), "again": told("Table {number}, continued", number="|"),
-        "figure": told("Figure {number}", number="|"), "sheet": told("Sheet {page} of {pages}", page="|", pages="|"),
+        "where": say("where"), "contents": say("Contents"),
+        "table": say("Table {number}", number="|"), "again": say("Table {number}, continued", number="|"),
+        "figure": say("Figure {number}", number="|"), "sheet": say("Sheet {page} of {pages}", page="|", pages="|"),
     }  # fmt: skip
     day_of = {"year": day.year, "month": day.month, "day": day.day}
     data = data_of(document) | {"words": words, "date": day_of}

@@ -1,4 +1,4 @@
-"""What heads a report, and the spec as given at its end."""
+"""Title block of a report, and the spec as given at its end."""
 
 import json
 import os
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 
 from ...errors import AfmcalcError
-from ...messages import say, translate
+from ...messages import say, spoken
 from ...spec import Spec
 from ...spec.make import validated
 from ...spec.models import TitleBlock
@@ -29,8 +29,8 @@ def text_as_given(source: Source) -> str:
     """
     text = source.text
     ships = source.startswith("example:")
-    if ships and (shown := annotated(text)) != text:
-        text = translate(say("# {file}, its comments translated", file=source.name)) + f"\n{shown}"
+    if ships and spoken() != "en":
+        text = say("# {file}, its comments translated", file=source) + f"\n{annotated(text)}"
     if text.lstrip().startswith("{"):
         text = json.dumps(parse(source), indent=2, ensure_ascii=False)
     return text.strip("\n")

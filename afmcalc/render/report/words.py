@@ -1,9 +1,9 @@
-"""What a report says of each case, section and entry; the page has the rest. And where it says it, by language."""
+"""Words of a report for each case, section and entry, and their order by language; the page has the rest."""
 
 from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple
 
-from ...messages import Text, spoken, translate
+from ...messages import filled, spoken
 
 REPORT: Mapping[str, str] = {
     # title block
@@ -76,7 +76,7 @@ REPORT: Mapping[str, str] = {
 
 def told(key: str, **values: object) -> str:
     """Say what stands under a key, in the language of the user."""
-    return translate(Text(REPORT[key], values))
+    return filled(REPORT[key], values)
 
 
 def titled(path: str) -> str:
@@ -90,7 +90,7 @@ SHORT = ("requirements", "checks", "peaks", "spec", "conclusion", "references")
 
 
 class Form(NamedTuple):
-    """What stands where."""
+    """Order of the parts of a report."""
 
     sections: Sequence[str]
     """In their order; one without content is left out, unless it is always there."""
@@ -104,9 +104,9 @@ class Form(NamedTuple):
     signed: Sequence[str]
     """Entries that have a place in every title block: one may sign there."""
     people: Sequence[str]
-    """Who signs, in their order."""
+    """Roles of those who sign, in their order."""
     lined: bool
-    """Whether each symbol of a formula is explained on a line of its own."""
+    """True if each symbol of a formula is explained on a line of its own."""
     paper: Literal["plain", "framed"]
     """Of the form ``calculation``: sheets with a running title, or with frame and title block."""
 

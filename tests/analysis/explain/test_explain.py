@@ -162,8 +162,8 @@ def test_of_a_life_of_slips_the_mean_damage_is_shown_not_its_nodes():
     result, _ = ANALYSES["life"].function(build(spec), model="goodman")
     steps = explain("life", spec, model="goodman")[0].steps
     assert not [step for step in steps if "slip" in (step.at or "")]
-    lives = {(step.at, step.setting, step.side): step.value for step in steps if step.symbol == "N_ц"}
-    for side, case in (("protected", None), ("protected_forecast", "from f_cp")):
+    lives = {(step.at, step.setting, step.side): step.value for step in steps if step.symbol == "N_c"}
+    for side, case in (("protected", None), ("protected_forecast", "from f_mean")):
         for method in ("min-friction", "mean-friction"):
             setting = None if method == spec.adjustment.method else method
             assert lives[case, setting, None] == getattr(getattr(result, side), method.replace("-", "_"))
@@ -189,4 +189,4 @@ def test_accuracy_of_springs_as_made_has_a_step(force):
     spec = read_spec("example:indirect", [f"control_spring.force={force}"])
     found, _ = explain("accuracy", spec)
     values = {step.symbol: step.value for step in found.steps if step.at is None}
-    assert values["K_т"] == pytest.approx(accuracy(build(spec))[0].accuracy_factor, rel=1e-12)
+    assert values["K_T"] == pytest.approx(accuracy(build(spec))[0].accuracy_factor, rel=1e-12)

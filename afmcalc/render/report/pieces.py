@@ -6,8 +6,7 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 from ...analysis.explain.explain import Derivation
-from ...messages import printable, translate
-from ...messages import told as message
+from ...messages import filled, printable, translate
 from ...papers.register import citations
 from ...spec.keys import keys
 from ..symbols import split
@@ -36,7 +35,7 @@ def said(words: str, ours: bool = True) -> Text:
     """Set a text with its symbols; what is quoted is not ``ours``.
 
     >>> said("T_н < -1")
-    ('T', Piece(kind='sub', body=('н',), to=''), ' < −1')
+    ('T', Piece(kind='sub', body=('n',), to=''), ' < −1')
     """
     pieces = split(_MINUS.sub("−", unparted(printable(words, lines=True))), ours)
     return text(*(piece("sub", each) if low else each for each, low in pieces))
@@ -93,7 +92,9 @@ def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
         name = f"{found[key]} " if sources[key][1] and found[key] != key else ""
         if formulas := found["formulas"]:
             many = formulas.count("(") > 1
-            mark = message("[{number}, eqs. {at}]" if many else "[{number}, eq. {at}]", number=number, at=formulas)
+            mark = filled(
+                "[{number}, eqs. {at}]" if many else "[{number}, eq. {at}]", {"number": number, "at": formulas}
+            )
         else:
             mark = f"[{number}, {found['place']}]" if found["place"] else f"[{number}]"
         return name + mark
