@@ -8,7 +8,6 @@ from ..errors import AfmcalcError
 from ..messages import did_you_mean, translate
 from .names import Named, names_of
 from .options import COMMON, LANG
-from .streams import width
 
 TOPICS = ("options", "keys", "quantities", "plots")
 
@@ -61,7 +60,9 @@ def _print(rows: Named) -> None:
     from rich.table import Table
     from rich.text import Text
 
+    from ..render.formats.table import columns
+
     grid = Table.grid(padding=(0, 2))
     for name, about in rows:
         grid.add_row(Text(name, no_wrap=True), Text(about))
-    Console(width=width(), highlight=False).print(grid)
+    Console(width=columns(terminal=True), height=1, highlight=False).print(grid)
