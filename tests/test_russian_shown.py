@@ -57,8 +57,10 @@ SLOW = {
 
 PROSE = re.compile(r"[a-z]{3,}[,;:]? [a-z]{3,}|^[A-Z][a-z]+$")
 UNIT = re.compile("^(mm|kN|MPa|kJ|kg|rpm)$|^[A-Za-z]*([·/²³⁻¹]+[A-Za-z]*)+$")
-ENGLISH = re.compile(r"\b(?:the|is|are|must|has|not|with|which|than|from|unknown)\b (?!=)")
+ENGLISH = re.compile(r"(?<!--)\b(?:the|is|are|must|has|not|with|which|than|from|unknown)\b (?!=)")
 """Words that no Russian text has."""
+PARSER = "ошибка: Invalid value for "
+"""Start of a line in which the parser of the command line says what is wrong, in English everywhere."""
 
 
 class Noting:
@@ -105,7 +107,7 @@ def noting(monkeypatch):
 def shown_by(run) -> str:
     """What people read of an output: no styles, no markup, no quotations, no bibliography."""
     text = re.sub(r"(?s)<(style|pre|code|math|script)\b.*?</\1>|<dl class=.references.*?</dl>", " ", run.out + run.err)
-    no_text = r"(?m)<[^>]*>|^.*(?:Juvinall| // |EN 13906).*$|^ *\d* \| .*$|'[^']*'|\"[^\"]*\""
+    no_text = rf"(?m)<[^>]*>|^{PARSER}.*$|^.*(?:Juvinall| // |EN 13906).*$|^ *\d* \| .*$|'[^']*'|\"[^\"]*\""
     return re.sub(no_text, " ", html.unescape(text))
 
 

@@ -208,7 +208,7 @@ def _misused(error: Any, given: list[str]) -> int:
     if context := getattr(error, "ctx", None):
         tell(context.get_usage())
         tell(told("Try '{path} --help' for help.", path=context.command_path))
-    message = error.format_message().rstrip(".")
+    message = error.format_message().rstrip(".").replace("Value error, ", "")  # which pydantic puts before it
     if new := FORMER_OPTIONS.get(getattr(error, "option_name", "")):
         message = told("{name} is no option any more; instead: {new}", name=error.option_name, new=new)
     _complain(message)
