@@ -57,7 +57,7 @@ SLOW = {
 
 PROSE = re.compile(r"[a-z]{3,}[,;:]? [a-z]{3,}|^[A-Z][a-z]+$")
 UNIT = re.compile("^(mm|kN|MPa|kJ|kg|rpm)$|^[A-Za-z]*([·/²³⁻¹]+[A-Za-z]*)+$")
-ENGLISH = re.compile(r"\b(?:the|is|are|must|has|not|with|which|than|from|unknown)\b (?!=)")
+ENGLISH = re.compile(r"(?<!--)\b(?:the|is|are|must|has|not|with|which|than|from|unknown)\b (?!=)")
 """Words that no Russian text has."""
 
 

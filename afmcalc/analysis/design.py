@@ -26,6 +26,7 @@ from ..spec.search import SPRINGS
 from ..units import ENGINEER
 from .check import check, simulating
 from .design_grid import Nearest, Part, Row, Survey, candidate, holding, name_of, parts_of_search, unbeaten, wired
+from .solve import is_quantity
 from .springs import label_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
@@ -134,7 +135,7 @@ def _check_objectives(parts: Sequence[Part], objectives: Sequence[str]) -> None:
     clutches = [wired(with_values(part.base, part.values(np.arange(1)))) for part in parts]
     for name in objectives:
         asked = name.removeprefix("-")
-        if not (any(asked in own for own in clutches) and term_of(asked).unit):
+        if not (any(asked in own for own in clutches) and is_quantity(asked)):
             hint = did_you_mean(asked, {known for own in clutches for known in own.names()})
             raise AfmcalcError("objectives: no quantity {name!r} of these clutches{hint}", name=asked, hint=hint)
 

@@ -13,7 +13,7 @@ from ..engines.checks import REQUIRED
 from ..engines.evaluate import evaluate
 from ..engines.selection import NAMES
 from ..equations.arrays import Floats
-from ..equations.terms import CASES, TERMS, term_of
+from ..equations.terms import CASES, SEVERAL, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
 from ..messages import did_you_mean, latin, measured, say
@@ -80,9 +80,11 @@ class SolveResult(Asking, Answer):
 
 
 def is_quantity(name: str) -> bool:
-    """True if a name is that of a numeric quantity, or of one in a case."""
+    """True if a name is that of a quantity that is one number, or of such a quantity in a case."""
     inner, _, case = name.rpartition("_at_")
-    return TERMS[name].unit != "" if name in TERMS else case in CASES and is_quantity(inner)
+    if name in TERMS:
+        return TERMS[name].unit != "" and name not in SEVERAL
+    return case in CASES and is_quantity(inner)
 
 
 def unit_of(target: str) -> str:
@@ -122,7 +124,7 @@ def parse_target(text: str) -> tuple[str, float, list[Finding]]:
             text=text, hint=did_you_mean(given, targets().values()), known=", ".join(REQUIRED),
         )  # fmt: skip
     if not value:
-        raise AfmcalcError("{text:.80}: write {name}=VALUE", text=text, name=given)
+        raise AfmcalcError("{text:.80}: write {name}=VALUE", text=text.strip(), name=given)
     number: float | str = value
     with suppress(ValueError):
         number = float(value)

@@ -205,9 +205,3 @@ def tell(text: str) -> None:
         for line in text.split("\n"):
             shown = printable(line)
             print(shown if len(shown) <= LONGEST_LINE else f"{shown[: LONGEST_LINE - 3]}...", file=sys.stderr)
-
-
-def width() -> int | None:
-    """Return the columns that COLUMNS asks for; None: those of the terminal."""
-    columns = os.environ.get("COLUMNS", "")
-    return int(columns) if columns.isdecimal() and 20 <= int(columns) <= 1000 else None

@@ -14,7 +14,7 @@ from typer.core import TyperGroup
 from .. import __version__
 from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
 from ..messages import deferred, did_you_mean, say, speaking, translate
-from .files import drop_output, prepare, tell, width
+from .files import drop_output, prepare, tell
 from .names import Named, names_of
 from .options import COMMON
 
@@ -227,10 +227,12 @@ def _print(rows: Named) -> None:
     from rich.table import Table
     from rich.text import Text
 
+    from ..render.formats.table import columns
+
     grid = Table.grid(padding=(0, 2))
     for name, about in rows:
         grid.add_row(Text(name, no_wrap=True), Text(about))
-    Console(width=width(), highlight=False).print(grid)
+    Console(width=columns(terminal=True), height=1, highlight=False).print(grid)
 
 
 def without_lang(arguments: list[str]) -> tuple[list[str], str]:
@@ -262,7 +264,7 @@ def _misused(error: Any, given: list[str]) -> int:
     if context := getattr(error, "ctx", None):
         tell(context.get_usage())
         tell(say("Try '{path} --help' for help.", path=context.command_path))
-    message = error.format_message().rstrip(".")
+    message = error.format_message().rstrip(".").replace("Value error, ", "")  # which pydantic puts before it
     if new := FORMER_OPTIONS.get(getattr(error, "option_name", "")):
         message = say("{name} is no option any more; instead: {new}", name=error.option_name, new=translate(new))
     _complain(message)

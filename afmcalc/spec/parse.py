@@ -205,6 +205,8 @@ def check_size(data: object, label: str) -> None:
                 raise _refused(label, say("has more than {most:,} keys", most=MOST_KEYS))
             if any(len(key) > LONGEST_TEXT for key in value):
                 raise _refused(label, say("a key has more than {most:,} characters", most=LONGEST_TEXT), path)
+            if any(map(_has_surrogate, value)):
+                raise _refused(label, say("holds a lone surrogate, which is no character"), path)
             left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
         elif isinstance(value, list):
             if (items := items + len(value)) > MOST_ITEMS:
@@ -212,5 +214,12 @@ def check_size(data: object, label: str) -> None:
             left += [(path, depth + 1, inner) for inner in value]
         elif isinstance(value, str) and len(value) > LONGEST_TEXT:
             raise _refused(label, say("has more than {most:,} characters", most=LONGEST_TEXT), path)
+        elif isinstance(value, str) and _has_surrogate(value):
+            raise _refused(label, say("holds a lone surrogate, which is no character"), path)
         elif isinstance(value, int) and value.bit_length() > MOST_BITS:
             raise _refused(label, say("is beyond the range of numbers"), path)
+
+
+def _has_surrogate(text: str) -> bool:
+    """True if a text cannot be written as UTF-8: JSON spells halves of characters, a shell hands on bytes."""
+    return re.search("[\ud800-\udfff]", text) is not None

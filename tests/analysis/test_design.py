@@ -345,6 +345,7 @@ REFUSED = {
     "search.control_unit.gain=[]": "must not be an empty list",
     "search.friction_group.outer_radius=[0.01]": "must be greater than friction_group.inner_radius",
     'objectives=["accuracy"]': "no quantity 'accuracy' of these clutches",
+    'objectives=["friction_slips"]': "no quantity 'friction_slips' of these clutches",
     "search=": "required by design",
 }  # fmt: skip
 

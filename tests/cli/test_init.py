@@ -34,6 +34,14 @@ def test_every_kind_is_calculated_as_the_note_says(kind, afmcalc, tmp_path, monk
     assert afmcalc(_COMMAND[kind], "a.toml", *(LIGHT if kind == "drive" else QUICK.get(kind, []))).code == 0
 
 
+def test_a_schema_that_stands_beside_is_not_overwritten(afmcalc, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "afmcalc.schema.json").write_text("{}", encoding="utf-8")
+    run = afmcalc("init", "a.toml", "--schema")
+    assert (run.code, [each.name for each in tmp_path.iterdir()]) == (2, ["afmcalc.schema.json"])
+    assert run.err.startswith("error: afmcalc.schema.json: exists already")
+
+
 def test_a_machine_is_the_template_and_an_example_can_be_copied(afmcalc, answered, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert afmcalc("init").err == "note: wrote clutch.toml; calculate it with: afmcalc design clutch.toml\n"

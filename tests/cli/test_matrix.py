@@ -54,7 +54,7 @@ def test_a_result_or_a_sentence(share, afmcalc, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     asked = [*cases()]
     wrong = []
-    for arguments, language in random.Random(1).sample(asked, len(asked) // share):
+    for arguments, language in random.Random(3).sample(asked, len(asked) // share):
         monkeypatch.setenv("AFMCALC_LANG", language)
         run = afmcalc(*arguments)
         said = run.code in (0, 1) if arguments[0] == "check" else run.code == 0

@@ -27,16 +27,10 @@ _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 def render(output: Output, terminal: bool) -> str:
     """Lay out tables and findings: what is wider than there is room for is folded or goes into a table of its own."""
-    laid_out, width = document(output.result), _width(terminal)
+    laid_out, width = document(output.result), columns(terminal)
     text = io.StringIO()
-    console = Console(
-        file=text,
-        force_terminal=terminal,
-        no_color=None if terminal else True,
-        width=width,
-        height=_NARROWEST,
-        highlight=False,
-    )
+    plain = None if terminal else True
+    console = Console(file=text, force_terminal=terminal, no_color=plain, width=width, height=1, highlight=False)
     lines = [(title(output), "bold"), *((line, "") for line in lead(output).splitlines())]
     _print(console, *lines)
     for block in unfolded(blocks(laid_out)):
@@ -59,10 +53,10 @@ def _print(console: Console, *lines: tuple[str, str], filled: bool = False) -> N
             console.print(Text(line, style=style))
 
 
-def _width(terminal: bool) -> int:
+def columns(terminal: bool) -> int:
     """Return the columns that the user asked for by ``COLUMNS``, else those of a terminal; a pipe has no bound."""
-    columns = os.environ.get("COLUMNS", "")
-    if columns.isdecimal() and (wanted := int(columns[:9])):  # so many digits are beyond any bound
+    asked = os.environ.get("COLUMNS", "")
+    if asked.isdecimal() and (wanted := int(asked[:9])):  # so many digits are beyond any bound
         return min(max(wanted, _NARROWEST), _UNBOUND)
     return shutil.get_terminal_size().columns if terminal else _UNBOUND
 
@@ -79,8 +73,8 @@ def _widths(block: TextTable) -> list[int]:
 
 def _kept(block: TextTable) -> list[int]:
     """Widths that columns keep: of numbers, and of text that is short, all; of other text that of its longest word."""
-    columns = zip(block.header, *block.rows, strict=True)
-    words = [max(map(len, " ".join(column).split()), default=0) for column in columns]
+    cells = zip(block.header, *block.rows, strict=True)
+    words = [max(map(len, " ".join(column).split()), default=0) for column in cells]
     kept = zip(_widths(block), words, block.numeric, strict=True)
     return [width if right else min(width, max(word, _SHORT)) for width, word, right in kept]
 
