@@ -412,7 +412,8 @@ def _lengthened(motion: Motion, watch: _Watch, finest: Any, end: Any) -> Any:
         motion.set_step(step if is_array(motion.h) else float(step))
     # a motor that carries the slip on the stable branch of its curve does so for ever
     stable = True if train.engine.slip is None else motion.motor > train.engine.synchronous * (1 - train.engine.slip)
-    carries = (motor >= motion.clutch * (1 - _CARRIES)) | (lasting > slowing * np.maximum(end - motion.time, 0.0))
+    balanced = motor >= motion.clutch * (1 - _CARRIES)
+    carries = balanced | np.isinf(end) | (lasting > slowing * np.maximum(end - motion.time, 0.0))
     endless: Any = quiet & stable & carries & (train.cut_off is None)
     return endless
 
