@@ -13,7 +13,7 @@ from ..engines.checks import REQUIRED
 from ..engines.evaluate import evaluate
 from ..engines.selection import NAMES
 from ..equations.arrays import Floats
-from ..equations.terms import CASES, SEVERAL, TERMS, term_of
+from ..equations.terms import CASES, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
 from ..messages import did_you_mean, latin, measured, say
@@ -39,6 +39,8 @@ _SAME = 1e-12
 """Relative difference that rounding can make."""
 _JUMP = 1e-2
 """Part of the change across its bracket that a quantity may miss at a root; where it misses more, it jumps."""
+SEVERAL = {"balls_listed", *(name for name in TERMS if "_slips" in name)}
+"""Quantities that are several numbers: of a list, or one for each slip."""
 
 
 class Root(Result):

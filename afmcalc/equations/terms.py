@@ -295,9 +295,6 @@ def read_terms(table: str) -> dict[str, Term]:
 TERMS = read_terms(_TABLE)
 """Name of a quantity → what it is called."""
 
-SEVERAL = {"balls_listed", *(name for name in TERMS if "_slips" in name)}
-"""Quantities that are several numbers: of a list, or one for each slip."""
-
 CASES = {
     "f_min": "f_min", "f_mean": "f_cp", "f_max": "f_max", "setting": "f_set", "rest": "f = 0", "leaving": "f_L",
     "leaving_in_range": "f_L", "leaving_from_mean": "f_L", "unlocking": "f_u", "returning": "returning",

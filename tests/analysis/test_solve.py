@@ -8,9 +8,9 @@ import pytest
 from random_clutches import random_clutches
 
 from afmcalc import errors, load
-from afmcalc.analysis.solve import parse_target, solve
+from afmcalc.analysis.solve import SEVERAL, parse_target, solve
 from afmcalc.engines import build
-from afmcalc.equations.terms import SEVERAL, TERMS
+from afmcalc.equations.terms import TERMS
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.edit import respecified, value_at, with_key
 from afmcalc.spec.keys import ALIASES, is_whole
