@@ -35,8 +35,8 @@ LONG = {"direct": (40, 120, 164, 172), "indirect": (16, 56, 80, 112, 176)}
 class Miss(NamedTuple):
     number: int
     name: str
-    got: float | None
-    told: float | None
+    got: float
+    told: float
 
 
 def misses(kind: str, numbers: Iterable[int]) -> Iterator[Miss]:
@@ -50,7 +50,9 @@ def misses(kind: str, numbers: Iterable[int]) -> Iterator[Miss]:
         got = dict(zip(TOLERANCES[kind], (event.peak, event.peak_clutch, *_slip(event)), strict=True))
         for name, tolerance in TOLERANCES[kind].items():
             told = row["results"][name]
-            same = told is not None and got[name] == pytest.approx(told, rel=tolerance, abs=1e-9)
+            if told is None:  # 0.3.0 had not seen the end within its time
+                continue
+            same = got[name] == pytest.approx(told, rel=tolerance, abs=1e-9)
             if not (same or (name.startswith("slip") and (row.get("ill") or spread > SPREAD))):
                 yield Miss(number, name, got[name], told)
 
