@@ -146,6 +146,7 @@ def test_load_event_stops_the_tool_and_holds_it():
     assert (found.rows[-1].speed_tool, found.rows[-1].torque_shaft) == (0, pytest.approx(150, abs=160))
 
 
+@pytest.mark.slow
 def test_a_motor_that_is_slowed_pulls_harder():
     """Tool, drive and Kloss motor slow down as one, long after the first swing, until the motor carries the load."""
     engine = Engine(270.0, 0.16, 7.43)
