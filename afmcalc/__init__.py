@@ -9,22 +9,14 @@
 TYPE_CHECKING = False  # typing costs more than all the rest, and Ctrl-C may come meanwhile
 if TYPE_CHECKING:
     from .errors import AfmcalcError, FileError, SpecError
-    from .python import Clutch, build, compare, design, load
+    from .python import Clutch, build, compare, design, load, loads
     from .spec import Spec, read_spec
 
 __version__ = "0.3.0"
 __all__ = [
-    "AfmcalcError",
-    "Clutch",
-    "FileError",
-    "Spec",
-    "SpecError",
-    "build",
-    "compare",
-    "design",
-    "load",
+    "AfmcalcError", "Clutch", "FileError", "Spec", "SpecError", "build", "compare", "design", "load", "loads",
     "read_spec",
-]
+]  # fmt: skip
 
 _HOMES = {"errors": ("AfmcalcError", "FileError", "SpecError"), "spec": ("Spec", "read_spec")}
 """Module → public names of it; all others are of ``python``."""

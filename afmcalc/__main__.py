@@ -1,18 +1,17 @@
 """The program: ``afmcalc``, or ``python -m afmcalc``."""
 
-from .cli.signals import ignore, watch
+import sys
 
 
 def program() -> None:
     """Run it; Ctrl-C may come at any moment, also while all else is imported."""
-    watch()
-    _tune()
-    from .cli.main import main
-
     try:
+        _tune()
+        from .cli.main import main
+
         main()
-    finally:
-        ignore()
+    except KeyboardInterrupt:
+        sys.exit(130)
 
 
 def _tune() -> None:

@@ -7,9 +7,9 @@ import re
 import sys
 from collections.abc import Callable, Mapping
 from importlib.util import find_spec
-from typing import NamedTuple, Self, TypeVar
+from typing import NamedTuple, TypeVar
 
-from .messages import ENGLISH, FOLDER, WRITTEN, Language, Text, joined, known, language, say, term, told, translate
+from .messages import ENGLISH, FOLDER, LANGUAGES, Language, deferred, filled, language, say, translate
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
@@ -17,14 +17,14 @@ LONGEST_LINE = 390
 """Characters of a line of an error; with what is put before it, below 400."""
 
 
-BEYOND_NUMBERS = say("a result is not finite (beyond the range of numbers): check the magnitudes in the spec")
+BEYOND_NUMBERS = deferred("a result is not finite (beyond the range of numbers): check the magnitudes in the spec")
 
 
 T = TypeVar("T")
 
 
 def given(value: T | None) -> T:
-    """Return what is there, as the rules of a spec or of requirements, or who asks, see to."""
+    """Return a value, asserting that it is not None: validation guarantees it."""
     assert value is not None
     return value
 
@@ -35,12 +35,12 @@ class AfmcalcError(Exception):
     exit_code = 2
 
     def __init__(self, template: str, /, **values: object) -> None:
-        """Say what is wrong: a template of ``messages`` and what fills it, or what was said already."""
-        super().__init__(template if isinstance(template, Text) else Text(template, values))
+        """Take a template and the values that fill it, or a sentence."""
+        super().__init__(filled(template, values) if values else translate(template))
 
     def __str__(self) -> str:
         """The message in the language of the user, no line of it too long to read."""
-        return _cut(translate(super().__str__()))
+        return _cut(super().__str__())
 
 
 def _cut(text: str) -> str:
@@ -63,7 +63,7 @@ def reason(error: OSError) -> str:
             os.getcwd()
         except FileNotFoundError:
             return say("the working directory {path} does not exist any more", path=os.environ.get("PWD", "."))
-    return term(error.strerror or str(error))
+    return translate(error.strerror or str(error))
 
 
 def unexpected(error: Exception) -> tuple[bool, list[str]]:
@@ -81,22 +81,19 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
     if beyond:
         return True, [translate(BEYOND_NUMBERS)]
     if isinstance(error, MemoryError):
-        return True, [told("not enough memory for what was asked")]
+        return True, [say("not enough memory for what was asked")]
     import os
     import traceback
 
     from . import __version__
 
     at = traceback.extract_tb(error.__traceback__)[-1]
-    fault = told(
+    fault = say(
         "this is a fault of afmcalc {version}, not of what it was given: {kind}: {why} ({file}, line {line})",
-        version=__version__,
-        kind=type(error).__name__,
-        why=" ".join(str(error).split())[:200],
-        file=os.path.basename(at.filename),
-        line=at.lineno,
-    )
-    report = told(
+        version=__version__, kind=type(error).__name__, why=" ".join(str(error).split())[:200],
+        file=os.path.basename(at.filename), line=at.lineno,
+    )  # fmt: skip
+    report = say(
         "please report it: this line, the command line and the spec; AFMCALC_TRACEBACK=1 before the command shows "
         "where it comes from"
     )
@@ -106,8 +103,9 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
 EXTRAS = {
     "plot": ("matplotlib",),
     "cad": ("ezdxf",),
-    "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
-    "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "latex2mathml", "markdown_it"),
+    "report": ("matplotlib", "markdown_it"),
+    "pdf": ("matplotlib", "markdown_it", "typst"),
+    "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "markdown_it"),
 }
 """Optional dependencies, as pip knows them → modules they bring."""
 
@@ -115,14 +113,13 @@ EXTRAS = {
 def need(extra: str, *modules: str) -> None:
     """Make sure that the modules of an extra, or these of it, are installed, without importing them.
 
-    Raises:
-        AfmcalcError: one is missing; it says how to get it.
+    Raises AfmcalcError: one is missing; it says how to get it.
     """
     missing = [name for name in modules or EXTRAS[extra] if find_spec(name) is None]
     if missing:
         raise AfmcalcError(
             "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",
-            missing=joined(missing, say(" and ")),
+            missing=say(" and ").join(missing),
             extra=extra,
         )
 
@@ -136,46 +133,26 @@ _WIDTH = 100
 
 
 class Place(NamedTuple):
-    """A stretch of one line, counted from 1."""
+    """A line of a text, counted from 1."""
 
     line: int
-    column: int
-    width: int
     text: str
-    """The whole line."""
 
-    def __str__(self) -> str:
-        """As editors take it."""
-        return f"{self.line}:{self.column}"
-
-    def shown(self) -> tuple[str, str]:
-        """The line, what is too long cut off, and a caret under what is meant."""
-        start = max(0, self.column - 1 - _WIDTH // 2) if len(self.text) > _WIDTH else 0
-        cut = "".join(sign if sign.isprintable() else " " for sign in self.text[start : start + _WIDTH])
-        before = self.column - 1 - start
-        carets = "^" * max(1, min(self.width, _WIDTH - before))
-        number = str(self.line)
-        return f"  {number} | {cut.rstrip()}", f"  {' ' * len(number)} | {' ' * before}{carets}"
+    def shown(self) -> str:
+        """Return the line as an error shows it, cut where it is too long."""
+        cut = "".join(sign if sign.isprintable() else " " for sign in self.text[:_WIDTH])
+        return f"  {self.line} | {cut.rstrip()}"
 
 
 class Label(str):
-    """What a text is called in messages."""
-
-    name: str
-    """The same as it was given, so that what is in no file can be translated."""
-
-    def __new__(cls, label: str) -> Self:
-        """Keep the name."""
-        made = super().__new__(cls, label)
-        made.name = label.name if isinstance(label, Label) else label
-        return made
+    """Name of a text in messages."""
 
     def origin(self, path: str) -> str:
-        """What gave the value at a dotted path: the text, or an option of the command line."""
-        return self.name
+        """Origin of the value at a dotted path: the text, or an option of the command line."""
+        return self
 
-    def place(self, path: str, *, key: bool = False) -> Place | None:
-        """Where the value at a dotted path stands, or its ``key``; None where the text is not known."""
+    def place(self, path: str) -> Place | None:
+        """Line of the key at a dotted path; None where the text is not known."""
         return None
 
 
@@ -187,11 +164,9 @@ class Problem(NamedTuple):
     given: str | None
     """The value given, as the user wrote it; None when a key is missing."""
     message: str
-    """What is wrong and what is allowed."""
-    at_key: bool = False
-    """Whether the key itself is wrong, not its value."""
+    """The fault, and what is allowed."""
     place: Place | None = None
-    """Where it stands in the text it was read from, as far as that is known."""
+    """Line of the text it was read from, as far as that is known."""
 
     def __str__(self) -> str:
         """One line: path, value, message."""
@@ -208,21 +183,20 @@ class SpecError(AfmcalcError, ValueError):
         """Collect ``problems`` of the spec read from ``source``; ``more`` are there that nobody looked into."""
         self.source, self.more = source if isinstance(source, Label) else Label(source), more
         self.problems = [
-            problem._replace(place=problem.place or self.source.place(problem.path, key=problem.at_key))
-            for problem in problems
+            problem._replace(place=problem.place or self.source.place(problem.path)) for problem in problems
         ]
         lines: list[str] = []
         for problem in self.problems[:MOST_SHOWN]:
-            lines.append(say("{where}: {problem}", where=self.where(problem), problem=term(str(problem))))
-            lines += problem.place.shown() if problem.place else ()
+            lines.append(say("{where}: {problem}", where=self.where(problem), problem=str(problem)))
+            lines += [problem.place.shown()] if problem.place else []
         if hidden := len(self.problems[MOST_SHOWN:]) + more:
-            lines.append(say("{source}: and {hidden:,} more", source=self.source.name, hidden=hidden))
-        super().__init__(joined(lines, "\n"))
+            lines.append(say("{source}: and {hidden:,} more", source=self.source, hidden=hidden))
+        super().__init__("{problems}", problems="\n".join(lines))
 
     def where(self, problem: Problem) -> str:
-        """What gave the value, with line and column, as far as they are known."""
+        """Origin of the value, with its line, as far as that is known."""
         origin = self.source.origin(problem.path)
-        return joined([origin, str(problem.place)], ":") if problem.place else origin
+        return f"{origin}:{problem.place.line}" if problem.place else origin
 
 
 OPTION, VARIABLE = "--lang", "AFMCALC_LANG"
@@ -244,7 +218,6 @@ def chosen_language(
     lang: str,
     environment: Mapping[str, str],
     note: Callable[[str], object] = lambda text: None,
-    of_system: Callable[[], str] = windows_language,
 ) -> Language:
     """Return the language of the option, else of AFMCALC_LANG, else of the system: English where that is not known.
 
@@ -252,22 +225,16 @@ def chosen_language(
         lang: language asked for by the option, if any.
         environment: variables of the process.
         note: is told that the language of the system is not spoken, as its texts are missing.
-        of_system: gives the language of a system that no variable tells.
 
     Raises:
         AfmcalcError: what is asked for is unknown, or its texts are missing.
     """
     asked = {
-        OPTION: lang,
-        VARIABLE: environment.get(VARIABLE),
-        "": _system_language(environment, of_system) or ENGLISH.name,
-    }
+        OPTION: lang, VARIABLE: environment.get(VARIABLE), "": _system_language(environment) or ENGLISH.name,
+    }  # fmt: skip
     by, name = next((by, name) for by, name in asked.items() if name)
-    languages = sorted({ENGLISH.name, *WRITTEN, *known()})
-    if name == ENGLISH.name:
-        return ENGLISH
-    if name not in languages:
-        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=", ".join(languages))
+    if name not in LANGUAGES:
+        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=LANGUAGES)
     try:
         return language(name)
     except Exception as error:  # whatever is wrong with the file
@@ -284,12 +251,12 @@ def chosen_language(
         return ENGLISH
 
 
-def _system_language(environment: Mapping[str, str], of_system: Callable[[], str]) -> str:
+def _system_language(environment: Mapping[str, str]) -> str:
     """Return the language of the system: LANGUAGE, a list, is asked first, but not where the locale is plain C."""
     locale = next(filter(None, map(environment.get, _LOCALE)), "")
     wanted = [locale] if _short(locale) in ("C", "POSIX") else [*environment.get("LANGUAGE", "").split(":"), locale]
-    wanted = [_short(name) for name in wanted if name] or [of_system()]
-    return next((name for name in wanted if name in (ENGLISH.name, *WRITTEN, *known())), "")
+    wanted = [_short(name) for name in wanted if name] or [windows_language()]
+    return next((name for name in wanted if name in LANGUAGES), "")
 
 
 def _short(name: str) -> str:

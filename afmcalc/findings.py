@@ -1,13 +1,13 @@
 """Findings: what a designer should know about a legal design, and the sentence of each."""
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from math import isfinite
 from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .messages import Text
+from .messages import filled
 
 Level = Literal["info", "warning", "error"]
 
@@ -50,38 +50,7 @@ def finding(
     if not all(isfinite(number) for number in values.values() if isinstance(number, float)):
         raise OverflowError
     value, limit = (number if number is None or type(number) is int else float(number) for number in (value, limit))
-    return Finding(level, code.partition("/")[0], Text(FINDINGS[code], values), value, limit, path)
-
-
-_OF_CLUTCH = "{name}: {message}"
-
-
-def of_clutch(remark: Finding, name: str) -> Finding:
-    """Return a finding that says which of several clutches it is of."""
-    return replace(remark, message=Text(_OF_CLUTCH, {"name": name, "message": remark.message}))
-
-
-def told_once(findings: Iterable[Finding]) -> list[Finding]:
-    """Join what several clutches have in one sentence: their names, and in the same order the values that differ."""
-    alike: dict[object, list[tuple[Finding, object, Text]]] = {}
-    for each in findings:
-        whole = each.message
-        names = whole.values if isinstance(whole, Text) and whole.template == _OF_CLUTCH else None
-        said = names["message"] if names else None
-        if names and isinstance(said, Text) and said.values and not said.plural and "!" not in said.template:
-            key: object = (each.level, each.code, each.path, said.template)
-            alike.setdefault(key, []).append((each, names["name"], said))
-        else:
-            alike.setdefault(each, []).append((each, "", Text(each.message)))
-    joined = []
-    for (first, name, said), *others in alike.values():
-        every = [said.values or {}, *(other.values or {} for _, _, other in others)]
-        sets = {key: [values[key] for values in every] for key in every[0]}
-        values = {key: of[0] if all(value == of[0] for value in of) else of for key, of in sets.items()}
-        clutches = list(dict.fromkeys([name, *(other for _, other, _ in others)]))
-        message = Text(_OF_CLUTCH, {"name": clutches, "message": Text(said.template, values)})
-        joined.append(replace(first, message=message) if name and others else first)
-    return joined
+    return Finding(level, code.partition("/")[0], filled(FINDINGS[code], values), value, limit, path)
 
 
 FINDINGS: Mapping[str, str] = {
@@ -167,12 +136,11 @@ FINDINGS: Mapping[str, str] = {
     "event-not-settled": "at {at} the drive has neither come to rest nor to a steady run within the {value:.4g} s that "
     "are simulated: it may slip again, and the peak may yet rise (a motor that stalls swings the shaft up until it is "
     "switched off, drive.cut_off)",
-    "stop-bracket/peak": "at {at} the peak torque depends on how the key holds the sleeve at its stop: "
-    "{value:.5g N·m} … {limit:.5g N·m} with the normal force along κ … κ₊; vibration loosens a key",
-    "stop-bracket/heat": "at {at} the heat depends on how the key holds the sleeve at its stop: {value:.4g kJ} … "
-    "{limit:.4g kJ} with the normal force along κ … κ₊; vibration loosens a key",
-    "stop-bracket/open": "at {at} it depends on how the key holds the sleeve at its stop whether the slip ends: after "
-    "{value:.4g kJ} or not at all, with the normal force along κ … κ₊; vibration loosens a key",
+    "peak-not-converged": "at {at} twice the time step changes the peak torque by {value:.2%}, more than {limit:.1%}, "
+    "however fine the steps: the peak is that uncertain",
+    "ill-conditioned": "at {at} heat and time of the slip are ill-conditioned: twice the time step changes them by "
+    "{value:.0%}, as a sleeve that rattles against its stop, or a slip that judders and sticks again and again, does "
+    "not do the same twice",
     "sweep-not-settled": "{value} of the swept drives have neither come to rest nor to a steady run as their "
     "simulation ends: their peaks may yet rise",
     "event-contact-force": "at {at_contact} the event presses a ball against its wall with {value:.5g kN}; {limit:.5g "

@@ -11,8 +11,9 @@ from .analysis.registry import ANALYSES, SpringKind, SpringOrder, StressRule
 from .engines import Clutch as Engine
 from .engines.quantities import Quantities
 from .equations.arrays import Floats
-from .errors import BEYOND_NUMBERS, VARIABLE, CalculationError, chosen_language
+from .errors import BEYOND_NUMBERS, AfmcalcError, CalculationError, need
 from .findings import Finding
+from .messages import localized, named, native, translate
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
 from .spec.edit import Overrides, apply_overrides, respecified
@@ -42,7 +43,12 @@ Friction: TypeAlias = float | tuple[float, float] | Sequence[float | tuple[float
 """A friction, a pair f_1, f_2 of unlike materials, or several of them."""
 A = TypeVar("A", bound=Answer)
 
-chosen_language("", {VARIABLE: os.environ.get(VARIABLE, "en")})  # refuses another language than there is
+
+class Picture(str):
+    """A plot as SVG."""
+
+    def _repr_svg_(self) -> str:
+        return str(self)
 
 
 class Clutch:
@@ -82,7 +88,7 @@ class Clutch:
         return self._ask("check", strict=strict)
 
     def effects(self) -> "EffectsResult":
-        """What the torque law neglects, in numbers."""
+        """Effects that the torque law neglects, in numbers."""
         return self._ask("effects")
 
     def explain(self, command: str, *, model: StressRule | None = None) -> "ExplainResult":
@@ -116,19 +122,25 @@ class Clutch:
         return self._ask("overload", self._axes(sweep), _pairs(friction))
 
     def simulate(self, friction: Friction = (), sweep: Sweep = ()) -> "SimulateResult":
-        """The drive in time when the clutch trips, also at the friction asked for."""
-        return self._ask("simulate", _pairs(friction), self._axes(sweep))
+        """The drive in time when the clutch trips, with the heat of it, also at the friction asked for."""
+        return self._ask("simulate", _pairs(friction), self._axes(sweep), heated=not sweep)
 
-    def solve(self, name: str, target: str, wanted: float | str, *, beyond_limit: bool = False) -> "SolveResult":
+    def solve(self, target: str, value: float | str, *, for_: str = "C", beyond_limit: bool = False) -> "SolveResult":
         """One key from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it.
+
+        Args:
+            target: quantity that is wanted.
+            value: its value, in SI or a text with a unit.
+            for_: key to solve for, by symbol or path.
+            beyond_limit: whether to go past the gain limit of the variant.
 
         Raises:
             CalculationError: no value of the key gives it; says which comes nearest.
         """
         from .analysis.solve import parse_target
 
-        target, value, questions = parse_target(f"{target}={wanted}")
-        result, solved, findings = _asked("solve", self._engine, name, target, value, beyond_limit=beyond_limit)
+        target, wanted, questions = parse_target(f"{target}={value}")
+        result, solved, findings = _asked("solve", self._engine, for_, target, wanted, beyond_limit=beyond_limit)
         if not result.roots:
             raise CalculationError(findings[-1].message)
         return _answered("solve", solved.spec, result, [*questions, *findings])
@@ -139,11 +151,9 @@ class Clutch:
         """Disc stacks and coil springs that give the forces and stiffnesses of the clutch."""
         return self._ask("springs", sort, top, kind, tolerance)
 
-    def synthesize(self, balls: str | PathLike[str] | Sequence[float] | None = None) -> "SynthesisResult":
-        """Wall angle, balls and pockets of the control unit; ``balls``: diameters to choose from, m, or their file."""
-        if isinstance(balls, str | PathLike):
-            return self.with_({"catalogues.balls": os.path.abspath(balls)}).synthesize()
-        return self._ask("synthesize", balls)
+    def pocket(self) -> "SynthesisResult":
+        """Wall angle, balls and pockets of the control unit."""
+        return self._ask("pocket")
 
     def tolerance(self) -> "ToleranceResult":
         """Torque over tolerances and scatter: quantiles, risks, life, what scatters most."""
@@ -185,9 +195,78 @@ class Clutch:
         """Copy and pickle the spec; the clutch is built from it."""
         return Clutch, (self.spec,)
 
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write the spec, over a file that exists; comments, order and units of the text it was read from stay."""
+        from pathlib import Path
+
+        from .spec.saved import saved
+
+        target = Path(path)
+        target.write_text(saved(self.spec, {}, self.spec, str(target.absolute().parent)), encoding="utf-8")
+
+    def plot(self, name: str, path: str | PathLike[str] | None = None, *, sweep: str | None = None) -> "Picture":
+        """Return a plot as SVG, which a notebook shows; with ``path`` also write it, as .svg, .png or .pdf.
+
+        Raises:
+            AfmcalcError: no plot of that name or file of that ending.
+        """
+        from .analysis.answers import Answers
+        from .analysis.figures import Request, gathered
+        from .render.plot import sheet_of
+        from .render.plot.figure import save
+
+        need("plot")
+        sheet = sheet_of(name, gathered(name, Request([Answers(self._engine)], sweep)))
+        if path is not None:
+            ending = os.path.splitext(path)[1].removeprefix(".")
+            if ending not in ("svg", "png", "pdf"):
+                raise AfmcalcError("{path}: end it in .svg, .png or .pdf", path=str(path))
+            with open(path, "wb") as file:
+                file.write(save(sheet, ending))
+        return Picture(save(sheet, "svg").decode())
+
+    def report(self, path: str | PathLike[str], *, short: bool = False) -> None:
+        """Write the calculation report to an HTML file."""
+        from hashlib import sha256
+
+        from .analysis.dossier import dossier
+        from .render.report import Subject, render
+        from .render.report.title import text_as_given, title_block
+        from .spec.source import Source
+
+        need("report")
+        source = self.spec.label if isinstance(self.spec.label, Source) else Source(self.spec.label)
+        told, digest = dossier(self.spec, explained=not short), sha256(source.text.encode()).hexdigest()
+        given, title = text_as_given(source), title_block(self.spec, {})
+        subject = Subject(told, given, title, digest, source, [], __version__, False, short)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(render(subject))
+
+    def _summary(self) -> list[tuple[str, str]]:
+        """Return what a clutch is in a few lines: torques, accuracy, verdict but for what takes long."""
+        from .analysis.answers import Answers
+        from .analysis.check import check_at_once
+        from .render.units import measured
+
+        torque, (check, _) = self.torque(), check_at_once(Answers(self._engine))
+        low, high = (measured(end, "N*m") for end in (torque.torque_range.low, torque.torque_range.high))
+        title = ", ".join(filter(None, [named(self.spec.name), translate(self.spec.variant, "value")]))
+        return [
+            (translate("clutch"), title),
+            ("T", f"{low} … {high}"),
+            (native("K_т"), localized(f"{torque.accuracy_factor:.4g}")),
+            (translate("verdict"), check.verdict.sentence),
+        ]
+
     def __repr__(self) -> str:
-        """Return what it is of."""
-        return f"<{self.spec.variant} clutch of {self.spec.label}>"
+        """Return torques, accuracy and verdict."""
+        return "\n".join(f"{name}: {text}" for name, text in self._summary())
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        rows = (f"<tr><th>{escape(name)}</th><td>{escape(text)}</td></tr>" for name, text in self._summary())
+        return f"<table>{''.join(rows)}</table>"
 
     def _ask(self, command: str, *arguments: object, **options: object) -> Any:
         return _answered(command, self.spec, *_asked(command, self._engine, *arguments, **options))
@@ -225,11 +304,23 @@ def _pairs(friction: Friction) -> "list[Pair]":
     return [point if isinstance(point, tuple) else (float(point), None) for point in given]
 
 
+def loads(text: str, set: Overrides = ()) -> Clutch:
+    """Build the clutch of a spec given as TOML or JSON text.
+
+    Raises:
+        SpecError: the spec is invalid.
+    """
+    from .spec.read import spec_of
+    from .spec.source import Source
+
+    return Clutch(spec_of(Source("text", text), set))
+
+
 def load(source: str | PathLike[str] | Mapping[str, object] | None = None, set: Overrides = ()) -> Clutch:
     """Read a spec and build its clutch.
 
     Args:
-        source: a path, ``"-"`` for standard input, ``"example:NAME"``, plain data; None for the built-in base clutch.
+        source: a path, ``"-"`` for standard input, ``"example:NAME"``, plain data; None for ``example:default``.
         set: other values of its keys, by name, symbol or path; None removes a key.
 
     Raises:
@@ -242,9 +333,12 @@ def load(source: str | PathLike[str] | Mapping[str, object] | None = None, set: 
 build = Clutch
 
 
-def compare(*clutches: Clutch | str | PathLike[str], variants: bool = False) -> "CompareResult":
-    """Several clutches, or files of specs, side by side; with ``variants`` one as every variant it can be built as."""
-    compared = [clutch if isinstance(clutch, Clutch) else load(clutch) for clutch in clutches or (None,)]
+def compare(
+    clutches: Sequence[Clutch | str | PathLike[str]] | Clutch | str | PathLike[str], *, variants: bool = False
+) -> "CompareResult":
+    """Clutches, or files of specs, side by side; with ``variants`` one as every variant it can be built as."""
+    several = [clutches] if isinstance(clutches, Clutch | str | PathLike) else clutches
+    compared = [each if isinstance(each, Clutch) else load(each) for each in several]
     answer = _asked("compare", [clutch._engine for clutch in compared], variants=variants)
     return _answered("compare", compared[0].spec, *answer)
 

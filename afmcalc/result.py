@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
-from pydantic import BaseModel, ConfigDict, Field, InstanceOf, PrivateAttr, WithJsonSchema
+from pydantic import BaseModel, ConfigDict, Field, PrivateAttr
 from pydantic.fields import FieldInfo
 
 from .errors import AfmcalcError
@@ -37,15 +37,15 @@ class Shown:
     symbol: str | None = None
     """Symbol of the papers."""
     null: str = "–"
-    """What a missing value means, for people."""
+    """Meaning of a missing value, for people."""
     unit_in: str = ""
     """Attribute that holds the SI unit of the value, where the unit is no constant."""
     is_unit: bool = False
-    """Whether the value is the unit of other fields."""
+    """True if the value is the unit of other fields."""
     error_of: str = ""
     """Field whose standard error this is; people see it beside the figure."""
     code: bool = False
-    """Whether the value is a name that a user types: it is never translated."""
+    """True if the value is a name that a user types: it is never translated."""
     detail: bool = False
     """Left out of tables for people when the table is long."""
     details: bool = False
@@ -53,21 +53,21 @@ class Shown:
     data: bool = False
     """A list for programs: CSV writes it, people are spared it."""
     across: bool = False
-    """Whether people see the records of a list side by side, quantities as rows."""
+    """True if people see the records of a list side by side, quantities as rows."""
     folds: bool = False
-    """Whether a table tells what is the same in all of its rows once, in a line above it."""
+    """True if a table tells what is the same in all of its rows once, in a line above it."""
     by: str = ""
     """Field of the records whose every value gets a table of its own, for people."""
     ranked: bool = False
-    """Whether a dictionary is shown with its largest magnitude first."""
+    """True if a dictionary is shown with its largest magnitude first."""
     keys_are: str = "parameter"
-    """What the keys of a dictionary are called."""
+    """Name of the keys of a dictionary."""
     in_words: Callable[[str], str] | None = None
     """``name`` → what people read in place of a name, of each in a list, or of each key of a dictionary."""
     steps: bool = False
-    """Whether a list holds the steps of an explanation."""
+    """True if a list holds the steps of an explanation."""
     asked: bool = False
-    """Whether the value is a quantity of a clutch, as ``analysis.asking`` asks it."""
+    """True if the value is a quantity of a clutch, as ``analysis.asking`` asks it."""
     quantity: str = ""
     """Its name, where it is not that of the field."""
 
@@ -95,10 +95,6 @@ def described(description: str, **shown: Any) -> Any:
 def shown_as(field: FieldInfo) -> Shown:
     """Return how a field of a result is shown."""
     return field.json_schema_extra if isinstance(field.json_schema_extra, Shown) else Shown()
-
-
-Sentence = Annotated[InstanceOf[str], WithJsonSchema({"type": "string"})]
-"""A text that stays the ``Text`` it is, so that people are told it in their language; ``str`` would forget that."""
 
 
 class AtEnds(Result):
@@ -135,9 +131,17 @@ class Series(Result):
     values: list[float] = described("value at every point")
 
 
+def _cell(text: str) -> float | str | None:
+    """Return a cell of CSV: a number, words, or None of an empty one."""
+    try:
+        return float(text)
+    except ValueError:
+        return text or None
+
+
 @dataclass(frozen=True)
 class Output:
-    """What every command prints."""
+    """Output of every command."""
 
     command: Annotated[str, Field(description="name of the command")]
     version: Annotated[str, Field(description="version of afmcalc")]
@@ -150,13 +154,13 @@ class Answer(Result):
     """Base of what a command calculates; asked from Python it carries the rest of what the command prints."""
 
     findings_first: ClassVar[bool] = False
-    """Whether the findings are what the command is called for (CSV then lists them)."""
+    """True if the findings are what the command is called for (CSV then lists them)."""
     of_several: ClassVar[bool] = False
-    """Whether it is of more clutches than the one of the spec."""
+    """True if it is of more clutches than the one of the spec."""
     many_lists: ClassVar[bool] = False
-    """Whether it holds several lists that belong together: CSV has one figure of any of them in each row."""
+    """True if it holds several lists that belong together: CSV has one figure of any of them in each row."""
     rows_with_values: ClassVar[bool] = False
-    """Whether CSV has the single values in every row of its list."""
+    """True if CSV has the single values in every row of its list."""
 
     _output: Output = PrivateAttr()
     _render: Callable[[Output, str], str] = PrivateAttr()
@@ -169,7 +173,7 @@ class Answer(Result):
 
     @property
     def output(self) -> Output:
-        """What the command prints; only of an answer that was asked for from Python."""
+        """Output of the command; only of an answer that was asked for from Python."""
         return self._output
 
     @property
@@ -184,18 +188,37 @@ class Answer(Result):
 
     @property
     def findings(self) -> list[Finding]:
-        """What a designer should know."""
+        """Findings on the clutch."""
         return self._output.findings
 
     def to_dataframe(self) -> "pandas.DataFrame":
-        """Return the rows that the command writes as CSV; needs pandas."""
+        """Return a table: a row per friction, else the rows of the CSV; needs pandas.
+
+        Columns are named as the fields; ``attrs["units"]`` has their SI units, ``attrs["values"]`` what holds for all
+        frictions.
+        """
+        import csv
         import io
 
         try:
             import pandas
         except ModuleNotFoundError:
             raise AfmcalcError("to_dataframe() needs pandas, not installed here: pip install pandas") from None
-        return pandas.read_csv(io.StringIO(self._render(self._output, "csv")), float_precision="round_trip")
+        head, *lines = csv.reader(io.StringIO(self._render(self._output, "csv")))
+        heads = [column.rstrip("]").partition(" [") for column in head]
+        frame = pandas.DataFrame([[*map(_cell, line)] for line in lines], columns=[name for name, _, _ in heads])
+        frame.attrs["units"] = {name: unit for name, _, unit in heads if unit}
+        ends = ("min", "mean", "max")
+        triples = [name for name, value in self if isinstance(value, AtEnds) and len(frame) == 1]
+        if not triples:
+            return frame
+        rows = pandas.DataFrame(
+            {name: [frame[f"{name}.{end}"].iloc[0] for end in ends] for name in triples}, index=ends
+        )
+        taken = {f"{name}.{end}" for name in triples for end in ends}
+        rows.attrs["units"] = {name: frame.attrs["units"].get(f"{name}.min", "1") for name in triples}
+        rows.attrs["values"] = {name: frame[name].iloc[0] for name in frame.columns if name not in taken}
+        return rows
 
     def __repr__(self) -> str:
         """Return the tables of the terminal."""

@@ -84,9 +84,7 @@ _DIVISOR = re.compile(r"/\s*\(([^()/]*)\)")
 def product(text: str) -> UnitProduct:
     """Read a product such as ``kN*m/rad``, ``1/min``, ``min^-1``, ``J/(kg*K)`` or ``kgm2``.
 
-    Raises:
-        UnknownUnitError: a word of it is no unit.
-        ValueError: it is no product.
+    Raises UnknownUnitError: a word of it is no unit; ValueError: it is no product.
     """
     return _product(text, words())
 
@@ -124,7 +122,7 @@ def _units(word: str, words: Mapping[str, UnitProduct]) -> list[UnitProduct]:
 
 @cache
 def per_si(name: str) -> float:
-    """How many of a unit one SI unit is; a scale of temperature has degrees as large as a kelvin.
+    """Number of units in one SI unit; a scale of temperature has degrees as large as a kelvin.
 
     >>> per_si("kN"), per_si("J/mm²"), per_si("degC")
     (0.001, 1e-06, 1.0)

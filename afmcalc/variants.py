@@ -18,7 +18,7 @@ class Variant:
     """One way a clutch regulates."""
 
     name: str
-    """As a spec calls it."""
+    """Name in a spec."""
     bypass: Callable[[Values, Values | None], Values]
     """``(z, driving_pairs as given or None)`` → z_1, the pairs that bypass the control unit; numbers or arrays."""
     needs: Paths = ()
@@ -28,12 +28,12 @@ class Variant:
     takes: Paths = ()
     """Further keys it may have and not every variant has."""
     travels: bool = False
-    """Whether a sleeve travels between two springs: the indirect law, else the direct one."""
+    """True if a sleeve travels between two springs: the indirect law, else the direct one."""
     gain_limit: Literal["breakaway", "recommended"] | None = None
     """Bound of the gain: above ``breakaway`` the bypass pairs alone carry more than the regulated torque (F11, after
     (20), S22 (24)); S22 recommends zC ≤ 5."""
     overload: bool = False
-    """Whether S22 treats its overload with a torque margin (of one material)."""
+    """True if S22 treats its overload with a torque margin (of one material)."""
     example: str | None = None
     """The example spec to start from."""
 
@@ -44,12 +44,12 @@ class Variant:
 
     @property
     def controlled(self) -> bool:
-        """Whether it has a control unit."""
+        """True if it has a control unit."""
         return "control_unit" in self.keys
 
     @property
     def chooses_bypass(self) -> bool:
-        """Whether the spec chooses the pairs that bypass the control unit."""
+        """True if the spec chooses the pairs that bypass the control unit."""
         return "friction_group.driving_pairs" in self.keys
 
     def least_pairs(self, driving_pairs: Values | None = None) -> Any:
@@ -61,9 +61,7 @@ VARIANTS: dict[str, Variant] = {
     variant.name: variant
     for variant in (
         Variant(  # ordinary friction safety clutch, no control unit
-            name="conventional",
-            bypass=lambda pairs, driving: pairs,
-            example="conventional",
+            name="conventional", bypass=lambda pairs, driving: pairs, example="conventional"
         ),
         Variant(  # Werner's clutch: some pairs bypass the control unit, the others pass it
             name="differentiated",
@@ -89,12 +87,7 @@ VARIANTS: dict[str, Variant] = {
             bypass=lambda pairs, driving: 0,
             needs=("control_unit", "control_unit.hub_diameter", "control_unit.key_friction", "control_spring"),
             requires=("closing_spring.stiffness",),
-            takes=(
-                "control_unit.gain_slope",
-                "control_unit.pocket",
-                "control_unit.sleeve_mass",
-                "drive.hub_inertia",
-            ),
+            takes=("control_unit.gain_slope", "control_unit.pocket", "control_unit.sleeve_mass", "drive.hub_inertia"),
             example="indirect",
         ),
     )

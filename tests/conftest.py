@@ -5,7 +5,6 @@ import functools
 import gc
 import io
 import json
-import math
 import os
 import shutil
 import sys
@@ -109,7 +108,7 @@ def undrawn(monkeypatch):
 
 
 def pytest_configure(config):
-    """Derandomised examples, few of each, more where slow tests run; no refusal by the clock, every event kept."""
+    """Derandomised examples, few of each, more where slow tests run."""
     if os.environ.get("AFMCALC_UPDATE"):
         config.option.markexpr = ""  # every stored output
     settings.register_profile("default", deadline=None, derandomize=True, max_examples=8)
@@ -119,12 +118,10 @@ def pytest_configure(config):
 
 @pytest.fixture(scope="session", autouse=True)
 def _the_whole_run():
-    """Keep every event for the whole run; give no estimate of a duration, which depends on the load."""
-    from afmcalc import progress
+    """Keep every event for the whole run."""
     from afmcalc.drive import cases
 
-    progress.LONG = math.inf
-    cases.run_of = functools.lru_cache(4096)(cases.run_of.__wrapped__)
+    cases.event_of = functools.lru_cache(4096)(cases.event_of.__wrapped__)
 
 
 LONGEST = 1.0

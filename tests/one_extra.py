@@ -12,12 +12,13 @@ import tempfile
 
 from afmcalc.cli.main import main
 
-DRAWS = {"plot", "report", "web"}
+DRAWS = {"plot", "report", "pdf", "web"}
 ASKED = {
-    "torque": None, "plot torque": None, "plot torque -o a.svg": DRAWS,
+    "torque": None, "plot torque -o a.svg": DRAWS,
     "plot pareto example:requirements -o b.pdf": DRAWS, "plot paper F11-2 -o c.png": DRAWS,
-    "plot section -o d.dxf": {"cad"}, "plot pocket -o e.dxf": {"cad"}, "report -o f.html": {"report", "web"},
-    "handbook -o g.html": {"report", "web"}, "serve --no-browser": {"web"},
+    "layout example:envelope -o i.pdf": {"pdf"}, "layout example:envelope -o d.dxf": {"cad"}, "pocket -o e.dxf": {"cad"},
+    "report -o f.html": DRAWS, "handbook -o g.html": DRAWS,
+    "report -o h.pdf": {"pdf"}, "serve --no-browser": {"web"},
 }  # fmt: skip
 """Command line → extras of which it needs one; None: it does without."""
 

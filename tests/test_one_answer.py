@@ -140,7 +140,7 @@ class Asked:
             if head.startswith("python-"):
                 answer = getattr(afmcalc.load(self.file), head.removeprefix("python-"))().result
             elif head == "report":
-                answer = rows_of(self.run("report", self.file, "--symbols", "papers").out)
+                answer = rows_of(self.run("report", self.file).out)
             else:
                 words = [f"--set={one}" if one.startswith(("tolerance.", "requirements.")) else one for one in rest]
                 ran = self.run(head, *words, self.file, "--json")
@@ -381,7 +381,7 @@ def test_no_friction_exceeds_what_is_told(seeds, kinds, ask):
             least = law.least_returning(*ends, travel.max(), steps)
             tangent = unit["ball_circle_radius"] / law.radius * (unit["gain"] + law.slope * travel)
             force = torque * np.sqrt(1 + tangent**2) / unit["balls"] / unit["ball_circle_radius"]
-            searched |= {"required torque_max": torque.max(), "synthesize > contact_force": force.max()}
+            searched |= {"required torque_max": torque.max(), "pocket > contact_force": force.max()}
             searched["accuracy > accuracy_factor_hysteresis"] = torque.max() / least
         told = {place: asked.told(place) for place in searched}
         # what is least may not be undercut, what is most not exceeded; a step of the search misses either by little

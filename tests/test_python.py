@@ -10,7 +10,6 @@ import pickle
 import runpy
 import sys
 import tomllib
-from types import ModuleType
 from xml.etree import ElementTree
 
 import numpy as np
@@ -45,7 +44,6 @@ DRIVE = {"drive.event.duration": 0.05}
 @pytest.mark.parametrize(("example", "keys", "name", "given", "arguments"), READ["python"])
 def test_python_answers_what_a_command_prints(example, keys, name, given, arguments, afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "balls.csv").write_text("diameter_mm\n9\n31\n")
     answer = getattr(package.load(CONFIGS / f"{example}.toml", keys), name)(**given)
     options = [part for key, value in keys.items() for part in ("--set", f"{key}={value}")]
     run = afmcalc(name, *arguments, CONFIGS / f"{example}.toml", *options, "--json")
@@ -58,12 +56,12 @@ def test_python_answers_what_a_command_prints(example, keys, name, given, argume
 
 def test_clutches_side_by_side_and_designs(afmcalc):
     default = CONFIGS / "default.toml"
-    two = package.compare(package.load(), CONFIGS / "indirect.toml")
+    two = package.compare([package.load(), CONFIGS / "indirect.toml"])
     assert two.to_dict() == afmcalc("compare", default, CONFIGS / "indirect.toml", "--json").json["result"]
     variants = package.compare(default, variants=True)
     assert variants.to_dict() == afmcalc("compare", "--variants", "--json").json["result"]
     with pytest.raises(package.AfmcalcError, match="one SPEC"):
-        package.compare(default, default, variants=True)
+        package.compare([default, default], variants=True)
     wanted, few = (
         CONFIGS / "requirements.toml",
         ("search.friction_group.pairs=8", "search.control_unit.gain=[0.8, 0.9]"),
@@ -116,7 +114,7 @@ def test_a_clutch_and_an_answer_can_be_copied_and_kept():
         assert name in dir(each)
         with pytest.raises(AttributeError, match="nothing"):
             _ = each.nothing
-    solved = package.load().solve("C", "accuracy_factor", 2.0)
+    solved = package.load().solve("accuracy_factor", 2.0)
     assert package.build(solved.spec)["accuracy_factor"] == pytest.approx(2)
 
 
@@ -154,20 +152,54 @@ def test_an_answer_shows_itself():
     assert swept.accuracy_factor == swept.result.accuracy_factor
 
 
-def test_rows_for_pandas(monkeypatch):
-    """What pandas is given are the rows of the CSV; without pandas an error says how to get it."""
+def test_a_frame_has_a_row_per_friction_or_per_point(monkeypatch):
+    """Names are those of the fields, units beside them; without pandas an error says how to get it."""
+    frame = package.load().torque().to_dataframe()
+    assert [*frame.index] == ["min", "mean", "max"]
+    # T = F R (z_1 f + z_2 f)/(1 + C z_2 f): 2000 · 0.1 · 8 · 0.1/(1 + 3.5 · 0.1)
+    assert frame["torque"]["min"] == pytest.approx(160 / 1.35, rel=1e-14)
+    assert frame.attrs["units"]["torque"] == "N*m"
+    assert frame.attrs["values"]["nominal_torque"] == frame["torque"]["min"]
     swept = package.load().accuracy(sweep="C=0,0.5")
+    rows = swept.to_dataframe()
+    # K_т = 8 (1 + 7 C 0.1)/(1 + 7 C 0.8)
+    assert [*rows["accuracy_factor"]] == pytest.approx([8, 8 * 1.35 / 3.8], rel=1e-14)
+    assert [*rows["control_unit.gain"]] == [0, 0.5]
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(package.AfmcalcError, match="pip install pandas"):
         swept.to_dataframe()
-    pandas = ModuleType("pandas")
-    pandas.read_csv = lambda text, float_precision: (list(csv.DictReader(text)), float_precision)
-    monkeypatch.setitem(sys.modules, "pandas", pandas)
-    rows, precision = swept.to_dataframe()
-    # K_т = 8 (1 + 7 C 0.1)/(1 + 7 C 0.8)
-    assert [float(row["accuracy_factor [1]"]) for row in rows] == pytest.approx([8, 8 * 1.35 / 3.8], rel=1e-14)
-    assert [float(row["control_unit.gain [1]"]) for row in rows] == [0, 0.5]
-    assert precision == "round_trip", "else pandas reads the last digit wrong"
+
+
+def test_a_clutch_shows_saves_plots_and_reports_itself(tmp_path, undrawn):
+    text = (CONFIGS / "default.toml").read_text(encoding="utf-8")
+    clutch = package.loads(text)
+    assert repr(clutch).splitlines()[:3] == [
+        "clutch: Base clutch, differentiated",
+        "T: 118.52 N·m … 336.84 N·m",
+        "K_T: 2.842",
+    ]
+    assert clutch.check().verdict.sentence in repr(clutch)
+    ElementTree.fromstring(clutch._repr_html_())
+    clutch.save(tmp_path / "same.toml")
+    assert (tmp_path / "same.toml").read_text(encoding="utf-8").split() == text.split()
+    clutch.with_(gain=0.7).save(tmp_path / "other.toml")
+    other = (tmp_path / "other.toml").read_text(encoding="utf-8").splitlines()
+    assert [new for old, new in zip(text.splitlines(), other, strict=True) if old.split() != new.split()] == [
+        next(line for line in other if line.startswith("gain = 0.7"))
+    ]
+    picture = clutch.plot("torque", tmp_path / "torque.png")
+    assert ElementTree.fromstring(picture._repr_svg_()).tag.endswith("svg")
+    assert (tmp_path / "torque.png").read_bytes()[:4] == b"\x89PNG"
+    with pytest.raises(package.AfmcalcError, match=r"end it in \.svg"):
+        clutch.plot("torque", tmp_path / "torque.gif")
+    clutch.report(tmp_path / "r.html", short=True)
+    assert "Base clutch" in (tmp_path / "r.html").read_text(encoding="utf-8")
+
+
+def test_an_unknown_language_breaks_no_import(monkeypatch):
+    monkeypatch.setenv("AFMCALC_LANG", "tlh")
+    importlib.reload(importlib.import_module("afmcalc.python"))
+    assert "nominal torque of the clutch" in str(package.load().torque())
 
 
 def test_a_history_is_arrays(afmcalc, tmp_path):

@@ -22,8 +22,7 @@ Key = tuple[str, str]
 FAILURES = (ENOENT, EACCES, EPERM, EISDIR, ENOTDIR, ENOSPC, EROFS, ENAMETOOLONG, ELOOP, EBADF, EIO, EPIPE)
 """Why files cannot be read or written, as the system says it."""
 SAYING = [
-    "say", "say_many", "told", "message", "translate", "term", "heard", "wrong", "AfmcalcError", "FileError",
-    "CalculationError",
+    "say", "say_many", "filled", "translate", "deferred", "heard", "wrong", "AfmcalcError", "FileError", "CalculationError",
 ]  # fmt: skip
 
 
@@ -43,8 +42,8 @@ def worded(text: str) -> bool:
 
 def _literals() -> Iterator[Key]:
     """First arguments of what says something, wherever it is called."""
-    for module, node in calls(*SAYING):
-        if node.args and not (called(node) == "told" and module.startswith("render.report")):  # names of its table
+    for _, node in calls(*SAYING):
+        if node.args:
             second = node.args[1] if called(node) == "translate" and len(node.args) > 1 else None
             context = str(second.value) if isinstance(second, ast.Constant) else ""
             yield from ((context, text) for text in _strings(node.args[0]))

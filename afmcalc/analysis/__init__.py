@@ -1,1 +1,1 @@
-"""What is asked of a clutch: each analysis a function ``(clutch, …) → Result``."""
+"""Analyses of a clutch: each a function ``(clutch, …) → Result``."""

@@ -59,23 +59,20 @@ def accuracy(
     swept = series(kind, spec, sweeps, asked_by(kind, own))
     slopes = elasticities(own)
     result = answer(
-        AccuracyResult,
-        own,
-        **({} if _is_of_path(own) else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}),
-        sensitivity=dict(_told(slopes)),
-        sweep=swept,
-    )
+        AccuracyResult, own, **({} if _is_of_path(own) else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}),
+        sensitivity=dict(_told(slopes)), sweep=swept,
+    )  # fmt: skip
     return result, [*clutch_findings(spec, own), *_findings(own, slopes, swept), *replaced(spec, sweeps)]
 
 
 def _is_of_path(clutch: Quantities) -> bool:
-    """Whether K_т of unlike materials is T(f_max)/T(f_min), whose slopes F11 has."""
+    """True if K_т of unlike materials is T(f_max)/T(f_min), whose slopes F11 has."""
     name = "accuracy_factor_by_ratios"
     return name in clutch and bool(abs(clutch[name] / clutch["accuracy_factor"] - 1) <= 1e-9)
 
 
 def _told(slopes: Mapping[str, Elasticity]) -> Iterator[tuple[str, float]]:
-    """What the result tells of elasticities; a mean friction on which nothing depends is no parameter."""
+    """Elasticities that the result shows; a mean friction on which nothing depends is no parameter."""
     for path, (slope, _) in slopes.items():
         if abs(slope) > _ROUNDING:
             yield path, slope

@@ -7,7 +7,7 @@ from typing import Literal
 from ..engines import Clutch
 from ..engines.quantities import Quantities
 from ..findings import Finding, finding
-from ..messages import term
+from ..messages import translate
 from ..result import Answer, Triple, described, quantity
 from ..spec.models import Method
 from .asking import Asking, answer, asked
@@ -59,14 +59,9 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     elif ratio is not None and abs(ratio - 1) > 1e-12:
         narrower = "min-friction" if ratio > 1 else "mean-friction"
     result = answer(
-        AdjustResult,
-        own,
-        min_friction=at_min,
-        mean_friction=at_mean,
-        scatter_ratio=ratio,
-        narrower=narrower,
+        AdjustResult, own, min_friction=at_min, mean_friction=at_mean, scatter_ratio=ratio, narrower=narrower,
         pairs_threshold=_threshold(own),
-    )
+    )  # fmt: skip
     findings = clutch_findings(spec, own)
     if narrower != "equal" and not results[narrower].holds_nominal:
         findings.append(
@@ -75,7 +70,7 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
                 # a warning where the clutch has that setting
                 "warning" if narrower == spec.adjustment.method else "info",
                 value=float(clutches[narrower]["torque_min"]), limit=nominal, path="adjustment.method",
-                method=term(narrower), machine=result.machine_torque,
+                method=translate(narrower), machine=result.machine_torque,
             )
         )  # fmt: skip
     return result, [*findings, *_re_made(clutch, *clutches.values())]

@@ -1,4 +1,4 @@
-"""What was asked of one clutch, each answer calculated once."""
+"""Answers of one clutch, each calculated once."""
 
 from functools import cached_property
 from typing import Any, TypeVar

@@ -56,7 +56,7 @@ class _Question(NamedTuple):
 
 @cache
 def _questions(kind: type[Result]) -> list[_Question]:
-    """What the fields of a result ask."""
+    """Questions that the fields of a result ask."""
     questions = []
     for field, info in kind.model_fields.items():
         if (shown := shown_as(info)).asked:
@@ -99,8 +99,7 @@ def names_asked(kind: type[Result]) -> list[str]:
 def with_columns(kind: type[R], clutch: Quantities, names: Iterable[str]) -> type[R]:
     """Return the class of a sweep with a column for each of some quantities, such as ``torque_at_f_max``.
 
-    Raises:
-        AfmcalcError: the clutch has no such quantity, or one that is no number.
+    Raises AfmcalcError: the clutch has no such quantity, or one that is no number.
     """
     wanted = [name for name in names if name not in kind.model_fields]
     for name in wanted:

@@ -11,8 +11,8 @@ from ..engines.parts import checks_of_springs
 from ..engines.selection import by_rule
 from ..errors import SpecError
 from ..findings import Finding, Level, finding
-from ..messages import joined, percent, say, term, translate
-from ..result import Answer, Result, Sentence, described, quantity
+from ..messages import deferred, percent, say, translate
+from ..result import Answer, Result, described, quantity
 from .answers import Answers
 from .clutch_findings import clutch_findings
 from .heat import heat_values
@@ -29,8 +29,8 @@ class CheckRow(Result):
     """One check or requirement, and how much of its limit the clutch uses."""
 
     code: str = described("code of its finding", details=True)
-    name: Sentence = described("check")
-    symbol: Sentence = described("condition")
+    name: str = described("check")
+    symbol: str = described("condition")
     value: float | None = described("value", unit_in="shown_unit")
     limit: float | None = described("limit", unit_in="shown_unit")
     unit: str = described("unit", is_unit=True, unit_in="shown_unit")
@@ -48,7 +48,7 @@ class CheckRow(Result):
 
     @property
     def is_requirement(self) -> bool:
-        """Whether [requirements] asks it, or the plate of a machine."""
+        """True if [requirements] asks it, or the plate of a machine."""
         return self.code == "requirement-missed"
 
     @property
@@ -60,15 +60,15 @@ class CheckRow(Result):
         """Tell the grade; and of a life that passes without a number that it has no limit."""
         if name == "value" and self.value is None and self.passed:
             return translate(UNLIMITED)
-        return term(self.grade) if name == "passed" else None
+        return translate(self.grade) if name == "passed" else None
 
 
 class Verdict(Result):
-    """What became of a clutch, in one sentence."""
+    """Verdict on a clutch, in one sentence."""
 
     passed: bool | None = described("whether the check passed; null: a part is not yet judged")
-    sentence: Sentence = described("verdict")
-    not_judged: list[Sentence] = described("not yet judged")
+    sentence: str = described("verdict")
+    not_judged: list[str] = described("not yet judged")
 
 
 class CheckResult(Answer):
@@ -170,7 +170,7 @@ def _judged(answers: Answers, without: Collection[str]) -> tuple[list[CheckRow],
     known, needed = dict[Part | None, Known](), dict[Part | None, list[Check]]()
     for check in checks_of(spec):
         if check.needs in without:
-            left_out[term(check.name if check.requirement else _PARTS[check.needs])] = None
+            left_out[translate(check.name if check.requirement else _PARTS[check.needs])] = None
             continue
         if check.needs not in known:
             known[check.needs] = told(answers, check.needs)
@@ -178,7 +178,7 @@ def _judged(answers: Answers, without: Collection[str]) -> tuple[list[CheckRow],
         for row in _row(check, known[check.needs], (spec.heat and spec.heat.ambient) or 0.0):
             rows.append(row)
             if row.passed is None:
-                needs = lacks(answers.quiet, check) if row.value is None else _SLIP_ENDS
+                needs = lacks(answers.quiet, check) if row.value is None else translate(_SLIP_ENDS)
                 about: dict[str, Any] = {"name": row.name, "needs": needs}
                 findings.append(finding("requirement-not-judged", "warning", limit=row.limit, path=row.path, **about))
     for part, checks in needed.items():
@@ -188,26 +188,22 @@ def _judged(answers: Answers, without: Collection[str]) -> tuple[list[CheckRow],
 
 
 _PARTS: Mapping[Part | None, str] = {
-    "simulate": term("the event"),
-    "heat": term("heat of a trip"),
-    "tolerance": term("scatter"),
-}
-_SLIP_ENDS = term("an end of the slip: drive.cut_off, or a longer drive.event.duration")
+    "simulate": deferred("the event"), "heat": deferred("heat of a trip"), "tolerance": deferred("scatter"),
+}  # fmt: skip
+_SLIP_ENDS = deferred("an end of the slip: drive.cut_off, or a longer drive.event.duration")
 
 
 def lacks(clutch: Clutch, check: Check) -> str:
     """Say what a check that is not known needs: quantities that are not given, or a part."""
     own = clutch.quantities
     missing = own.missing(check.value) if check.needs is None or check.value in own.laws.laws else ()
-    return ", ".join(missing) or term(_BLOCKS.get(check.needs, f"`{check.needs}`"))
+    return ", ".join(missing) or translate(_BLOCKS.get(check.needs, f"`{check.needs}`"))
 
 
 _BLOCKS: Mapping[Part | None, str] = {
-    "simulate": term("[drive] with an event"),
-    "heat": term("[drive] with an event and [heat]"),
-    "tolerance": term("[tolerance]"),
-    "effects": term("heat.lining"),
-}
+    "simulate": deferred("[drive] with an event"), "heat": deferred("[drive] with an event and [heat]"),
+    "tolerance": deferred("[tolerance]"), "effects": deferred("heat.lining"),
+}  # fmt: skip
 """Part → what a spec must have that it can be calculated."""
 
 
@@ -251,16 +247,11 @@ def _row(check: Check, known: Known, ambient: float) -> Iterator[CheckRow]:
     if passed and check.value in (known.get("open") or ()):
         passed = None  # where a slip has not ended it may be more
     yield CheckRow(
-        code=check.code.partition("/")[0],
-        name=term(check.name),
-        symbol=term(check.symbol),
-        value=_finite(value),
-        limit=_finite(limit),
-        unit=check.unit.removesuffix(" abs"),
-        utilisation=_finite(used),
+        code=check.code.partition("/")[0], name=translate(check.name), symbol=translate(check.symbol),
+        value=_finite(value), limit=_finite(limit), unit=check.unit.removesuffix(" abs"), utilisation=_finite(used),
         passed=passed,
         **{name: getattr(check, name) for name in ("least", "level", "path", "needs")},
-    )
+    )  # fmt: skip
 
 
 def _finite(value: Any) -> float | None:
@@ -278,10 +269,11 @@ def _spring_rows(answers: Answers, without: Collection[str]) -> Iterator[CheckRo
     for path, each in checks_of_springs(clutch, travel, answers.clutch.quantities.apply):
         rule, used = each.rule, each.utilisation
         if math.isfinite(used):
-            spring = term("closing spring") if path.startswith("closing") else term("control spring")
+            spring = translate("closing spring" if path.startswith("closing") else "control spring")
+            name = say("{spring}: {what}", spring=spring, what=translate(rule.name))
             yield CheckRow(
-                code=rule.code, name=say("{spring}: {what}", spring=spring, what=term(rule.name)), symbol=rule.symbol,
-                value=each.value, limit=each.limit, unit=rule.unit, least=rule.least, utilisation=used,
+                code=rule.code, name=name, symbol=translate(rule.symbol), value=each.value, limit=each.limit,
+                unit=rule.unit, least=rule.least, utilisation=used,
                 passed=used <= 1 + 1e-9, level=rule.level, path=path, needs="springs",
             )  # fmt: skip
 
@@ -311,7 +303,7 @@ def _sentence(rows: list[CheckRow], findings: list[Finding], not_judged: list[st
         said = _passed(rows, so_far=bool(not_judged))
     if not not_judged:
         return said
-    return say("{sentence} Not yet judged: {names}.", sentence=said, names=joined(not_judged))
+    return say("{sentence} Not yet judged: {names}.", sentence=said, names=", ".join(not_judged))
 
 
 def _passed(rows: list[CheckRow], *, so_far: bool) -> str:

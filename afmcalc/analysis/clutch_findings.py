@@ -1,4 +1,4 @@
-"""What a designer should know of a clutch, whatever is asked: the limits of its law, its setting, its springs."""
+"""Findings of every analysis of a clutch: the limits of its law, its setting, its springs."""
 
 from collections.abc import Iterator
 
@@ -6,7 +6,7 @@ from ..engines import Clutch
 from ..engines.checks import failures_of
 from ..engines.quantities import Quantities
 from ..findings import Finding, finding
-from ..messages import term
+from ..messages import translate
 from ..spec.models import Friction, Spec
 
 
@@ -65,8 +65,8 @@ def material_findings(friction: Friction) -> Iterator[Finding]:
         for name, row in rows.items():
             code = "material" if name == row.name else "material/read"
             yield finding(
-                code, "info", path=path, name=name, row=row.name, about=term(row.description),
-                condition=term(row.condition), source=row.source, low=row.friction_min, high=row.friction_max,
+                code, "info", path=path, name=name, row=row.name, about=translate(row.description),
+                condition=translate(row.condition), source=row.source, low=row.friction_min, high=row.friction_max,
             )  # fmt: skip
         if len(rows) > 1:
             low, _, high = of_group.range

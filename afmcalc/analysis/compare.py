@@ -1,14 +1,15 @@
 """Clutches side by side: several specs, or all variants one spec can be built as."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import ClassVar
 
 from ..engines import Clutch, build
 from ..errors import AfmcalcError, SpecError
-from ..findings import Finding, finding, of_clutch
-from ..messages import joined, term
-from ..result import Answer, Sentence, Triple, described
+from ..findings import Finding, finding
+from ..messages import deferred, named, translate
+from ..result import Answer, Triple, described
 from ..spec.edit import as_variant, with_key, with_nominal_torque
 from ..variants import VARIANTS
 from .answers import Answers
@@ -20,9 +21,9 @@ from .clutch_findings import clutch_findings
 class ComparedClutch(Asking):
     """The main quantities of one clutch; it is called by its file where names are equal."""
 
-    name: Sentence | None = described("clutch", optional=True)
+    name: str | None = described("clutch", optional=True)
     variant: str = described("variant")
-    basis: Sentence | None = described("kept equal", optional=True)
+    basis: str | None = described("kept equal", optional=True)
     closing_force: float = asked()
     nominal_torque: float = asked()
     gain: float = asked()
@@ -36,7 +37,7 @@ class ComparedClutch(Asking):
     warnings: int = described("warnings of check")
     errors: int = described("errors of check")
     passed: bool | None = described("whether the check passed; null: a part is not yet judged", details=True)
-    sentence: Sentence = described("verdict", details=True)
+    sentence: str = described("verdict", details=True)
     checks: list[CheckRow] = described("requirements and checks")
 
 
@@ -50,8 +51,7 @@ class CompareResult(Answer):
 def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[CompareResult, list[Finding]]:
     """Set the main quantities of several clutches side by side, or one clutch as every variant.
 
-    Raises:
-        AfmcalcError: the variants of several clutches.
+    Raises AfmcalcError: the variants of several clutches.
     """
     if variants:
         if len(clutches) > 1:
@@ -63,10 +63,10 @@ def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[Comp
         name = clutch.spec.name
         if len(clutches) > 1 and (name is None or often[name] > 1):
             name = clutch.spec.label
-        row, named = _row(clutch, None, name, term(name, "name") if name else term(clutch.spec.variant, "value"))
+        row, own = _row(clutch, None, name, named(name) or translate(clutch.spec.variant, "value"))
         rows.append(row)
-        remarks += named
-    return CompareResult(clutches=rows), remarks
+        remarks += own
+    return CompareResult(clutches=rows), _joined(remarks)
 
 
 def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
@@ -80,17 +80,30 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
                 by_torque = build(with_nominal_torque(spec, float(clutch.quantities["nominal_torque"])))
                 by_force = build(with_key(spec, "closing_spring.force", float(clutch.quantities["closing_force"])))
             except SpecError as error:
-                lacks = joined(map(str, error.problems), "; ")
-                missing.append(finding("variant-not-possible", "info", variant=term(variant), lacks=lacks))
+                lacks = "; ".join(map(str, error.problems))
+                missing.append(finding("variant-not-possible", "info", variant=translate(variant), lacks=lacks))
                 continue
-        for built, basis in ((by_force, term("spring force")), (by_torque, term("nominal torque"))):
-            row, named = _row(built, basis, clutch.spec.name, term(variant, "value"))
+        for built, basis in ((by_force, deferred("spring force")), (by_torque, deferred("nominal torque"))):
+            row, own = _row(built, basis, clutch.spec.name, translate(variant, "value"))
             rows.append(row)
-            remarks += named
+            remarks += own
     rows.sort(key=lambda row: row.basis != "spring force")
     asked = list(clutch.spec.label.findings)
-    told = {remark.message: remark for remark in remarks}  # once, where rounding alone sets two numbers apart
-    return CompareResult(clutches=rows), [*asked, *told.values(), *missing]
+    return CompareResult(clutches=rows), [*asked, *_joined(remarks), *missing]
+
+
+def _joined(remarks: Iterable[tuple[str, Finding]]) -> list[Finding]:
+    """Findings of several clutches, each once, headed by the names of the clutches that have it."""
+    names = dict[object, list[str]]()
+    firsts = dict[object, Finding]()
+    for name, remark in remarks:
+        alike = remark.level, remark.code, remark.path, remark.message  # rounding alone may set two numbers apart
+        firsts.setdefault(alike, remark)
+        names.setdefault(alike, []).append(name)
+    return [
+        replace(remark, message=f"{', '.join(dict.fromkeys(names[alike]))}: {remark.message}")
+        for alike, remark in firsts.items()
+    ]
 
 
 def change(now: object, before: object) -> float | None:
@@ -104,22 +117,16 @@ def change(now: object, before: object) -> float | None:
     return (now - before) / abs(before)
 
 
-def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tuple[ComparedClutch, list[Finding]]:
+def _row(
+    clutch: Clutch, basis: str | None, name: str | None, called: str
+) -> tuple[ComparedClutch, list[tuple[str, Finding]]]:
     """Row of a clutch; and what it tells itself, and what else is counted, each with what the clutch is called."""
     judged, findings = check_at_once(Answers(clutch))
     counted = (remark for remark in findings if remark.level != "info")
     own, travels = clutch.quantities, clutch.spec.kind.travels
     row = answer(
-        ComparedClutch,
-        own,
-        name=name and term(name, "name"),
-        variant=clutch.spec.variant,
-        basis=basis,
-        **({} if travels else {"travel_max": None}),
-        errors=judged.errors,
-        warnings=judged.warnings,
-        passed=judged.verdict.passed,
-        sentence=judged.verdict.sentence,
-        checks=judged.checks,
-    )
-    return row, [of_clutch(remark, called) for remark in dict.fromkeys((*clutch_findings(clutch.spec, own), *counted))]
+        ComparedClutch, own, name=name and named(name), variant=clutch.spec.variant, basis=basis,
+        **({} if travels else {"travel_max": None}), errors=judged.errors, warnings=judged.warnings,
+        passed=judged.verdict.passed, sentence=judged.verdict.sentence, checks=judged.checks,
+    )  # fmt: skip
+    return row, [(called, remark) for remark in dict.fromkeys((*clutch_findings(clutch.spec, own), *counted))]

@@ -24,7 +24,7 @@ POINTS = 201
 
 
 class ClutchCurve(Result):
-    """What a curve belongs to."""
+    """Base of a curve: the clutch that it belongs to."""
 
     name: str | None = described("name of the clutch", optional=True)
     variant: str = described("variant")

@@ -16,9 +16,9 @@ from ..engines.selection import NAMES
 from ..equations.terms import TERMS, term_of
 from ..errors import AfmcalcError, CalculationError
 from ..findings import Finding, finding
-from ..messages import did_you_mean, measured, say, term
+from ..messages import deferred, did_you_mean, measured, say, translate
 from ..progress import tell, unwatched
-from ..result import Answer, Result, Sentence, described, quantity, shown_as
+from ..result import Answer, Result, described, quantity, shown_as
 from ..spec import Spec
 from ..spec.edit import as_written, with_values
 from ..spec.keys import keys
@@ -26,7 +26,8 @@ from ..spec.search import SPRINGS
 from ..units import ENGINEER
 from .check import check, simulating
 from .design_grid import Nearest, Part, Row, Survey, candidate, holding, name_of, parts_of_search, unbeaten, wired
-from .springs import label_of, part_of, ranked, springs
+from .solve import is_quantity
+from .springs import label_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
 _TOLD = ("closing_force", "control_force", "accuracy_factor", "torque_max", "travel_max", "ball_diameter_standard")
@@ -38,21 +39,21 @@ _NO_SPRING = "no-spring"
 
 def _in_words(code: str) -> str:
     """Say what a check is called, by its code or the key of its requirement."""
-    return term(_NAMES.get(code, code))
+    return translate(_NAMES.get(code, code))
 
 
 _NAMES = {
     **{name_of(check): check.name for check in reversed(CHECKS)},
     **{name: keys()[f"requirements.{name}"].description.partition(",")[0] for name in REQUIRED},
-    "not-a-clutch": term("radii, pairs or friction out of order, or a gain below its threshold"),
-    "parts-collide": term("parts that collide"),
-    _NO_SPRING: term("springs to be had"),
+    "not-a-clutch": deferred("radii, pairs or friction out of order, or a gain below its threshold"),
+    "parts-collide": deferred("parts that collide"),
+    _NO_SPRING: deferred("springs to be had"),
 }
 
 
 def _small(objective: str) -> str:
     """Say what an objective is."""
-    meaning = term(term_of(objective.removeprefix("-")).meaning)
+    meaning = translate(term_of(objective.removeprefix("-")).meaning)
     return say("{quantity} (large)", quantity=meaning) if objective.startswith("-") else meaning
 
 
@@ -79,10 +80,10 @@ class DesignRow(Result):
 
 
 class Binding(Result):
-    """What excludes the candidate that is nearest to all checks, and what would do."""
+    """Constraint that excludes the candidate nearest to all checks, and the value that would do."""
 
     check: str = described("check that excludes the nearest candidate", in_words=_in_words)
-    message: Sentence = described("what it misses")
+    message: str = described("what it misses")
     value: float | None = described("its value", unit_in="unit", optional=True)
     limit: float | None = described("limit", unit_in="unit", optional=True)
     unit: str = described("unit", is_unit=True)
@@ -110,9 +111,7 @@ class DesignResult(Answer):
 def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     """Search the grid of a spec: the front, or what excludes the nearest candidate.
 
-    Raises:
-        SpecError: no [search], or too many candidates.
-        AfmcalcError: an objective that no clutch has.
+    Raises SpecError: no [search], or too many candidates; AfmcalcError: an objective that no clutch has.
     """
     objectives = list(spec.objectives or _DEFAULT)
     parts = parts_of_search(spec)
@@ -124,14 +123,10 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     front = _numbered(survey, objectives, places, judge)
     missed = None if front else _binding(spec, survey, judge)
     result = DesignResult(
-        candidates=survey.candidates,
-        feasible=survey.feasible - judge.failed,
-        objectives=objectives,
-        compromise=next((row.number for row in front if row.mark), None),
-        excluded=excluded,
-        front=front,
+        candidates=survey.candidates, feasible=survey.feasible - judge.failed, objectives=objectives,
+        compromise=next((row.number for row in front if row.mark), None), excluded=excluded, front=front,
         binding=missed,
-    )
+    )  # fmt: skip
     return result, [*spec.label.findings, *([_none(result, missed)] if missed else [])]
 
 
@@ -140,7 +135,7 @@ def _check_objectives(parts: Sequence[Part], objectives: Sequence[str]) -> None:
     clutches = [wired(with_values(part.base, part.values(np.arange(1)))) for part in parts]
     for name in objectives:
         asked = name.removeprefix("-")
-        if not (any(asked in own for own in clutches) and term_of(asked).unit):
+        if not (any(asked in own for own in clutches) and is_quantity(asked)):
             hint = did_you_mean(asked, {known for own in clutches for known in own.names()})
             raise AfmcalcError("objectives: no quantity {name!r} of these clutches{hint}", name=asked, hint=hint)
 
@@ -210,10 +205,8 @@ class _Judge:
         for options in product(*(ranked(demand, self.kind, _STACKS) for demand in demands)):
             springs = {}
             for demand, option in zip(demands, options, strict=True):
-                name, part = f"{demand.name}_spring", part_of(option, plain.lists.discs)
-                springs[name] = getattr(plain, name).model_copy(
-                    update={option.kind: part, "stiffness": option.stiffness}
-                )
+                name, update = f"{demand.name}_spring", {option.kind: option.made, "stiffness": option.stiffness}
+                springs[name] = getattr(plain, name).model_copy(update=update)
             yield as_written(plain.model_copy(update=springs))
 
 
@@ -242,7 +235,7 @@ def _counted(missed: Finding) -> str:
 
 
 def _beyond(missed: Finding) -> float:
-    """How far a finding is beyond its limit, as a share of that."""
+    """Excess of a finding over its limit, as a share of that."""
     if not missed.limit or missed.value is None:
         return 1.0
     return abs(missed.value - missed.limit) / abs(missed.limit)
@@ -339,8 +332,7 @@ def _changes(spec: Spec, changes: Mapping[str, Any]) -> dict[str, Any]:
 def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow, Spec]:
     """Return a clutch of a front by its number, or as the compromise, and its spec.
 
-    Raises:
-        CalculationError: no such number, or a front without a compromise.
+    Raises CalculationError: no such number, or a front without a compromise.
     """
     number = result.compromise if pick == "compromise" else pick
     for row in result.front:
@@ -358,8 +350,7 @@ def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow
 def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResult:
     """Return the result with so many rows of its front, by a quantity of theirs; their numbers stay.
 
-    Raises:
-        AfmcalcError: to be sorted by what is no number of a row.
+    Raises AfmcalcError: to be sorted by what is no number of a row.
     """
     ordered = result.front
     if sort is not None and ordered:
@@ -367,10 +358,8 @@ def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResu
         if sort not in numbers:
             raise AfmcalcError(
                 "--sort {name}: no such quantity{hint}; one of {known}",
-                name=sort,
-                hint=did_you_mean(sort, numbers),
-                known=", ".join(numbers),
-            )
+                name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
+            )  # fmt: skip
         ordered = sorted(ordered, key=lambda row: row.objective(sort))
     return result.model_copy(update={"front": ordered[:top]})
 
@@ -410,13 +399,11 @@ def _missed(row: Row) -> str:
     if second:
         return say(
             "{first} and {second} collide by at least {missing:.4g mm}",
-            first=term(first),
-            second=term(second),
-            missing=value,
-        )
+            first=translate(first), second=translate(second), missing=value,
+        )  # fmt: skip
     has, wanted = (measured(number, ENGINEER.get(check.unit, check.unit), 5) for number in (value, limit))
-    bound = term("at least" if check.least else "at most")
-    return say("{name} {has}, {bound} {wanted}", name=term(check.name), has=has, bound=bound, wanted=wanted)
+    bound = translate("at least" if check.least else "at most")
+    return say("{name} {has}, {bound} {wanted}", name=translate(check.name), has=has, bound=bound, wanted=wanted)
 
 
 def _key_that_would_do(spec: Spec, near: Nearest) -> tuple[str, float] | None:

@@ -16,7 +16,7 @@ from ..engines.layout import TOUCHES, SectionPart, length_of, overlaps, parts_of
 from ..engines.quantities import Quantities
 from ..equations.arrays import next_listed
 from ..errors import SpecError
-from ..messages import say
+from ..messages import deferred, say
 from ..progress import tell
 from ..spec import Spec, make_spec, resolved
 from ..spec.edit import put, value_at, with_values, without_replaced
@@ -39,12 +39,12 @@ class Row(NamedTuple):
 
     @property
     def holds(self) -> Any:
-        """Whether each candidate holds it; on the limit it does."""
+        """True if each candidate holds it; on the limit it does."""
         return self.check.passes(self.value, self.limit)
 
     @property
     def excess(self) -> Any:
-        """How far each is beyond, as a share of the limit; 0 where it holds."""
+        """Excess of each, as a share of the limit; 0 where it holds."""
         size = np.maximum(np.abs(self.limit), 1e-3)
         beyond = np.nan_to_num(np.abs(self.value - self.limit) / size, nan=1e9, posinf=1e9)
         return np.where(self.holds, 0.0, beyond)
@@ -71,7 +71,7 @@ class Part(NamedTuple):
 
     @property
     def size(self) -> int:
-        """How many."""
+        """Number of candidates."""
         return math.prod(len(values) for values in self.axes.values())
 
     def values(self, numbers: NDArray[np.intp]) -> dict[str, Numbers]:
@@ -83,8 +83,7 @@ class Part(NamedTuple):
 def parts_of_search(spec: Spec) -> list[Part]:
     """Return the parts of the grid of a search, one for each combination of names.
 
-    Raises:
-        SpecError: no [search], more candidates than are searched, or a combination of which no candidate is a spec.
+    Raises SpecError: no [search], more candidates than are searched, or a combination of which no candidate is a spec.
     """
     if not spec.search:
         raise spec.refused("search", say('required by design: which keys vary, such as "control_unit.gain" = "0:1:21"'))
@@ -101,10 +100,8 @@ def parts_of_search(spec: Spec) -> list[Part]:
         longest = max(axes, key=lambda path: len(axes[path]))
         message = say(
             "{count:,} candidates, at most {most:,} are searched: shorten this list, the longest, of {length:,} values",
-            count=count,
-            most=MOST,
-            length=len(axes[longest]),
-        )
+            count=count, most=MOST, length=len(axes[longest]),
+        )  # fmt: skip
         raise spec.refused(f"search.{longest}", message)
     return [
         Part(_base(spec, named, taken), named, {path: np.array(values, float) for path, values in taken.items()})
@@ -124,8 +121,7 @@ def _takes(variant: str, path: str) -> bool:
 def candidate(spec: Spec, changes: Mapping[str, Any]) -> Spec:
     """Return the spec of a candidate: with other values of some keys, without what its variant does not have.
 
-    Raises:
-        SpecError: there is no such clutch.
+    Raises SpecError: there is no such clutch.
     """
     data = resolved(without_replaced(spec, changes)) | {"search": None}
     for path, value in changes.items():
@@ -161,7 +157,7 @@ _RANGES = ("friction", "friction.driving", "friction.driven")
 
 
 def is_clutch(spec: Spec, own: Quantities) -> Any:
-    """Whether each candidate is one that a spec may describe; its numbers may be arrays."""
+    """True if each candidate is one that a spec may describe; its numbers may be arrays."""
     good: Any = True
     for low, high in _IN_ORDER:
         less, more = value_at(spec, low), value_at(spec, high)
@@ -187,7 +183,7 @@ _WARNINGS = (
     "gain-above-limit", "reduced-gain-above-limit", "feedback-idle", "mean-pressure-in-range", "peak-pressure-in-range",
 )  # fmt: skip
 """Warnings that exclude a candidate as errors do."""
-COLLIDE = Check("parts-collide", say("overlap of two parts"), "", "m", "", TOUCHES, path="envelope")
+COLLIDE = Check("parts-collide", deferred("overlap of two parts"), "", "m", "", TOUCHES, path="envelope")
 
 
 def wired(spec: Spec) -> Quantities:
@@ -217,7 +213,7 @@ def rows_of(spec: Spec, own: Quantities) -> Iterator[Row]:
 
 
 def holding(spec: Spec, own: Quantities, shape: tuple[int, ...]) -> Mask:
-    """Whether each of many clutches is one, and holds every check."""
+    """True if each of many clutches is one, and holds every check."""
     good = np.broadcast_to(is_clutch(spec, own), shape).copy()
     for row in rows_of(spec, own):
         good &= row.holds
@@ -242,7 +238,7 @@ class Nearest(NamedTuple):
     excess: float
     changes: dict[str, Any]
     row: Row
-    """What it misses by the most."""
+    """Check that it misses by the most."""
 
     @property
     def rank(self) -> tuple[int, float]:
@@ -251,7 +247,7 @@ class Nearest(NamedTuple):
 
 
 class Survey:
-    """What a look through the whole grid tells."""
+    """Candidates of the whole grid that hold every check, and what excludes the others."""
 
     def __init__(self, parts: Sequence[Part], objectives: Sequence[str]) -> None:
         """Look through the grid of a search."""

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from ..engines import build
 from ..errors import CalculationError, given
 from ..findings import Finding
-from ..messages import Text, term
+from ..messages import filled, translate
 from ..result import Result
 from ..spec import Spec
 from .answers import Answers
@@ -26,7 +26,7 @@ class Topic(NamedTuple):
     sources: tuple[str, ...]
     result: Result
     derivations: list[Derivation]
-    """How it was calculated, less what topics before it show."""
+    """Derivations, less those that topics before it show."""
     plot: str
     """Kind of its plot, and what is drawn; empty and None where there is no curve."""
     figure: Any
@@ -57,12 +57,10 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     verdict, findings = answers.ask("check")
     findings = [*findings, *(finding for analysis in applying for finding in answers.ask(analysis.name)[1])]
     return Dossier(
-        spec=spec,
-        check=verdict,
-        findings=list(dict.fromkeys(findings)),
+        spec=spec, check=verdict, findings=list(dict.fromkeys(findings)),
         topics=[_topic(analysis, answers, derived.get(analysis.name, [])) for analysis in applying],
         section=_drawn("section", answers),
-    )
+    )  # fmt: skip
 
 
 def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
@@ -81,16 +79,11 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
     section, plot, result = given(analysis.section), analysis.plot, answers.ask(analysis.name)[0]
     figure = _drawn(plot.name, answers) if plot and plot.applies(answers.clutch) else None
     return Topic(
-        name=analysis.name,
-        title=section.title,
-        about=_said(section.about, result),
+        name=analysis.name, title=section.title, about=_said(section.about, result),
         conclusion=_said(section.conclusion, result),
         sources=section.sources_indirect or section.sources if answers.clutch.spec.kind.travels else section.sources,
-        result=result,
-        derivations=derived,
-        plot=plot.name if plot else "",
-        figure=figure,
-    )
+        result=result, derivations=derived, plot=plot.name if plot else "", figure=figure,
+    )  # fmt: skip
 
 
 def _drawn(plot: str, answers: Answers) -> Any:
@@ -102,7 +95,5 @@ def _drawn(plot: str, answers: Answers) -> Any:
 
 def _said(told: Told, result: Result) -> str:
     """Fill what a section says with the fields of its result."""
-    return Text(
-        told(result) if callable(told) else told,
-        {name: term(each) if isinstance(each, str) else each for name, each in dict(result).items()},
-    )
+    values = {name: translate(each) if isinstance(each, str) else each for name, each in dict(result).items()}
+    return filled(told(result) if callable(told) else told, values)

@@ -1,4 +1,4 @@
-"""What the torque law neglects, for one clutch, in numbers (handbook, chapter 13)."""
+"""Effects that the torque law neglects, for one clutch, in numbers (handbook, chapter 13)."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -10,7 +10,7 @@ from ..equations import pack
 from ..equations.arrays import Values
 from ..errors import CalculationError, Problem, SpecError
 from ..findings import Finding, finding
-from ..messages import say, term
+from ..messages import deferred, say, translate
 from ..result import Answer, Result, Triple, described, quantity
 from ..spec.edit import value_at
 from .clutch_findings import clutch_findings
@@ -180,7 +180,7 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
     """Warn of an effect on K_т, else of one on the torque; say which effects were not asked."""
     for effect in result.effects:
         by_law, low, high = result.accuracy_factor, effect.accuracy_factor_low, effect.accuracy_factor_high
-        path, words = SOURCES[effect.effect].needs[0], SOURCES[effect.effect].words
+        path, words = SOURCES[effect.effect].needs[0], translate(SOURCES[effect.effect].words)
         farthest = max(low, high, key=lambda factor: abs(factor / by_law - 1))
         changes = (
             getattr(torque, end) / getattr(result.torque, end) - 1
@@ -204,7 +204,9 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
                 yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
     for source in SOURCES.values():
         if gone := source.missing(clutch):
-            yield finding("effect-not-told", "info", path=source.needs[0], name=source.words, listed=", ".join(gone))
+            yield finding(
+                "effect-not-told", "info", path=source.needs[0], name=translate(source.words), listed=", ".join(gone)
+            )
 
 
 def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
@@ -296,13 +298,13 @@ SOURCES: Mapping[EffectName, EffectSource] = {
     "spline-friction": EffectSource(
         tuple(f"friction_group.{key}" for key in ("spline_friction", "inner_spline_radius", "outer_spline_radius")),
         _splines,
-        term("discs held in their splines"),
+        deferred("discs held in their splines"),
     ),
     "centrifugal": EffectSource(
         ("drive.speed", "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),
         _centrifugal,
-        term("balls thrown against conical pockets"),
+        deferred("balls thrown against conical pockets"),
     ),
-    "wear": EffectSource(("heat.lining", STIFFNESS), _wear, term("wear of the lining")),
+    "wear": EffectSource(("heat.lining", STIFFNESS), _wear, deferred("wear of the lining")),
 }
 """Effect → where it comes from, in the order they are told."""

@@ -1,4 +1,4 @@
-"""What there is to draw: each kind of plot as data, gathered from what was asked of a clutch."""
+"""Data of each kind of plot, gathered from the answers of a clutch."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from .tolerance_result import ToleranceResult
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "search": "SPEC"}
-"""What stands alone, as the help calls it."""
+"""Name of the one argument of a plot, as the help calls it."""
 
 
 class Request(NamedTuple):
-    """What to draw."""
+    """Request for a drawing."""
 
     subjects: Sequence[Any]
     """``Answers`` of clutches, names of the papers' figures, or specs with [search]."""
@@ -133,7 +133,7 @@ def gathered(name: str, request: Request) -> Any:
         case "life":
             return _life(request)
         case "pocket":
-            (synthesis, _), spec = subject.ask("synthesize"), subject.clutch.spec  # refuses a clutch without balls
+            (synthesis, _), spec = subject.ask("pocket"), subject.clutch.spec  # refuses a clutch without balls
             return PocketSection(spec.name, spec.control_unit.balls, synthesis)
         case "effects":
             from .effects import effects_curve
@@ -214,5 +214,5 @@ def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
 
     check_request(name, request)
     (answers,) = request.subjects
-    synthesis, _ = answers.ask("synthesize")
+    synthesis, _ = answers.ask("pocket")
     return shop_drawing(answers.clutch, synthesis)

@@ -1,4 +1,4 @@
-"""What the handbook is made of: its chapters, what there is to say of every formula, and the numbers of examples.
+"""Content of the handbook: its chapters, the texts of every formula, and the numbers of examples.
 
 A chapter is a Markdown file of ``afmcalc/papers/handbook``, in Russian the file of the same name in its folder ``ru``.
 A paragraph in braces is put in by the program: ``{equation direct.torque}``, ``{misprint M1}``, ``{figure F11-1}``,
@@ -19,7 +19,7 @@ from ..engines import Clutch, build
 from ..engines.quantities import NotedStep
 from ..engines.selection import CURVED, KEYS, laws_for
 from ..equations.catalogue import Equation, equation_of, equations
-from ..papers.claims import Row, reproduce
+from ..papers.claims import Row, claims
 from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
@@ -37,7 +37,7 @@ _EXAMPLES = ("default", "unlike-materials", "indirect", "drive", "constant-torqu
 
 
 class Entry(NamedTuple):
-    """What there is to say of a formula."""
+    """A formula with its numbers, places, proofs and commands."""
 
     equation: Equation
     latex: str
@@ -63,9 +63,9 @@ class Handbook(NamedTuple):
     formulas: dict[str, Entry]
     """Equation function → what there is to say of it."""
     values: dict[str, tuple[Any, str]]
-    """What stands in ``{value …}`` → the number, SI, and its unit."""
+    """Text in ``{value …}`` → the number, SI, and its unit."""
     plots: dict[str, Any]
-    """What stands in ``{plot …}`` → what it draws."""
+    """Text in ``{plot …}`` → what it draws."""
     claims: list[Row]
 
 
@@ -83,12 +83,9 @@ def handbook(language: str) -> Handbook:
         re.findall(rf"\{{{kind} ([^{{}}]+)\}}", "".join(chapters.values())) for kind in ("equation", "value", "plot")
     )
     return Handbook(
-        chapters,
-        {name: _entry(equations()[name]) for name in names},
-        {path: _value(*path.split()) for path in values},
-        {plot: _plot(*plot.split()) for plot in plots},
-        reproduce([])[0].rows,
-    )
+        chapters, {name: _entry(equations()[name]) for name in names}, {path: _value(*path.split()) for path in values},
+        {plot: _plot(*plot.split()) for plot in plots}, claims([])[0].rows,
+    )  # fmt: skip
 
 
 @cache
@@ -141,15 +138,11 @@ def _entry(equation: Equation) -> Entry:
     printed = [entry for entry in register() if entry.function == equation.name]
     symbol = symbol_latex(equation.result.symbol)
     return Entry(
-        equation=equation,
-        latex=_set(symbol, [text.latex() for text in texts]),
-        example=example,
-        worked=f"{symbol} = {texts[0].latex_with_numbers()}" if step else "",
-        value=float(step.value) if step else 0.0,
-        printed=printed,
-        proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
+        equation=equation, latex=_set(symbol, [text.latex() for text in texts]), example=example,
+        worked=f"{symbol} = {texts[0].latex_with_numbers()}" if step else "", value=float(step.value) if step else 0.0,
+        printed=printed, proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
         commands=commands_of(equation.name),
-    )
+    )  # fmt: skip
 
 
 def _set(symbol: str, formulas: list[str]) -> str:

@@ -2,45 +2,53 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from ..drive.cases import case_of
-from ..drive.heat import (
-    ENDS,
-    Body,
-    Course,
-    HeatedSlip,
-    HeatedSlips,
-    course_of,
-    largest_rise,
-    most_in_disc,
-    motor_torque,
-    run_down,
-)
+from ..drive.heat import Course, Layer, course_of, warming
 from ..drive.result import EnergySource, HeatResult
 from ..engines import Clutch
 from ..engines.checks import failures_of
-from ..engines.quantities import Quantities
+from ..engines.quantities import Apply, Quantities
 from ..equations import heat as law
 from ..equations.arrays import Values
 from ..errors import CalculationError, Problem, SpecError, given
 from ..findings import Finding, Level, finding
-from ..messages import joined, measured, say, term
+from ..messages import measured, say, translate
 from ..progress import counted
 from ..result import OpenTriple, Triple
 from ..spec.catalogues import Material, friction_materials
-from ..spec.models import Heat, missing_of
+from ..spec.models import Drive, Heat, missing_of
 from ..units import ZEROS
 from .answers import Answers
 from .clutch_findings import clutch_findings
 from .registry import ANALYSES
 
-_NAMES = {"min": "f_min", "mean": term("f_cp", "symbol"), "max": "f_max"}
+_ENDS = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
 
 
-def remarks(clutch: Clutch, given: Heat, result: HeatResult, slips: HeatedSlips) -> Iterator[Finding]:
-    """What a designer should know of the trip, its temperature, and what was not told."""
-    yield from _end_findings(clutch, slips)
+class Slip(NamedTuple):
+    """Slip of a trip at one friction; a time and an energy of None: it does not end."""
+
+    time: Values | None
+    energy: Values | None
+    course: Course
+    apply: Apply
+    """Applies a law at the friction of the slip, and notes it."""
+
+
+class Trips(NamedTuple):
+    """The trip at f_min, mean and f_max, and where its heat is from."""
+
+    source: EnergySource
+    slips: Mapping[str, Slip]
+    found: tuple[Finding, ...]
+    """Of the end of the slip."""
+
+
+def remarks(clutch: Clutch, given: Heat, result: HeatResult) -> Iterator[Finding]:
+    """Findings on the temperature of a trip, and on missing data."""
     # discs cannot be what they were, whatever is allowed: the discs, or their faces while they slip
     melted = (given.ambient or 0.0) + max(_most(result.temperature_rise), _most(result.surface_temperature_rise))
     if melted >= IRON_MELTS:
@@ -81,21 +89,6 @@ def remarks(clutch: Clutch, given: Heat, result: HeatResult, slips: HeatedSlips)
             yield finding("heat-not-judged", "info", path=path)
 
 
-def _end_findings(clutch: Clutch, slips: HeatedSlips) -> Iterator[Finding]:
-    """Say where the motor carries the slip torque."""
-    off, path = clutch.spec.drive.cut_off, "drive.cut_off"
-    carried = {end: trip for end, trip in slips.at.items() if trip.carried}
-    if not carried:
-        yield from slips.found
-        return
-    at = joined(_NAMES[end] for end in carried)
-    least, motor = float(min(trip.torque for trip in carried.values())), float(motor_torque(clutch))
-    code = "motor-never-stops" if off is None else "motor-stops-at-cut-off"
-    level: Level = "error" if off is None else "info"
-    carries, heat = measured(least, "N*m", 5), max(float(trip.energy or 0.0) for trip in carried.values())
-    yield finding(code, level, value=least, limit=motor, path=path, at=at, carries=carries, heat=heat, off=off)
-
-
 def _most(ends: OpenTriple | None) -> float:
     """Largest of the values at f_min, mean and f_max that are known, else 0."""
     return 0.0 if ends is None else max((value for value in vars(ends).values() if value is not None), default=0.0)
@@ -126,7 +119,7 @@ class Limit(NamedTuple):
 
 
 def material_limit(clutch: Clutch) -> Limit | None:
-    """What the faces may reach: the lowest of what the materials named allow."""
+    """Allowable temperature of the faces: the lowest of the materials named."""
     linings = clutch.spec.friction.linings.items()
     allowing = [(path, material) for path, material in linings if material.temperature_min is not None]
     if not allowing:
@@ -145,7 +138,7 @@ def limits_of(clutch: Clutch) -> list[Limit]:
 
 
 def limit_of(clutch: Clutch) -> Limit | None:
-    """What the mean of the discs is held against over many trips: what is required, else what the material allows."""
+    """Limit of the mean temperature of the discs over many trips: what is required, else what the material allows."""
     return next((each for each in limits_of(clutch) if each.path != "requirements.face_temperature"), None)
 
 
@@ -181,7 +174,7 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
         SpecError: the [drive] block does not tell the heat of a trip.
         CalculationError: the surroundings are hotter than what the material allows.
     """
-    slips = trips(clutch, answers)
+    source, slips, ended = trips(clutch, answers)
     own, limit, group = clutch.spec.heat or Heat(), limit_of(clutch), clutch.spec.friction_group
     pairs, area = group.pairs, None
     if group.inner_radius is not None and group.outer_radius is not None:
@@ -194,21 +187,22 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
                 limit=each.low,
                 path=each.path,
             )
-    found, faces = _shared(clutch, own, slips.at, area)
+    faces, shares = _warmed(own, pairs, area, slips)
+    ends = slips.values()
     work = power = worn_out = rises = None
     if area is not None:
-        work = _each(found, lambda trip: trip.apply(law.specific_work, trip.energy, pairs, area))
-        power = Triple.of(trip.apply(law.power_density, trip.course.largest, pairs, area) for trip in found.values())
+        work = OpenTriple.of(slip.energy and slip.apply(law.specific_work, slip.energy, pairs, area) for slip in ends)
+        power = Triple.of(slip.apply(law.power_density, slip.course.power.max(), pairs, area) for slip in ends)
         if own.wear is not None and own.lining is not None and slack_before_worn(clutch, own) is None:
             worn_out = _how_many(
-                found, lambda trip: trip.apply(law.trips_to_wear_out, pairs, area, own.lining, own.wear, trip.energy)
+                slips, lambda slip: slip.apply(law.trips_to_wear_out, pairs, area, own.lining, own.wear, slip.energy)
             )
     if own.disc_mass is not None and own.specific_heat is not None:
-        rises = _each(found, lambda trip: _rise_of(own, trip) * (1 - trip.lining_share))
+        rises = OpenTriple.of(slip.energy and _rise_of(own, slip) * shares[end] for end, slip in slips.items())
     result = HeatResult(
-        energy_source=slips.source,
-        slip_time=OpenTriple.of(trip.time for trip in found.values()),
-        energy=OpenTriple.of(trip.energy for trip in found.values()),
+        energy_source=source,
+        slip_time=OpenTriple.of(slip.time for slip in ends),
+        energy=OpenTriple.of(slip.energy for slip in ends),
         specific_work=work,
         power_density=power,
         temperature_rise=rises,
@@ -216,21 +210,16 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
         surface_temperature_rise=faces,
         face_temperature=_temperatures(own, faces),
         temperature_limit=limit.low if limit and own.ambient is not None else None,
-        **_trips(own, found, limit, rises),
+        **_numbers_of_trips(own, slips, limit),
         trips_to_wear_out=worn_out,
         **_setting(clutch, own),
     )
-    return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks(clutch, own, result, slips)]
+    return result, [*clutch_findings(clutch.spec, clutch.quantities), *ended, *remarks(clutch, own, result)]
 
 
-def _each(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
-    """Of every trip that ends."""
-    return OpenTriple.of(None if trip.energy is None else of(trip) for trip in found.values())
-
-
-def _how_many(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
-    """Of every trip that ends and gives heat: without it there may be any number."""
-    return OpenTriple.of(of(trip) if trip.energy else None for trip in found.values())
+def _how_many(slips: Mapping[str, Slip], of: Callable[[Slip], Values]) -> OpenTriple:
+    """Of every slip that ends and gives heat: without it there may be any number."""
+    return OpenTriple.of(of(slip) if slip.energy else None for slip in slips.values())
 
 
 def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
@@ -239,71 +228,68 @@ def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
     return OpenTriple.of(None if rise is None else own.ambient + rise for rise in vars(rises).values())
 
 
-def _shared(
-    clutch: Clutch, own: Heat, slips: Mapping[str, HeatedSlip], area: float | None
-) -> tuple[Mapping[str, HeatedSlip], OpenTriple | None]:
-    """Share the heat of every slip among discs and lining: slips with the lining's share, rises of the faces.
+def _warmed(
+    own: Heat, pairs: int, area: float | None, slips: Mapping[str, Slip]
+) -> tuple[OpenTriple | None, Mapping[str, float]]:
+    """Largest rises of the faces where the disc is known, and largest shares of the heat that are in the discs.
 
-    The faces are told where the disc is known; without a lining that is known the discs take all.
+    Without a lining that is known the discs take all.
     """
-    pairs = clutch.spec.friction_group.pairs
-    if area is None or not (bodies := bodies_of(own, pairs, area)):
-        return slips, None
-    share = float(law.power_density(1.0, pairs, area))
-    courses = {end: slip.course.times(share) for end, slip in slips.items() if slip.energy}
-    found = dict(slips)
-    for end, course in courses.items() if len(bodies) > 1 else ():
-        found[end] = slips[end]._replace(lining_share=1 - most_in_disc(bodies, course) / course.heat[-1])
-    rises = {end: largest_rise(bodies, course) for end, course in courses.items()}
-    return found, OpenTriple.of(rises.get(end, slip.energy and 0.0) for end, slip in slips.items())
+    faces: dict[str, Values | None] = {end: slip.energy and 0.0 for end, slip in slips.items()}
+    shares = dict.fromkeys(slips, 1.0)
+    if area is None or not (layers := layers_of(own, pairs, area)):
+        return None, shares
+    for end, slip in slips.items():
+        if slip.energy:
+            warmed = warming(layers, pairs * area, slip.course)
+            faces[end] = float(warmed.face.max())
+            shares[end] = float(warmed.disc.max() / slip.course.heat[-1])
+    return OpenTriple.of(faces.values()), shares
 
 
-def bodies_of(own: Heat, pairs: Values, area: Values | None) -> list[Body]:
+def layers_of(own: Heat, pairs: int, area: float) -> list[Layer]:
     """Disc, and lining if it is known; none where a figure is wanting."""
-    if own.conductivity is None or own.density is None or own.specific_heat is None or area is None:
+    if own.conductivity is None or own.density is None or own.specific_heat is None:
         return []
     depth = None if own.disc_mass is None else law.heated_depth(own.disc_mass, own.density, pairs, area)
-    bodies = [Body(own.conductivity, own.density, own.specific_heat, depth)]
-    lining: tuple[Any, ...] = own.lining_conductivity, own.lining_density, own.lining_specific_heat
-    return bodies if None in lining else [*bodies, Body(*[*lining, own.lining])]
+    layers = [Layer(own.conductivity, own.density, own.specific_heat, depth)]
+    if own.lining_conductivity and own.lining_density and own.lining_specific_heat:
+        layers.append(Layer(own.lining_conductivity, own.lining_density, own.lining_specific_heat, own.lining))
+    return layers
 
 
-def _trips(
-    own: Heat, found: Mapping[str, HeatedSlip], limit: Limit | None, rises: OpenTriple | None
-) -> dict[str, OpenTriple | None]:
+def _numbers_of_trips(own: Heat, slips: Mapping[str, Slip], limit: Limit | None) -> dict[str, OpenTriple]:
     """How many trips the limit allows, one upon the other and per hour."""
+    numbers: dict[str, OpenTriple] = {}
     if limit is None or own.ambient is None:
-        return {}
-    ambient, told = own.ambient, {}
-    if rises is not None:
-        told["trips_without_cooling"] = _how_many(
-            found, lambda trip: trip.apply(law.trips_without_cooling, limit.low, ambient, _rise_of(own, trip))
+        return numbers
+    most, ambient, known = limit.low, own.ambient, own.disc_mass is not None and own.specific_heat is not None
+    if known:
+        numbers["trips_without_cooling"] = _how_many(
+            slips, lambda slip: slip.apply(law.trips_without_cooling, most, ambient, _rise_of(own, slip))
         )
     if own.cooling is not None:
-        told["trips_per_hour"] = _how_many(
-            found, lambda trip: HOUR * trip.apply(law.trips_per_time, own.cooling, limit.low, ambient, trip.energy)
+        numbers["trips_per_hour"] = _how_many(
+            slips, lambda slip: HOUR * slip.apply(law.trips_per_time, own.cooling, most, ambient, slip.energy)
         )
-        if rises is not None:
-            told["trips_per_hour_peak"] = _how_many(
-                found,
-                lambda trip: _rate(
-                    own, trip, trip.apply(law.share_of_rise, ambient + _rise_of(own, trip), ambient, limit.low)
-                ),
-            )
-    return dict(told)
+    if own.cooling is not None and known:
+        numbers["trips_per_hour_peak"] = _how_many(slips, lambda slip: _rate(own, slip, most, ambient))
+    return numbers
 
 
-def _rise_of(own: Heat, trip: HeatedSlip) -> Values:
+def _rise_of(own: Heat, slip: Slip) -> Values:
     """Rise of the discs with all the heat: between trips the lining gives back what it took."""
-    return trip.apply(law.temperature_rise, trip.energy, own.disc_mass, own.specific_heat)
+    rise: Values = slip.apply(law.temperature_rise, slip.energy, own.disc_mass, own.specific_heat)
+    return rise
 
 
-def _rate(own: Heat, trip: HeatedSlip, used: Values) -> float:
-    """Trips per hour, each of which uses a share of the room up to the limit."""
+def _rate(own: Heat, slip: Slip, limit: float, ambient: float) -> float:
+    """Trips per hour that each end at the limit."""
+    used = slip.apply(law.share_of_rise, ambient + _rise_of(own, slip), ambient, limit)
     if used >= 1:
         return 0.0
     logarithm = -math.log1p(-used)
-    return HOUR / float(trip.apply(law.time_between_trips, own.disc_mass, own.specific_heat, own.cooling, logarithm))
+    return HOUR / float(slip.apply(law.time_between_trips, own.disc_mass, own.specific_heat, own.cooling, logarithm))
 
 
 def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
@@ -317,7 +303,7 @@ def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
     return {"setting_loss_per_wear": loss, **worn}
 
 
-def trips(clutch: Clutch, answers: Answers | None = None) -> HeatedSlips:
+def trips(clutch: Clutch, answers: Answers | None = None) -> Trips:
     """Heat and time of a trip at f_min, mean and f_max.
 
     An event of the [drive] block is simulated; without one the tool is blocked (V1).
@@ -332,32 +318,71 @@ def trips(clutch: Clutch, answers: Answers | None = None) -> HeatedSlips:
         needed = say("required by heat (or give drive.event)")
         if drive.motor is not None:
             needed = say("required by heat beside drive.motor: the slip of a motor with a curve is simulated")
-        problems = [Problem(f"drive.{key}", None, needed) for key in missing]
-        raise SpecError(clutch.spec.label, problems)
+        raise SpecError(clutch.spec.label, [Problem(f"drive.{key}", None, needed) for key in missing])
+    motor = drive.load_torque if drive.motor_torque is None else drive.motor_torque
+    if motor is None:
+        motor = clutch["running_torque"]
+    ends = dict(_ends(clutch))
+    slips = {end: run_down(drive, there["torque"], motor, there.apply) for end, there in ends.items()}
+    if drive.motor_inertia is None:
+        return Trips("constant-speed", slips, ())
+    carried = {end: there["torque"] for end, there in ends.items() if there["torque"] <= motor}
+    return Trips("run-down", slips, tuple(_carried(drive, carried, slips, motor)) if carried else ())
+
+
+def run_down(drive: Drive, torque: Values, motor: Values, apply: Apply) -> Slip:
+    """V1 until the motor side stands or is switched off; switched off it runs down against the clutch alone."""
     assert drive.speed is not None
-    source: EnergySource = "constant-speed" if drive.motor_inertia is None else "run-down"
-    motor = motor_torque(clutch)
-    return HeatedSlips(
-        source,
-        {end: run_down(drive, at["torque"], motor, at.apply)._replace(apply=at.apply) for end, at in _ends(clutch)},
+    inertia, off, speed = drive.motor_inertia, drive.cut_off, drive.speed
+    moments: list[tuple[Values, Values]] = [(0.0, speed)]
+    if inertia is None or torque <= motor:
+        moments += [] if off is None else [(off, speed)]
+    elif off is None or law.run_down_time(inertia, speed, torque, motor) <= off:
+        moments.append((apply(law.run_down_time, inertia, speed, torque, motor), 0.0))
+    else:
+        moments.append((off, apply(law.speed_after, speed, inertia, torque, motor, off)))
+    time, last = moments[-1]
+    if inertia is not None and time and last:
+        moments.append((time + apply(law.run_down_time, inertia, last, torque, 0.0), 0.0))
+    course, energy = [(0.0, float(law.slip_power(torque, speed)), 0.0)], 0.0
+    for (before, first), (time, last) in pairwise(moments):
+        energy = energy + apply(law.slip_energy, torque, first, last, time - before)
+        course.append((float(time), float(law.slip_power(torque, last)), float(energy)))
+    ended = len(moments) > 1
+    return Slip(time if ended else None, energy if ended else None, course_of(course), apply)
+
+
+def _carried(
+    drive: Drive, torques: Mapping[str, Values], slips: Mapping[str, Slip], motor: Values
+) -> Iterator[Finding]:
+    """Say where the motor carries the slip torque."""
+    off, least = drive.cut_off, float(min(torques.values()))
+    code = "motor-never-stops" if off is None else "motor-stops-at-cut-off"
+    level: Level = "error" if off is None else "info"
+    at, heat = (
+        ", ".join(translate(_ENDS[end], "symbol") for end in torques),
+        max(float(slips[end].energy or 0.0) for end in torques),
     )
+    carries = measured(least, "N*m", 5)
+    path, motor = "drive.cut_off", float(motor)
+    yield finding(code, level, value=least, limit=motor, path=path, at=at, carries=carries, heat=heat, off=off)
 
 
 def _ends(clutch: Clutch) -> Iterator[tuple[str, Quantities]]:
     """Ends of the range of friction, and the clutch there."""
-    return ((end, clutch.quantities.at(f"f_{end}")) for end in ENDS)
+    return ((end, clutch.quantities.at(f"f_{end}")) for end in _ENDS)
 
 
-def _simulated(answers: Answers) -> HeatedSlips:
-    (found, said), clutch, at = answers.ask("simulate"), answers.clutch, {}
-    told = found.sliding_torque, found.slip_time, found.slip_energy
-    for end, there in counted(say("simulating the event"), [*_ends(clutch)]):
-        torque, time, energy = (getattr(each, end) for each in told)
-        at[end] = HeatedSlip(torque, time, energy, _course(answers.quiet, end), apply=there.apply)
-    ends = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))
-    return HeatedSlips("simulate", at, ends)
+def _simulated(answers: Answers) -> Trips:
+    (found, said), slips = answers.ask("simulate"), {}
+    for end, there in counted(say("simulating the event"), [*_ends(answers.clutch)]):
+        time, energy = getattr(found.slip_time, end), getattr(found.slip_energy, end)
+        slips[end] = Slip(time, energy, _course(answers.quiet, end), there.apply)
+    ended = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))
+    return Trips("simulate", slips, ended)
 
 
 def _course(clutch: Clutch, end: str) -> Course:
-    course = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().course
-    return course_of((each.time, float(law.slip_power(each.torque, each.slip)), each.heat) for each in course)
+    """Course of a simulated slip."""
+    rows = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().rows
+    return course_of((row.time, float(law.slip_power(row.torque_clutch, row.slip)), row.heat) for row in rows)

@@ -6,7 +6,7 @@ from ..engines import Clutch
 from ..engines.checks import failures_of
 from ..engines.layout import TOUCHES, PartName, SectionPart, inertia_of, length_of, overlaps, parts_of, sizes_of
 from ..findings import Finding, finding
-from ..messages import say, term
+from ..messages import say, translate
 from ..result import Answer, Result, described, quantity
 from .clutch_findings import clutch_findings
 
@@ -31,34 +31,25 @@ class LayoutResult(Answer):
     mass: float = quantity("kg", "m", "mass, all parts of steel")
     driving_inertia: float = quantity("kg*m^2", "J_k", "inertia of the driving half: housing and outer discs")
     hub_inertia: float | None = quantity(
-        "kg*m^2",
-        "J_h",
-        "inertia between the discs and the balls: inner discs, pressure disc and its sleeve",
+        "kg*m^2", "J_h", "inertia between the discs and the balls: inner discs, pressure disc and its sleeve",
         optional=True,
-    )
+    )  # fmt: skip
     driven_inertia: float = quantity("kg*m^2", "J_2", "inertia of the driven half")
     parts: list[LayoutPart] = described("parts")
 
 
 def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
-    """Lay out a clutch.
-
-    Raises:
-        SpecError: the spec has no envelope.
-    """
+    """Lay out a clutch. Raises SpecError: the spec has no envelope."""
     if clutch.spec.envelope is None:
         message = say("required by layout: a table of the space there is and of thicknesses, as in example:envelope")
         raise clutch.spec.refused("envelope", message)
     parts = parts_of(sizes_of(clutch))
     result = LayoutResult(
-        length=length_of(parts),
-        outer_diameter=2 * parts[0].boxes[0].outer,
-        mass=sum(body.mass for part in parts for body in part.bodies),
-        driving_inertia=inertia_of(parts, "driving"),
+        length=length_of(parts), outer_diameter=2 * parts[0].boxes[0].outer,
+        mass=sum(body.mass for part in parts for body in part.bodies), driving_inertia=inertia_of(parts, "driving"),
         hub_inertia=inertia_of(parts, "hub") if clutch.spec.kind.travels else None,
-        driven_inertia=inertia_of(parts, "driven"),
-        parts=[*rows_of(parts)],
-    )
+        driven_inertia=inertia_of(parts, "driven"), parts=[*rows_of(parts)],
+    )  # fmt: skip
     return result, [*clutch_findings(clutch.spec, clutch.quantities), *_findings(clutch, result, parts)]
 
 
@@ -67,21 +58,20 @@ def rows_of(parts: list[SectionPart]) -> Iterator[LayoutPart]:
     for part in parts:
         if rings := [ring for ring in part.boxes if ring.extends]:
             yield LayoutPart(
-                part=part.name,
-                left=min(ring.left for ring in rings),
-                right=max(ring.right for ring in rings),
+                part=part.name, left=min(ring.left for ring in rings), right=max(ring.right for ring in rings),
                 inner_diameter=2 * min(ring.inner for ring in rings),
-                outer_diameter=2 * max(ring.outer for ring in rings),
-                mass=sum(body.mass for body in part.bodies),
+                outer_diameter=2 * max(ring.outer for ring in rings), mass=sum(body.mass for body in part.bodies),
                 inertia=sum(body.inertia for body in part.bodies),
-            )
+            )  # fmt: skip
 
 
 def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) -> Iterator[Finding]:
     """Say what is in the way of what, what is beyond the space, and what is not in the layout."""
     for first, second, missing in overlaps(parts):
         if missing > TOUCHES:
-            yield finding("parts-collide", "error", value=float(missing), first=term(first), second=term(second))
+            yield finding(
+                "parts-collide", "error", value=float(missing), first=translate(first), second=translate(second)
+            )
     if clutch.spec.friction_group.pairs % 2:
         yield finding("odd-pairs", "warning", value=clutch.spec.friction_group.pairs, path="friction_group.pairs")
     known = {"outer_diameter": result.outer_diameter, "length": result.length}
@@ -89,7 +79,7 @@ def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) ->
     absent = {part.name for part in parts} - {row.part for row in result.parts}
     for name, path in _SOUGHT.items():
         if name in absent and (name != "balls" or (clutch.spec.control_unit is not None and clutch.gain > 0)):
-            yield finding("layout-without", "info", path=path, name=term(name))
+            yield finding("layout-without", "info", path=path, name=translate(name))
 
 
 _SOUGHT: dict[PartName, str] = {

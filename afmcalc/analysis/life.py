@@ -18,7 +18,7 @@ from ..engines.selection import by_rule
 from ..equations.arrays import Floats, Values, mean_along, spread
 from ..errors import AfmcalcError, given
 from ..findings import Finding, finding
-from ..messages import say, term
+from ..messages import say, translate
 from ..result import Answer, Result, Series, described, quantity
 from ..spec.fields import Key
 from ..spec.models import Method, Spec
@@ -89,10 +89,8 @@ def life(
 ) -> tuple[LifeResult, list[Finding]]:
     """Calculate the cycles to failure: of the band as one cycle (the paper), or of slips from 0 to T(f) and back.
 
-    In a sweep an axis named dT varies the scatter band at fixed T_min.
-
-    Raises:
-        SpecError: no [fatigue] block, or one that lacks what the model needs.
+    In a sweep an axis named dT varies the scatter band at fixed T_min. Raises SpecError: no [fatigue] block, or one
+    that lacks what the model needs.
     """
     spec = clutch.spec
     _require(spec, model)
@@ -106,13 +104,10 @@ def life(
     sides = {"protected": own, "unprotected": own.at("unprotected")}
     with np.errstate(all="ignore"):
         result = answer(
-            LifeResult,
-            own,
-            model=model,
-            **{side: _by_setting(spec, own, *cases) for side, cases in _SIDES.items()},
+            LifeResult, own, model=model, **{side: _by_setting(spec, own, *cases) for side, cases in _SIDES.items()},
             **{f"stress_{side}": _stress(load) for side, load in sides.items()},
             sweep=life_sweep(clutch, model, sweeps, factor) or None,
-        )
+        )  # fmt: skip
         judged = failures_of(spec, own, "life")
         judged += [remark for side, load in sides.items() for remark in _judged(load, model, side)]
     about = finding("slips-averaged" if model in _NEEDS else "mean-stress-rule", "info")
@@ -120,11 +115,9 @@ def life(
 
 
 _SIDES = {
-    "protected": (),
-    "unprotected": ("unprotected",),
-    "protected_forecast": ("forecast",),
+    "protected": (), "unprotected": ("unprotected",), "protected_forecast": ("forecast",),
     "unprotected_forecast": ("unprotected", "forecast"),
-}
+}  # fmt: skip
 """Side, as set and from the mean friction on → its cases."""
 
 
@@ -161,8 +154,7 @@ def _cycles(load: Quantities) -> float | None:
 def lives_of(load: Quantities) -> Values:
     """Return the cycles to failure of one clutch or of many, NaN where fatigue sets no limit.
 
-    Raises:
-        OverflowError: they are too few for a number; 0 cycles mean a break only.
+    Raises OverflowError: they are too few for a number; 0 cycles mean a break only.
     """
     cycles = np.asarray(load["cycles"], float)
     if ((cycles == 0) & ~np.asarray(load["is_broken"], bool)).any():
@@ -176,7 +168,7 @@ def _stress(load: Quantities) -> float | None:
 
 
 def _is_unlimited(load: Quantities) -> bool:
-    """Whether the damaging stress stays below the endurance limit."""
+    """True if the damaging stress stays below the endurance limit."""
     stress = _stress(load)
     return stress is not None and stress <= load["endurance_limit"]
 
@@ -265,4 +257,4 @@ def _judged(load: Quantities, model: StressRule, side: str) -> Iterator[Finding]
     if _is_unlimited(load):
         code = "life-not-limited/no-number" if model in _NEEDS else "life-not-limited/extrapolated"
         stress, limit = _stress(load), load["endurance_limit"]
-        yield finding(code, "info", value=stress, limit=limit, path="fatigue.endurance_limit", side=term(side))
+        yield finding(code, "info", value=stress, limit=limit, path="fatigue.endurance_limit", side=translate(side))

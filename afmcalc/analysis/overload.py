@@ -86,22 +86,18 @@ def overload(
 ) -> tuple[OverloadResult, list[Finding]]:
     """Calculate the overload of an all-driving or differentiated clutch of one material.
 
-    Raises:
-        CalculationError: a variant S22 does not treat.
+    Raises CalculationError: a variant S22 does not treat.
     """
     refuse(clutch)
     spec, own = clutch.spec, clutch.quantities
     points = pairs_asked(clutch, friction)
     trips = [own.at(friction=value) for value, _ in points]
     result = answer(
-        OverloadResult,
-        own,
-        **({} if own["bypass_pairs"] else {"potential_torque_gain": None}),
-        friction_interval=_interval(own),
-        points=[answer(OverloadPoint, trip) for trip in trips] or None,
+        OverloadResult, own, **({} if own["bypass_pairs"] else {"potential_torque_gain": None}),
+        friction_interval=_interval(own), points=[answer(OverloadPoint, trip) for trip in trips] or None,
         loads=[answer(RisenLoad, risen) for trip in trips for risen in _loads(trip)] or None,
         sweep=series(OverloadSweep, spec, sweeps, asked_by(OverloadSweep, own)),
-    )
+    )  # fmt: skip
     findings = [*clutch_findings(spec, own), finding("published-against-equilibrium", "info")]
     if spec.adjustment.method == "mean-friction":
         findings.append(finding("margin-role", "warning", value=spec.adjustment.margin, path="adjustment.method"))

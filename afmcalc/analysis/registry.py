@@ -14,20 +14,20 @@ StressRule = Literal["mean-stress", "amplitude", "goodman"]
 """Rules for the damaging stress of a life: the paper's, Серенсен–Кинасошвили's, Goodman's."""
 
 SpringOrder = Literal["length", "wear", "mass"]
-"""What is small in the springs told first."""
+"""Quantity that is least in the springs listed first."""
 SpringKind = Literal["any", "disc", "coil"]
 
 Takes = Literal["clutch", "clutches", "names", "search"]
 
 
 class Plot(NamedTuple):
-    """What is drawn of an analysis: ``figures.NAME`` gathers it, ``render.plot`` lays it out."""
+    """Plot of an analysis: ``figures.NAME`` gathers it, ``render.plot`` lays it out."""
 
     name: str
     about: str
-    """What it shows, for the help."""
+    """Description for the help."""
     takes: Takes = "clutches"
-    """What it is of: one clutch, one or more, words (the papers' figures), or a spec with [search]."""
+    """Input: one clutch, one or more, words (the papers' figures), or a spec with [search]."""
     options: tuple[str, ...] = ()
     """Options it heeds; any other that is given is refused."""
     applies: Callable[["Clutch"], bool] = lambda clutch: True
@@ -38,19 +38,19 @@ Told = str | Callable[[Any], str]
 
 
 class Section(NamedTuple):
-    """What a report says of an analysis, in whole sentences."""
+    """Section of a report on an analysis, in whole sentences."""
 
     title: str
     about: Told
-    """What is calculated."""
+    """Subject of the calculation."""
     conclusion: Told
-    """What comes of it."""
+    """Conclusion from the result."""
     sources: tuple[str, ...] = ()
     """Keys of the references it rests on."""
     sources_indirect: tuple[str, ...] = ()
     """The same for an indirect clutch, where its law is another."""
     applies: Callable[["Clutch"], bool] = lambda clutch: True
-    """Whether a report speaks of it, of what can be asked."""
+    """True if a report speaks of it, of what can be asked."""
 
 
 class Analysis(NamedTuple):
@@ -63,13 +63,13 @@ class Analysis(NamedTuple):
     group: str
     """Commands that belong together: what a command takes."""
     applies: Callable[[Any], bool] = lambda clutch: True
-    """Whether a clutch can be asked."""
+    """True if a clutch can be asked."""
     options: tuple[str, ...] = ()
     """Its arguments beside the clutch, of those that ``Answers`` has."""
     explained: bool = False
-    """Whether its steps can be shown."""
+    """True if its steps can be shown."""
     judged: bool = False
-    """Whether ``check`` takes in its findings."""
+    """True if ``check`` takes in its findings."""
     section: Section | None = None
     plot: Plot | None = None
     example: str | None = None
@@ -203,8 +203,7 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Both settings of the spring",
                 "The same nominal torque, reached at the smallest friction or, with the margin, at the mean friction.",
-                _narrower,
-                ("S19",),
+                _narrower, ("S19",),
             ),
         ),
         Analysis(
@@ -222,13 +221,11 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("overload", "trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
         ),
         Analysis(
-            "synthesize", "analysis.synthesize", "SynthesisResult", "clutch", _can_be_synthesized, explained=True,
+            "pocket", "analysis.synthesize", "SynthesisResult", "clutch", _can_be_synthesized, explained=True,
             judged=True,
             section=Section(
-                "Control unit",
-                "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
-                _ball,
-                ("S21",),
+                "Control unit", "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
+                _ball, ("S21",),
             ),
             plot=Plot(
                 "pocket", "section through ball and pockets, to scale; .dxf and .svg for the shop", "clutch",
@@ -238,10 +235,7 @@ ANALYSES: dict[str, Analysis] = {
             "life", "analysis.life", "LifeResult", "clutch", lambda clutch: clutch.spec.fatigue is not None,
             ("model", "answers"), explained=True, judged=True,
             section=Section(
-                "Life",
-                "Cycles to failure on both sides of the clutch, by the rule {model}.",
-                _lasting,
-                ("S19",),
+                "Life", "Cycles to failure on both sides of the clutch, by the rule {model}.", _lasting, ("S19",),
             ),
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
         ),
@@ -261,10 +255,8 @@ ANALYSES: dict[str, Analysis] = {
             "heat", "analysis.heat", "HeatResult", "drive", _heat_is_known, ("answers",), explained=True,
             judged=True,
             section=Section(
-                "Heat and wear",
-                "What one trip turns into heat, what it warms the discs by, and how often it may be.",
-                _heated,
-                ("CJ",),
+                "Heat and wear", "What one trip turns into heat, what it warms the discs by, and how often it may be.",
+                _heated, ("CJ",),
             ),
             example="drive",
         ),
@@ -322,13 +314,15 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("pareto", "Pareto front of a design, every clutch with its number", "search"),
         ),
         Analysis("explain", "analysis.explain.explain", "ExplainResult", "papers"),
-        Analysis("equations", "papers.register", "EquationsResult", "papers"),
+        Analysis("papers", "papers.register", "EquationsResult", "papers"),
         Analysis(
-            "reproduce", "papers.claims", "ReproduceResult", "papers",
+            "claims", "papers.claims", "ReproduceResult", "papers",
             plot=Plot("paper", "a figure of the papers from the formulas: F11-2, S19-2, S21-2, …", "names"),
         ),
         Analysis("examples", "analysis.shipped", "ExamplesResult", "specs"),
         Analysis("materials", "analysis.shipped", "MaterialsResult", "specs"),
+        Analysis("discs", "analysis.shipped", "DiscsResult", "specs"),
+        Analysis("balls", "analysis.shipped", "BallsResult", "specs"),
         Analysis("check", "analysis.check", "CheckResult", "specs", options=("answers",), explained=True),
     )
 }  # fmt: skip
@@ -346,8 +340,7 @@ EXPLAINED = tuple(each.name for each in ANALYSES.values() if each.explained)
 def schema(command: str | None = None) -> dict[str, Any]:
     """Return the JSON Schema of a spec (None), of requirements, or of the output of a command.
 
-    Raises:
-        AfmcalcError: no such command.
+    Raises AfmcalcError: no such command.
     """
     from dataclasses import fields
 
@@ -365,10 +358,8 @@ def schema(command: str | None = None) -> dict[str, Any]:
         hint, results = did_you_mean(command, ANALYSES), ", ".join(ANALYSES)
         raise AfmcalcError(
             "no JSON of a command {command!r}{hint}; described are: spec, {results}",
-            command=command,
-            hint=hint,
-            results=results,
-        )
+            command=command, hint=hint, results=results,
+        )  # fmt: skip
     result = ANALYSES[command].result_class
     parts: dict[str, Any] = {field.name: (field.type, ...) for field in fields(Output)}
     parts["result"] = (result, ...)

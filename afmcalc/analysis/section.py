@@ -10,13 +10,13 @@ from typing import Any, NamedTuple
 from ..engines import Clutch, build
 from ..engines.layout import FACE_GAP, TOUCHES, PartName, Ring, Sizes, SpringSize, overlaps, parts_of, sizes_of
 from ..errors import CalculationError
-from ..messages import term
+from ..messages import translate
 from ..spec.edit import value_at, with_values
 from ..spec.models import DiscStack, Envelope, Room, Spec
 from .answers import Answers
 from .layout import LayoutPart, rows_of
 from .registry import ANALYSES
-from .synthesize import synthesize
+from .synthesize import pocket
 from .wall import wall_of
 
 
@@ -32,7 +32,7 @@ class MainDimension(NamedTuple):
     at: float
     """Radius that a length is measured at, place along the axis of a diameter."""
     assumed: bool
-    """Whether it rests on a key that was filled in."""
+    """True if it rests on a key that was filled in."""
 
 
 class Box(NamedTuple):
@@ -60,11 +60,11 @@ class DrawnPart(NamedTuple):
     row: LayoutPart
     boxes: list[Box]
     pockets: list[Box]
-    """What the pockets take away where a ball is."""
+    """Areas that the pockets take away where a ball is."""
     moved: list[Box]
     """Where it is at f_max; empty of what does not move."""
     assumed: bool
-    """Whether its size rests on a key that was filled in."""
+    """True if its size rests on a key that was filled in."""
     pieces: int
     turns: float
     """Turns of a spring, or packs of discs against each other; 0 of what is no spring."""
@@ -169,8 +169,8 @@ def _completed(answers: Answers) -> tuple[Clutch, Sizes, dict[str, float]]:
         circle, ball = unit.ball_circle_radius, unit.ball_diameter
         if ball is None:
             if clutch.gain > 0:  # as synthesized; of a circle of our own too
-                asked = ANALYSES["synthesize"].applies(answers.clutch)
-                ball = (answers.ask("synthesize") if asked else synthesize(clutch))[0].ball_diameter
+                asked = ANALYSES["pocket"].applies(answers.clutch)
+                ball = (answers.ask("pocket") if asked else pocket(clutch))[0].ball_diameter
             else:
                 ball = 0.4 * circle
             fill("control_unit", ball_diameter=ball)
@@ -231,26 +231,28 @@ def _measures(sizes: Sizes, boxes: dict[PartName, list[Box]], assumed: dict[str,
 
     (web, around), pack, inner, outer = boxes["housing"], boxes["pack"][0], sizes.inner_radius, sizes.outer_radius
     faces, hub, bore, end = "friction_group", sizes.hub_radius, sizes.bore_radius, around.right
-    yield measure("length", "L", term("length"), 0, end, web.outer, *{path.partition(".")[0] for path in assumed})
+    yield measure("length", "L", translate("length"), 0, end, web.outer, *{path.partition(".")[0] for path in assumed})
     for box in boxes["closing spring"]:
-        about = term("length of the closing spring as set")
+        about = translate("length of the closing spring as set")
         yield measure("closing_length", "L_1", about, box.left, box.right, box.outer, "closing_spring")
     for box in boxes.get("control spring", []):
-        about = term("length of the control spring as set")
+        about = translate("length of the control spring as set")
         yield measure("control_length", "L_2", about, box.left, box.right, box.outer, "control_spring")
     for box in boxes["balls"]:
         middle, half, unit = (box.left + box.right) / 2, sizes.gap / 2, "control_unit"
-        about = term("gap between the faces")
+        about = translate("gap between the faces")
         yield measure("face_gap", "s", about, middle - half, middle + half, box.outer, f"{unit}.face_gap")
-        about = term("ball circle")
+        about = translate("ball circle")
         yield measure("ball_circle", "2r", about, -sizes.circle, sizes.circle, middle, f"{unit}.ball_circle_radius")
     for box in sorted(boxes.get("thrust sleeve", []), key=lambda box: box.outer)[-1:] if sizes.travel else ():
-        about = term("travel of the sleeve at f_max")
+        about = translate("travel of the sleeve at f_max")
         yield measure("travel", "x_max", about, box.right, box.right + sizes.travel, box.outer)
-    yield measure("inner_diameter", "2r_i", term("inside of the friction faces"), -inner, inner, pack.left, faces)
-    yield measure("outer_diameter", "2r_o", term("outside of the friction faces"), -outer, outer, pack.right, faces)
-    about = term("outer diameter of the housing")
+    yield measure("inner_diameter", "2r_i", translate("inside of the friction faces"), -inner, inner, pack.left, faces)
+    yield measure(
+        "outer_diameter", "2r_o", translate("outside of the friction faces"), -outer, outer, pack.right, faces
+    )
+    about = translate("outer diameter of the housing")
     yield measure("housing", "D_h", about, -web.outer, web.outer, web.left, faces, "envelope.housing_wall")
-    yield measure("hub", "d", term("diameter of the hub"), -hub, hub, end, "envelope.hub_diameter")
+    yield measure("hub", "d", translate("diameter of the hub"), -hub, hub, end, "envelope.hub_diameter")
     if bore:
-        yield measure("bore", "", term("bore of the hub"), -bore, bore, end, "envelope.bore")
+        yield measure("bore", "", translate("bore of the hub"), -bore, bore, end, "envelope.bore")

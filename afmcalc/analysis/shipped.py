@@ -1,11 +1,13 @@
-"""What ships with the program, as results: example specs and friction materials."""
+"""Lists that ship with the program, as results: example specs and friction materials."""
 
 import tomllib
+from collections.abc import Mapping, Sequence
 
 from ..findings import Finding
 from ..result import Answer, Result, described, quantity
-from ..spec.catalogues import friction_materials
-from ..spec.lists import friction_materials as read_materials
+from ..spec.catalogues import Disc, Material, friction_materials
+from ..spec.catalogues import discs as standard_discs
+from ..spec.lists import ball_designation, diameters
 from ..spec.parse import example_names, example_text
 
 
@@ -56,9 +58,50 @@ class MaterialsResult(Answer):
     sources: list[str] = described("sources")
 
 
-def materials(file: str | None = None) -> tuple[MaterialsResult, list[Finding]]:
+def materials(listed: Mapping[str, Material] | None = None) -> tuple[MaterialsResult, list[Finding]]:
     """List the catalogue that ships, or one's own."""
-    entries = (read_materials(file) if file else friction_materials()).values()
+    entries = (friction_materials() if listed is None else listed).values()
     told = [{name: getattr(entry, name) for name in MaterialRow.model_fields} for entry in entries]
     rows = [MaterialRow(**row | {"also": ", ".join(row["also"])}) for row in told]
     return MaterialsResult(materials=rows, sources=list(dict.fromkeys(entry.citation for entry in entries))), []
+
+
+class DiscRow(Result):
+    """One disc spring."""
+
+    name: str = described("name of the disc", code=True)
+    outer_diameter: float = quantity("m", "D_e", "outer diameter")
+    inner_diameter: float = quantity("m", "D_i", "inner diameter")
+    thickness: float = quantity("m", "t", "thickness")
+    free_height: float = quantity("m", "l_0", "free height")
+
+
+class DiscsResult(Answer):
+    """The disc springs."""
+
+    discs: list[DiscRow] = described("disc springs")
+
+
+def discs(listed: Sequence[Disc] | None = None) -> tuple[DiscsResult, list[Finding]]:
+    """List the disc springs that ship, or one's own."""
+    sizes = ({name: getattr(each, name) for name in DiscRow.model_fields} for each in listed or standard_discs())
+    return DiscsResult(discs=[DiscRow(**size) for size in sizes]), []
+
+
+class BallRow(Result):
+    """One ball."""
+
+    diameter: float = quantity("m", "d_ш", "ball diameter")
+    designation: str | None = described("designation of the ball", optional=True)
+
+
+class BallsResult(Answer):
+    """The ball diameters."""
+
+    balls: list[BallRow] = described("balls")
+
+
+def balls(listed: Sequence[float] | None = None) -> tuple[BallsResult, list[Finding]]:
+    """List the ball diameters that ship, or one's own."""
+    sizes = listed or diameters()
+    return BallsResult(balls=[BallRow(diameter=size, designation=ball_designation(size)) for size in sizes]), []

@@ -1,4 +1,4 @@
-"""What the shop cuts: two sleeves with pockets as contours in the section at the ball circle.
+"""Contours for the shop: two sleeves with pockets in the section at the ball circle.
 
 A pocket is cut to the lowest point of the ball; a groove between the ends of its walls keeps the ball off the floor.
 Coordinates: from the centre of the ball at the stop, along the axis into the first sleeve, and around the circle. The
@@ -20,7 +20,7 @@ Points: TypeAlias = list[tuple[float, float]]
 """(along the axis, around the circle), m."""
 
 BESIDE = 0.5
-"""What is drawn of a sleeve beside its pocket, of half its width; behind it of its depth, where nothing is said."""
+"""Sleeve drawn beside its pocket, as a share of its width; behind it of its depth, where nothing is said."""
 RELIEF, RELIEF_STEP = 0.05, 1e-4
 """Depth of the groove under a ball, of its diameter, rounded up to whole steps, m."""
 
@@ -75,7 +75,7 @@ def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
         assert wall.undercut_radius is not None
         message = say(
             "no pocket to draw: a ball of {ball:.5g mm} undercuts its curved wall, as does every one from "
-            "{limit:.5g mm} on (afmcalc synthesize says what makes it possible)",
+            "{limit:.5g mm} on (afmcalc pocket says what makes it possible)",
             ball=unit.ball_diameter,
             limit=2 * wall.undercut_radius,
         )

@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drive.cases import Case, Outcome, bracket_of, case_of, outcome_of, peak_time
+from ..drive.cases import Case, Outcome, case_of, outcome_of
+from ..drive.integrator import CLOSE, Event, Row, peak_time
 from ..drive.pack import Sleeve
-from ..drive.peaks import Peaks, peaks_of
-from ..drive.plant import Plant
 from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import Train, train_of
 from ..engines import Clutch
@@ -21,24 +20,32 @@ from ..equations import drive as law
 from ..equations.arrays import Floats, Values
 from ..errors import CalculationError
 from ..findings import Finding, Level, finding
-from ..messages import measured, say, term
+from ..messages import measured, say, translate
 from ..progress import counted
 from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
-from ..spec import Spec, resolved
 from ..spec.edit import with_values
 from .clutch_findings import clutch_findings
 from .effects import with_pairs
 from .registry import ANALYSES
 from .sweep import Axis, replaced, series
-from .synthesize import synthesize
+from .synthesize import pocket
 from .torque import Pair, friction_fields, outside_range, pairs_asked
 from .wall import wall_of
 
-_ENDS = ("f_min", term("f_cp", "symbol"), "f_max")
-_CLOSED = 1e-6
+
+def _end_symbols() -> tuple[str, str, str]:
+    """Symbols of the smallest, the mean and the largest friction."""
+    return "f_min", translate("f_cp", "symbol"), "f_max"
+
+
+_CLOSED = 1e-3
+_SPREAD = 0.01
+"""Relative difference of heat or slip time by two step sizes beyond which they are ill-conditioned."""
 _NEAR = 1e-3
 """Relative difference below which a figure of the spec is what the simulation gives."""
 _ROUNDING = 1e-9
+_MOMENTS = 2000
+"""Moments of a history, about."""
 
 
 def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result: SimulateResult) -> Iterator[Finding]:
@@ -49,15 +56,15 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
         if inertia and getattr(clutch.spec.drive, name) is None:
             yield finding("inertia-from-layout", "info", value=float(inertia), path=f"drive.{name}")
     # where the ordinary clutch of equal nominal torque is no like for like comparison
-    load, carried = train.load, min(one.ordinary.sliding for one in outcomes)
+    load, carried = train.load, float(min(one.ordinary.pack.sliding for one in outcomes))
     if train.hub_inertia:
         inertia = train.driven_inertia + train.hub_inertia
         yield finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia")
     if carried < load * (1 - _ROUNDING):
         yield finding("ordinary-slips-before-event", "info", value=carried, limit=load, path="adjustment.method")
     # does the clutch carry the load before the event, the motor drive it?
-    for end, one in zip(_ENDS, outcomes, strict=True):
-        if (carried := one.case.plant.breakaway) < load * (1 - _ROUNDING):
+    for end, one in zip(_end_symbols(), outcomes, strict=True):
+        if (carried := float(one.case.pack.breakaway)) < load * (1 - _ROUNDING):
             path = "drive.load_torque"
             yield finding("slips-before-event", "error", value=carried, limit=load, path=path, at=end)
     motor = float(train.engine.at(train.speed))
@@ -67,19 +74,20 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
     yield from _endless(train, outcomes)
     if result.energy_residual > _CLOSED:
         yield finding("energy-not-closed", "error", value=result.energy_residual, limit=_CLOSED)
+    yield from _accuracy(outcomes)
     # S22's open question, as a number: where between T_муф and T_п does this drive trip?
     last, unit = outcomes[-1], clutch.spec.control_unit
     if unit is not None and unit.release_lag and last.trip_position is not None:
-        expected, path = last.case.plant.breakaway, "control_unit.release_lag"
-        at, share, held = last.trip.trip_torque, last.trip_position, last.potential
+        expected, path = last.case.pack.breakaway, "control_unit.release_lag"
+        at, share, held = last.trip_torque, last.trip_position, last.potential
         yield finding("release-lag", "info", value=at, limit=expected, path=path, share=share, held=held)
     yield from _judder(clutch, train, outcomes)
 
 
 def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
-    """What turns behind the discs does to the shaft: a sudden stop by its speed, a slow one by its deceleration."""
-    path, plant = "drive.driven_inertia", outcomes[-1].case.plant
-    behind, limit, load = train.driven_inertia + train.hub_inertia, plant.sliding, min(train.load, plant.sliding)
+    """Finding on the inertia behind the discs: a sudden stop loads the shaft by speed, a slow one by deceleration."""
+    path, limit = "drive.driven_inertia", float(outcomes[-1].case.pack.sliding)
+    behind, load = train.driven_inertia + train.hub_inertia, min(train.load, limit)
     swing = math.pi * math.sqrt(behind / train.stiffness)
     # the slip begins as the tool, slowing down with ω_0/t_b, has wound the shaft up from the load
     wound = math.sqrt(2 * (limit - load) * train.time / (train.stiffness * train.speed))
@@ -92,11 +100,11 @@ def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
 def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
     """Does the motor stop, and does the slip end within the time that is simulated?"""
     strongest, path = float(train.engine.torque), "drive.cut_off"
-    for end, one in zip(_ENDS, outcomes, strict=True):
-        pulled = abs(one.trip.last) if one.endless else _at_cut_off(one)
-        if pulled is None or not (one.endless or pulled <= strongest):
+    for end, one in zip(_end_symbols(), outcomes, strict=True):
+        pulled = abs(one.event.last) if one.endless else one.event.pulled
+        if not pulled or not (one.endless or pulled <= strongest):
             continue
-        carries, sliding = measured(pulled, "N*m", 5), one.case.plant.sliding
+        carries, sliding = measured(pulled, "N*m", 5), float(one.case.pack.sliding)
         if pulled < sliding * (1 - _NEAR):
             carries = say(
                 "{pulled:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises",
@@ -108,33 +116,44 @@ def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
         yield finding(
             code, level, value=pulled, limit=strongest, path=path, at=end, carries=carries, heat=heat, off=off
         )
-    for end, one in zip(_ENDS, outcomes, strict=True):
-        path, lasted = "drive.event.duration", one.trip.time
-        if not one.trip.stuck and not one.endless:
+    for end, one in zip(_end_symbols(), outcomes, strict=True):
+        path, lasted = "drive.event.duration", one.event.time
+        if not one.event.stuck and not one.endless:
             yield finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end)
-        elif one.trip.stuck and not one.trip.settled:
+        elif one.event.stuck and not one.event.settled:
             yield finding("event-not-settled", "warning", value=lasted, path=path, at=end)
 
 
-def _at_cut_off(each: Outcome) -> float | None:
-    """Torque with which the pack slips as the motor is switched off, N·m; None where it does not slip then."""
-    course, off = each.trip.course, each.case.plant.train.cut_off
-    if off is None or not course or not each.energy:
-        return None
-    return next((abs(moment.torque) for moment in course if moment.time >= course[0].time + off), None)
+def _accuracy(outcomes: Sequence[Outcome]) -> Iterator[Finding]:
+    """Say where twice the step gives other figures."""
+    for end, one in zip(_end_symbols(), outcomes, strict=True):
+        event, other = one.event, one.event.other
+        if event.peak_error > CLOSE:
+            yield finding("peak-not-converged", "warning", value=event.peak_error, limit=CLOSE, at=end)
+        if not one.ended:
+            continue
+        spread = max(_relative(event.heat, other.heat), _relative(event.slip_time, other.slip_time))
+        if spread > _SPREAD:
+            path = "control_unit" if isinstance(one.case.pack, Sleeve) else "drive.event"
+            yield finding("ill-conditioned", "warning", value=spread, limit=_SPREAD, path=path, at=end)
+
+
+def _relative(value: float, other: float) -> float:
+    """Difference of two step sizes, relative."""
+    return abs(value - other) / value if value else 0.0
 
 
 def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Whether slow slip is steady (V6), where friction falls most with speed."""
+    """True if slow slip is steady (V6), where friction falls most with speed."""
     friction = clutch.spec.friction
     ratio, speed = friction.static_ratio or 1.0, friction.stribeck_speed
     if ratio == 1 or speed is None:
         return
 
-    def needed(plant: Plant) -> float:
-        return float(law.judder_damping(plant.pack.growth, clutch.mean_radius, ratio, speed))
+    def needed(case: Case) -> float:
+        return float(law.judder_damping(case.pack.growth, clutch.mean_radius, ratio, speed))
 
-    least, ordinary = max((needed(one.case.plant), needed(one.ordinary)) for one in outcomes)
+    least, ordinary = max((needed(one.case), needed(one.ordinary)) for one in outcomes)
     if train.damping <= least:
         path = "drive.damping_ratio"
         yield finding("judder", "info", value=least, limit=train.damping, path=path, ordinary=ordinary)
@@ -148,12 +167,12 @@ def contact_forces(clutch: Clutch, outcomes: Sequence[Outcome]) -> list[float] |
     if clutch.spec.kind.travels and let_go(outcomes[-1].case) is None:
         return None  # feedback that the key just holds is simulated without its balls
     count, radius = unit.balls, unit.ball_circle_radius
-    return [float(control_unit.contact_force(each.trip.peak_wall, count, radius, 1.0)) for each in outcomes]
+    return [float(control_unit.contact_force(each.event.peak_wall, count, radius, 1.0)) for each in outcomes]
 
 
 def let_go(case: Case) -> float | None:
     """Travel at which the closing spring presses no more, m; None without a sleeve."""
-    pack = case.plant.pack
+    pack = case.pack
     return float(pack.farthest) if isinstance(pack, Sleeve) else None
 
 
@@ -171,8 +190,8 @@ def event_values(clutch: Clutch, result: SimulateResult) -> dict[str, Any]:
     if result.travel_max is not None:
         known["travel_max"], known["at_travel"] = _largest(result.travel_max)
         known["travel_let_go"] = let_go(case_of(clutch, *(friction.max for friction in clutch.friction)))
-    if ANALYSES["synthesize"].applies(clutch):
-        unit, _ = synthesize(clutch)
+    if ANALYSES["pocket"].applies(clutch):
+        unit, _ = pocket(clutch)
         known["contact_force_allowable"] = unit.contact_force_allowable
         wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
         if result.travel_max is not None and unit.ball_diameter_standard is not None and wall.can_be_cut:
@@ -184,11 +203,11 @@ def event_values(clutch: Clutch, result: SimulateResult) -> dict[str, Any]:
 
 def _largest(ends: Triple) -> tuple[float, str]:
     """Largest of the values at f_min, mean and f_max, and where it is."""
-    return max(zip(vars(ends).values(), _ENDS, strict=True))
+    return max(zip(vars(ends).values(), _end_symbols(), strict=True))
 
 
 def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
-    """What the springs named do not hold where the sleeve swings, and held where the law has it."""
+    """Findings on the springs: rules they break where the sleeve swings, and keep where the law has it."""
     own, rules = clutch.spec, {}
     if not own.spring_parts or not own.kind.travels:
         return
@@ -198,87 +217,80 @@ def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
         if each.beyond > _ROUNDING and not rules.get((path, each.rule)):
             yield finding(
                 "event-spring", each.rule.level, value=each.value, limit=each.limit, path=path, travel=travel,
-                what=term(each.rule.name),
+                what=translate(each.rule.name),
             )  # fmt: skip
 
 
 __all__ = ["SimulateResult", "simulate"]
 
-_WIDE = 0.05
-"""Width of the bracket κ … κ₊, relative to the value, beyond which it is said."""
-
 
 def simulate(
-    clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
+    clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = (), *, heated: bool = False
 ) -> tuple[SimulateResult, list[Finding]]:
     """Simulate the event of the [drive] block at f_min, mean friction and f_max, constant during the event.
 
     And at further pairs of frictions, (f, None) for all pairs alike or (f_1, f_2); of a sweep only the peaks are told.
+    With ``heated`` the result has the heat of the trip.
 
     Raises:
         SpecError: the spec has no event.
     """
     train, points = train_of(clutch), pairs_asked(clutch, friction)
-    outcomes, peaks_at_stop, heats_at_stop = [], [], []
-    for end in counted(say("simulating the event"), list(zip(*clutch.friction, strict=True))):
-        outcomes.append(outcome_of(clutch, *end))
-        # with the key's play, along κ, along κ₊; a slip that does not end gives heat without end
-        if bracket := bracket_of(outcomes[-1]):
-            peaks_at_stop.append([one.trip.peak for one in bracket])
-            heats_at_stop.append([math.inf if one.energy is None else one.energy for one in bracket])
-    peaks = [one.trip.peak for one in outcomes]
+    ends = counted(say("simulating the event"), list(zip(*clutch.friction, strict=True)))
+    outcomes = [outcome_of(clutch, *end) for end in ends]
+    peaks = [one.event.peak for one in outcomes]
+    # both step sizes, where the sleeve rattles against its stop; a slip that does not end gives heat without end
+    rattles = any(one.rattles for one in outcomes)
+    peaks_by_step = [(one.event.peak, one.event.other.peak) for one in outcomes if rattles]
+    heats_by_step = [tuple(math.inf if heat is None else heat for heat in one.energies) for one in outcomes if rattles]
     bypass = bypass_peak(clutch)
     sweep, rising = swept(clutch, sweeps)
     travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
     late = unit is not None and bool(unit.release_lag)
     result = SimulateResult(
-        sliding_torque=_ends(Triple, [one.case.plant.sliding for one in outcomes]),
+        sliding_torque=_ends(Triple, [float(one.case.pack.sliding) for one in outcomes]),
         peak_torque=_ends(Triple, peaks),
-        peak_torque_clutch=_ends(Triple, [one.trip.peak_clutch for one in outcomes]),
+        peak_torque_clutch=_ends(Triple, [one.event.peak_clutch for one in outcomes]),
         peak_torque_bypass=bypass,
+        peak_error=_ends(Triple, [float(one.event.peak_error) for one in outcomes]),
         dynamic_factor=_ends(Triple, [one.dynamic_factor for one in outcomes]),
         peak_over_machine=_ends(Triple, [peak / train.load for peak in peaks]) if train.load else None,
         slip_time=_ends(OpenTriple, [one.slip_time for one in outcomes]),
         slip_energy=_ends(OpenTriple, [one.energy for one in outcomes]),
-        peak_torque_low=_ends(Triple, map(min, peaks_at_stop)),
-        peak_torque_high=_ends(Triple, map(max, peaks_at_stop)),
-        slip_energy_low=_ends(OpenTriple, map(min, heats_at_stop)),
-        slip_energy_high=_ends(OpenTriple, map(max, heats_at_stop)),
+        peak_torque_low=_ends(Triple, map(min, peaks_by_step)),
+        peak_torque_high=_ends(Triple, map(max, peaks_by_step)),
+        slip_energy_low=_ends(OpenTriple, map(min, heats_by_step)),
+        slip_energy_high=_ends(OpenTriple, map(max, heats_by_step)),
         key_energy=_ends(OpenTriple, [one.key_energy for one in outcomes] if _has_key(clutch) else ()),
-        travel_max=_ends(Triple, [one.trip.travel_max for one in outcomes]) if travels else None,
+        travel_max=_ends(Triple, [one.event.travel_max for one in outcomes]) if travels else None,
         contact_force=_ends(Triple, contact_forces(clutch, outcomes) or ()),
         peak_torque_conventional=_ends(Triple, [one.ordinary_peak for one in outcomes]),
-        trip_torque=_ends(OpenTriple, [one.trip.trip_torque for one in outcomes]) if late else None,
+        trip_torque=_ends(OpenTriple, [one.trip_torque for one in outcomes]) if late else None,
         trip_position=_ends(OpenTriple, [one.trip_position for one in outcomes]) if late else None,
         inertia_torque=train.inertia_torque,
         load_torque=train.load,
-        energy_residual=max(one.trip.residual for one in outcomes),
+        energy_residual=max(one.event.residual for one in outcomes),
         points=[_point(clutch, *pair) for pair in counted(say("simulating the event"), points)] or None,
         sweep=sweep,
     )
-    return result, [
+    findings = [
         *clutch_findings(clutch.spec, clutch.quantities),
         *failures_of(clutch.spec, Beside(event_values(clutch, result), clutch.quantities), "simulate"),
-        *_springs(clutch, max(one.trip.travel_max for one in outcomes)),
+        *_springs(clutch, max(one.event.travel_max for one in outcomes)),
         *remarks_of(clutch, train, outcomes, result),
-        *_wide("peak", peaks_at_stop),
-        *_wide("heat", heats_at_stop),
         *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
         *rising,
         *replaced(clutch.spec, sweeps),
         *(remark for pair in points for remark in outside_range(clutch, *pair)),
     ]
-
-
-def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
-    """Return the spec with the largest dynamic factor found, for the life of the unprotected side."""
-    data = resolved(spec)
-    data["drive"]["dynamic_factor"] = result.largest_dynamic_factor
-    return data
+    if not heated:
+        return result, findings
+    heat, of_heat = ANALYSES["heat"].function(clutch)
+    return result.model_copy(update={"heat": heat}), list(dict.fromkeys([*findings, *of_heat]))
 
 
 def _has_key(clutch: Clutch) -> bool:
-    """Whether the sleeve slides on a key that rubs."""
+    """True if the sleeve slides on a key that rubs."""
     unit = clutch.spec.control_unit
     return clutch.spec.kind.travels and unit is not None and bool(unit.key_friction)
 
@@ -289,29 +301,16 @@ def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> Si
     outcome = outcome_of(clutch, friction, friction_driven)
     return SimulatePoint(
         **friction_fields(clutch, friction, friction_driven),
-        sliding_torque=outcome.case.plant.sliding,
-        peak_torque=outcome.trip.peak,
-        peak_torque_clutch=outcome.trip.peak_clutch,
+        sliding_torque=float(outcome.case.pack.sliding),
+        peak_torque=outcome.event.peak,
+        peak_torque_clutch=outcome.event.peak_clutch,
         dynamic_factor=outcome.dynamic_factor,
         slip_time=outcome.slip_time,
         slip_energy=outcome.energy,
         key_energy=outcome.key_energy if _has_key(clutch) else None,
-        travel_max=outcome.trip.travel_max if clutch.spec.kind.travels else None,
+        travel_max=outcome.event.travel_max if clutch.spec.kind.travels else None,
         peak_torque_conventional=outcome.ordinary_peak,
     )
-
-
-def _wide(what: str, rows: Sequence[Sequence[float]]) -> Iterator[Finding]:
-    """Say where the answer hangs on how the key holds the sleeve at its stop: vibration dithers a key."""
-    path = "control_unit.key_friction"
-    for at, row in zip(_ENDS, rows, strict=False):
-        low, high = min(row), max(row)
-        if high == math.inf:
-            if low < math.inf:
-                yield finding("stop-bracket/open", "warning", value=low, path=path, at=at)
-        elif high - low > _WIDE * row[0]:
-            code = "stop-bracket/heat" if what == "heat" else "stop-bracket/peak"
-            yield finding(code, "warning", value=low, limit=high, path=path, at=at)
 
 
 def _ends(kind: type[AtEnds], values: Iterable[float | None]) -> Any:
@@ -322,31 +321,33 @@ def _ends(kind: type[AtEnds], values: Iterable[float | None]) -> Any:
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:
     """Peaks over swept keys, None without any; and a remark where some may yet rise."""
-    asked: list[tuple[Clutch, Peaks]] = []
+    asked: list[tuple[Clutch, tuple[Event, Floats]]] = []
 
-    def of(point: Clutch) -> Peaks:
+    def of(point: Clutch) -> tuple[Event, Floats]:
         if not asked or asked[-1][0] is not point:
             asked.append((point, _peaks_at_ends(point)))
         return asked[-1][1]
 
     outputs: dict[str, Callable[[Clutch], Values]] = {
-        "peak_torque_max": lambda point: of(point).shaft[2],
-        "peak_torque_mean": lambda point: of(point).shaft[1],
-        "peak_torque_min": lambda point: of(point).shaft[0],
-        "peak_torque_clutch": lambda point: of(point).clutch[2],
-        "dynamic_factor": lambda point: of(point).shaft[2] / of(point).sliding[2],
+        "peak_torque_max": lambda point: of(point)[0].peak[2],
+        "peak_torque_mean": lambda point: of(point)[0].peak[1],
+        "peak_torque_min": lambda point: of(point)[0].peak[0],
+        "peak_torque_clutch": lambda point: of(point)[0].peak_clutch[2],
+        "dynamic_factor": lambda point: of(point)[0].peak[2] / of(point)[1][2],
         "inertia_torque": lambda point: train_of(point).inertia_torque,
     }
     if clutch.bypass_pairs and clutch.spec.kind.controlled:
         outputs["peak_torque_bypass"] = bypass_peaks
     rows = series(SimulateSweep, clutch.spec, sweeps, outputs, open_at=("peak_torque_bypass",))
-    count = sum(int(np.count_nonzero(~peaks.passed)) for _, peaks in asked)
+    count = sum(int(np.count_nonzero(~event.passed)) for _, (event, _) in asked)
     return rows, [finding("sweep-not-settled", "warning", value=count, path="drive.cut_off")] if count else []
 
 
-def _peaks_at_ends(clutch: Clutch) -> Peaks:
-    """Peaks at f_min, mean friction and f_max, a row each."""
-    return peaks_of(clutch, *at_ends(clutch))
+def _peaks_at_ends(clutch: Clutch) -> tuple[Event, Floats]:
+    """Peaks and sliding torque at f_min, mean friction and f_max, a row each."""
+    case = case_of(clutch, *at_ends(clutch))
+    event = case.peaks()
+    return event, np.broadcast_to(case.pack.sliding, event.peak.shape)
 
 
 def at_ends(clutch: Clutch) -> tuple[Floats, Floats]:
@@ -357,17 +358,16 @@ def at_ends(clutch: Clutch) -> tuple[Floats, Floats]:
 
 def dynamic_factors(clutch: Clutch) -> Floats:
     """Largest T_peak/T over f_min, mean friction and f_max, of every clutch of a sweep."""
-    peaks = _peaks_at_ends(clutch)
-    slipping = np.max(peaks.shaft / peaks.sliding, axis=0)
-    return np.fmax(slipping, bypass_peaks(clutch) / peaks.sliding[2])
+    event, sliding = _peaks_at_ends(clutch)
+    return np.fmax(np.max(event.peak / sliding, axis=0), bypass_peaks(clutch) / sliding[2])
 
 
-def bypass_peaks(clutch: Clutch, peaks: Callable[..., Floats] = lambda *asked: peaks_of(*asked).shaft) -> Floats:
+def bypass_peaks(clutch: Clutch) -> Floats:
     """Peaks in the shaft if the bypass pairs alone carry, as of ``bypass_peak``; NaN where they carry less, N·m."""
     first, second, more = _bypass_carries_more(clutch)
     if not more.any():
         return np.full(more.shape, np.nan)
-    return np.where(more, peaks(bypass_alone(clutch), first, second), np.nan)
+    return np.where(more, case_of(bypass_alone(clutch), first, second).peaks().peak, np.nan)
 
 
 def bypass_peak(clutch: Clutch) -> float | None:
@@ -379,7 +379,7 @@ def bypass_peak(clutch: Clutch) -> float | None:
     first, second, more = _bypass_carries_more(clutch)
     if not more.any():
         return None
-    return case_of(bypass_alone(clutch), first, second).run().peak
+    return float(case_of(bypass_alone(clutch), first, second).peaks().peak)
 
 
 def _bypass_carries_more(clutch: Clutch) -> tuple[Any, Any, NDArray[np.bool_]]:
@@ -429,13 +429,21 @@ def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = Fals
     rows = []
     for pair in counted(say("simulating the event"), pairs_asked(clutch, friction) or ends):
         case = case_of(clutch, *pair)
+        moments = case.history().rows
         if short:
-            window = float(peak_time(case.plant.train, case.plant.sliding))
-            case = case._replace(horizon=min(case.horizon, window))
-        own = friction_fields(clutch, *pair)
-        for moment in case.run(recorded=True).history:
-            given = moment._asdict()
-            if not clutch.spec.kind.travels:
-                del given["travel"]
-            rows.append(MomentRow(**own, **given))
+            window = float(peak_time(case.train, case.pack.sliding))
+            moments = tuple(moment for moment in moments if moment.time <= window)
+        own, travels = friction_fields(clutch, *pair), clutch.spec.kind.travels
+        for moment in _thinned(moments):
+            fields = {name: value for name, value in moment._asdict().items() if name in MomentRow.model_fields}
+            rows.append(MomentRow(**own, **fields | {"travel": moment.travel if travels else None}))
     return HistoryResult(moments=rows)
+
+
+def _thinned(rows: Sequence[Row]) -> Iterator[Row]:
+    """Some thousand moments: the first, the last, that of the peak, those where slip begins or ends, and others."""
+    peak, every = max(rows, key=lambda row: abs(row.torque_shaft)), -(-len(rows) // _MOMENTS)
+    for number, row in enumerate(rows):
+        turned = bool(row.slip) != bool(rows[number - 1].slip)
+        if row is peak or turned or number % every == 0 or number == len(rows) - 1:
+            yield row

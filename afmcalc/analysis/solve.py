@@ -16,7 +16,7 @@ from ..equations.arrays import Floats
 from ..equations.terms import CASES, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
-from ..messages import did_you_mean, measured, plain, say
+from ..messages import did_you_mean, latin, measured, say
 from ..progress import tell, unwatched
 from ..result import Answer, Result, described
 from ..spec.edit import replaced, respecified, value_at
@@ -34,11 +34,13 @@ Function = Callable[[Floats], Floats]
 SAMPLES, ROWS = 400, 40
 """Values looked at: of a quantity, and of what is calculated for one clutch at a time."""
 REACH, REACH_OF_EVENTS = 100.0, 5.0
-"""How far from the present value they go where the key has no bound, and where an event is simulated for each."""
+"""Ratio to the present value up to which they go where the key has no bound, and where each simulates an event."""
 _SAME = 1e-12
 """Relative difference that rounding can make."""
 _JUMP = 1e-2
 """Part of the change across its bracket that a quantity may miss at a root; where it misses more, it jumps."""
+SEVERAL = {"balls_listed", *(name for name in TERMS if "_slips" in name)}
+"""Quantities that are several numbers: of a list, or one for each slip."""
 
 
 class Root(Result):
@@ -80,9 +82,11 @@ class SolveResult(Asking, Answer):
 
 
 def is_quantity(name: str) -> bool:
-    """Whether a name is that of a numeric quantity, or of one in a case."""
+    """True if a name is that of a quantity that is one number, or of such a quantity in a case."""
     inner, _, case = name.rpartition("_at_")
-    return TERMS[name].unit != "" if name in TERMS else case in CASES and is_quantity(inner)
+    if name in TERMS:
+        return TERMS[name].unit != "" and name not in SEVERAL
+    return case in CASES and is_quantity(inner)
 
 
 def unit_of(target: str) -> str:
@@ -100,20 +104,21 @@ def quantity_at(path: str) -> str:
 def targets() -> dict[str, str]:
     """Names and symbols of targets → their names; of quantities with the same symbol the one of the shortest name."""
     names = sorted(filter(is_quantity, TERMS), key=len, reverse=True)
-    called = {plain(keys()[f"requirements.{name}"].symbol or name): name for name in REQUIRED}
-    called |= {plain(TERMS[name].symbol): name for name in names}
-    return called | {plain(name): name for name in (*names, *REQUIRED)}
+    called = {keys()[f"requirements.{name}"].symbol or name: name for name in REQUIRED}
+    called |= {TERMS[name].symbol: name for name in names}
+    return (
+        {latin(symbol): name for symbol, name in called.items()} | called | {name: name for name in (*names, *REQUIRED)}
+    )
 
 
 def parse_target(text: str) -> tuple[str, float, list[Finding]]:
     """Read ``NAME=VALUE``, the value in SI or with a unit; a number that is rarely meant in SI is asked after.
 
-    Raises:
-        AfmcalcError: no such target, or no such value.
+    Raises AfmcalcError: no such target, or no such value.
     """
     given, _, value = (part.strip() for part in text.partition("="))
     path = path_of(given)
-    name = targets().get(plain(given)) or (quantity_at(path) if path else given)
+    name = targets().get(given) or (quantity_at(path) if path else given)
     if not (name in REQUIRED or is_quantity(name)):
         raise AfmcalcError(
             "{text!r:.80} is no target{hint}; write NAME=VALUE, NAME a quantity by its name in JSON or its symbol, "
@@ -121,7 +126,7 @@ def parse_target(text: str) -> tuple[str, float, list[Finding]]:
             text=text, hint=did_you_mean(given, targets().values()), known=", ".join(REQUIRED),
         )  # fmt: skip
     if not value:
-        raise AfmcalcError("{text:.80}: write {name}=VALUE", text=text, name=given)
+        raise AfmcalcError("{text:.80}: write {name}=VALUE", text=text.strip(), name=given)
     number: float | str = value
     with suppress(ValueError):
         number = float(value)
@@ -139,11 +144,8 @@ def solve(
 
     The key is given by path, name or symbol, the target as ``parse_target`` returns it; ``beyond_limit`` goes past the
     gain limit of the variant. Without a root the result has the value that comes nearest, and the last finding,
-    ``not-attainable``, says so.
-
-    Raises:
-        CalculationError: the target does not depend on the key, or no value of it gives a number.
-        AfmcalcError: no such key, or a target that the clutch does not have.
+    ``not-attainable``, says so. Raises CalculationError: the target does not depend on the key, or no value of it gives
+    a number; AfmcalcError: no such key, or a target that the clutch does not have.
     """
     key, arrays = find_key(name, clutch.spec, "--for"), _in_arrays(clutch, target)
     whole, now, shown, place = is_whole(key.path), _present(clutch, key), _shown(unit_of(target)), _shown(key.unit)
@@ -219,7 +221,7 @@ def _present(clutch: Clutch, key: Key) -> float:
 
 
 def _in_arrays(clutch: Clutch, target: str) -> bool:
-    """Whether a target is a quantity, not asked of one clutch at a time; refuse one that the clutch does not have."""
+    """True if a target is a quantity, not asked of one clutch at a time; refuse one that the clutch does not have."""
     if target in REQUIRED and (REQUIRED[target].needs or _asked(target) not in clutch.quantities):
         _judged_value(clutch, target)
         return False

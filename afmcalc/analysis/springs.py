@@ -7,6 +7,7 @@ from itertools import count, product
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
+from pydantic import PrivateAttr
 
 from ..engines import Clutch
 from ..engines.parts import INDEX, SpringDemand, SpringName, checks_of_part, spring_demands, values_of_part
@@ -15,8 +16,8 @@ from ..equations import springs as law
 from ..equations.arrays import Floats
 from ..errors import AfmcalcError, CalculationError
 from ..findings import Finding, finding
-from ..messages import joined, say, term
-from ..result import Answer, Result, Sentence, described, quantity
+from ..messages import say, translate
+from ..result import Answer, Result, described, quantity
 from ..spec import Spec
 from ..spec.catalogues import Disc, discs
 from ..spec.edit import respecified
@@ -30,7 +31,7 @@ SETTING = 0.05
 """Share of the force that the nut is to set more or less."""
 TOP = 10
 TOLERANCE = 0.1
-"""How far a stiffness may be off, relative."""
+"""Relative deviation of a stiffness that is allowed."""
 MOST_PARALLEL = 6
 """Discs laid into each other; more than three are for friction, not for force."""
 MOST_SERIES = 10_000
@@ -51,11 +52,11 @@ _FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
 _STEPS = 24
 """Mean coil diameters that are tried of a wire."""
 _SIZES = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
-"""What makes a disc one of a size."""
+"""Dimensions of a disc."""
 _SLACK = 1e-9
 """Share by which a part may be beyond a limit by rounding."""
 _BORNE = ("deflection", "stress", "fatigue")
-"""What tells how much of what it bears a part uses."""
+"""Topics of the checks that give the utilisation of a part."""
 _CURVE_POINTS = 121
 
 
@@ -65,7 +66,7 @@ class SpringOption(Result):
     number: int | None = described("number", optional=True)
     spring: SpringName | None = described("spring", optional=True)
     kind: Kind = described("kind", detail=True)
-    part: Sentence = described("part")
+    part: str = described("part")
     parallel: int | None = quantity("1", "n", "discs nested in each other, in parallel")
     series: int | None = quantity("1", "i", "packs against each other, in series")
     count: int | None = quantity("1", "n_п", "springs around the shaft")
@@ -106,6 +107,13 @@ class SpringOption(Result):
     force_down: float | None = quantity("N", "F_↑", "force that friction leaves when let go", detail=True)
     mass: float = quantity("kg", "m_s", "mass")
 
+    _made: DiscStack | CoilSprings = PrivateAttr()
+
+    @property
+    def made(self) -> DiscStack | CoilSprings:
+        """The part as a spec says it."""
+        return self._made
+
 
 class SpringsResult(Answer):
     """Parts that give forces and stiffnesses of the springs, the best first."""
@@ -120,12 +128,9 @@ class SpringsResult(Answer):
     control: list[SpringOption] | None = described("control spring", optional=True)
     named: list[SpringOption] | None = described("springs that the spec names", optional=True)
     utilisation: float | None = quantity(
-        "1",
-        "η",
-        "largest share that these use: of the range of deflection, of the stress allowed",
-        optional=True,
+        "1", "η", "largest share that these use: of the range of deflection, of the stress allowed", optional=True,
         detail=True,
-    )
+    )  # fmt: skip
     nearest: list[SpringOption] | None = described("nearest, where there is none", optional=True)
 
 
@@ -133,7 +138,7 @@ class SpringCurve(Result):
     """Force over deflection of one spring, and where on it the clutch works."""
 
     spring: SpringName = described("spring")
-    part: Sentence = described("part")
+    part: str = described("part")
     deflection: list[float] = quantity("m", "s", "deflection")
     force: list[float] = quantity("N", "F", "force")
     tangent: list[float] = quantity("N", "c s", "straight spring of the stiffness as set")
@@ -156,10 +161,10 @@ class Table(NamedTuple):
     parts: Part
     values: dict[str, Any]
     misses: dict[str, Floats]
-    """What is not as wished → by how much, relative; 0: it is."""
+    """Quantity → relative deviation from the demand; 0: met."""
 
     def worst(self) -> Floats:
-        """What each row misses most."""
+        """Largest deviation of each row."""
         return np.max(list(self.misses.values()), axis=0)
 
     def part(self, row: int) -> Part:
@@ -171,7 +176,7 @@ class Table(NamedTuple):
 
 
 _BY: Mapping[SpringOrder, str] = {"length": "length", "wear": "stiffness", "mass": "mass"}
-"""What is small of parts that have the same force."""
+"""Order of the parts → the quantity that is least."""
 
 
 def springs(
@@ -219,11 +224,9 @@ def springs(
         if demand.name in named
     ]
     result = SpringsResult(
-        **fields,
-        nearest=nearest or None,
-        named=in_use or None,
+        **fields, nearest=nearest or None, named=in_use or None,
         utilisation=max((option.utilisation for option in in_use), default=None),
-    )
+    )  # fmt: skip
     return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks]
 
 
@@ -365,28 +368,18 @@ def option_of(demand: SpringDemand, part: Part) -> SpringOption:
     fields |= {
         name: known[name] for name in ("outer_diameter", "inner_diameter", "stress", "free_length", "mass", *told)
     }
-    return SpringOption(
-        number=None,
-        kind="coil" if is_coil else "disc",
-        part=label_of(part, demand.catalogue),
-        force=force,
-        force_least=None if low < 0 else float(spring.force(low)),
-        force_largest=float(spring.force(high)),
-        stiffness=stiffness,
-        deflection=deflection,
-        length_set=spring.free_length - deflection,
-        length=known["length"],
-        used_low=low / spring.end,
-        used_high=high / spring.end,
-        loss_per_travel=stiffness / force,
+    option = SpringOption(
+        number=None, kind="coil" if is_coil else "disc", part=label_of(part, demand.catalogue), force=force,
+        force_least=None if low < 0 else float(spring.force(low)), force_largest=float(spring.force(high)),
+        stiffness=stiffness, deflection=deflection, length_set=spring.free_length - deflection, length=known["length"],
+        used_low=low / spring.end, used_high=high / spring.end, loss_per_travel=stiffness / force,
         loss_per_wear=None if demand.follows is None else demand.follows * stiffness / force,
         utilisation=max(check.utilisation for check in checks_of_part(known) if check.rule.topic in _BORNE),
-        travel_setting=setting,
-        turns_setting=None if demand.pitch is None else setting / demand.pitch,
-        force_up=up,
-        force_down=down,
-        **fields,
-    )
+        travel_setting=setting, turns_setting=None if demand.pitch is None else setting / demand.pitch, force_up=up,
+        force_down=down, **fields,
+    )  # fmt: skip
+    option._made = part
+    return option
 
 
 def label_of(part: Part, catalogue: tuple[Disc, ...] | None = None) -> str:
@@ -406,27 +399,10 @@ def _titles(listed: tuple[Disc, ...]) -> dict[tuple[float | None, ...], str]:
     return {tuple(getattr(disc, size) for size in _SIZES): disc.title for disc in listed}
 
 
-def part_of(option: SpringOption, catalogue: tuple[Disc, ...] | None = None) -> Part:
-    """Return the part as a spec says it; a disc from the list it was chosen from."""
-    if option.parallel is not None and option.series is not None:
-        disc = next(disc for disc in catalogue or discs() if option.part == disc.title)
-        sizes = {size: getattr(disc, size) for size in _SIZES}
-        return DiscStack.model_construct(**sizes, parallel=option.parallel, series=option.series)
-    wire = (option.outer_diameter - option.inner_diameter) / 2
-    return CoilSprings(
-        wire_diameter=wire,
-        coil_diameter=option.outer_diameter - wire,
-        turns=option.turns,
-        free_length=option.free_length,
-        count=option.count,
-    )
-
-
 def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tuple[dict[str, Any], Spec]:
     """Return the keys that the springs picked change, None for none, and the spec with them.
 
-    Raises:
-        AfmcalcError: no such number, or two of one spring.
+    Raises AfmcalcError: no such number, or two of one spring.
     """
     changes: dict[str, Any] = {}
     blocks = {"closing_spring": result.closing, "control_spring": result.control or []}
@@ -438,7 +414,7 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tup
         block, option = numbered[number]
         if f"{block}.force" in changes:
             raise AfmcalcError("--pick {number}: {block} is picked already", number=number, block=block)
-        part = part_of(option, clutch.spec.lists.discs).model_dump(exclude_none=True)
+        part = option.made.model_dump(exclude_none=True)
         changes |= {f"{block}.force": option.force, f"{block}.stiffness": option.stiffness}
         changes |= {f"{block}.disc": None, f"{block}.coil": None, f"{block}.{option.kind}": part}
         if (option.count or 1) > 1:  # the circle that they stand on
@@ -452,10 +428,10 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tup
 
 def _none(demand: SpringDemand, part: Part, missed: Mapping[str, float]) -> Finding:
     """Say that no part does, and what the nearest misses."""
-    misses = joined(
-        say("{name} by {by:.1%}", name=term(name), by=by)
+    misses = ", ".join(
+        say("{name} by {by:.1%}", name=translate(name), by=by)
         if by < 1
-        else say("{name} by {by:.3g} times", name=term(name), by=by)
+        else say("{name} by {by:.3g} times", name=translate(name), by=by)
         for name, by in sorted(missed.items(), key=lambda miss: -miss[1])
     )
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
@@ -466,8 +442,7 @@ def _none(demand: SpringDemand, part: Part, missed: Mapping[str, float]) -> Find
 def springs_curve(clutch: Clutch) -> SpringsCurve:
     """Return the characteristic of the parts that a spec names, else of the best that is found.
 
-    Raises:
-        CalculationError: there is no part.
+    Raises CalculationError: there is no part.
     """
     curves = []
     for demand in spring_demands(clutch):
@@ -475,21 +450,17 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
         if part is None:
             best = ranked(demand)
             if not best:
-                raise CalculationError("plot springs: nothing fits: {name}", name=term(f"{demand.name} spring"))
-            part = part_of(best[0], demand.catalogue)
+                raise CalculationError("plot springs: nothing fits: {name}", name=translate(f"{demand.name} spring"))
+            part = best[0].made
         spring = characteristic(part)
         deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
         at = float(spring.deflection(demand.force))
         curve = SpringCurve(
-            spring=demand.name,
-            part=label_of(part, demand.catalogue),
-            deflection=deflections.tolist(),
+            spring=demand.name, part=label_of(part, demand.catalogue), deflection=deflections.tolist(),
             force=np.asarray(spring.force(deflections)).tolist(),
-            tangent=(demand.force + float(spring.stiffness(at)) * (deflections - at)).tolist(),
-            set_deflection=at,
-            set_force=float(spring.force(at)),
-            service=(at - demand.relaxes, at + demand.compresses),
+            tangent=(demand.force + float(spring.stiffness(at)) * (deflections - at)).tolist(), set_deflection=at,
+            set_force=float(spring.force(at)), service=(at - demand.relaxes, at + demand.compresses),
             usable=spring.range,
-        )
+        )  # fmt: skip
         curves.append(curve)
     return SpringsCurve(name=clutch.spec.name, springs=curves)

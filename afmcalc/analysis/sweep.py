@@ -29,33 +29,32 @@ MOST_POINTS = 200_000
 _MOST_COUNTED = 200
 """Whole numbers that are swept where no range is given."""
 _RANGE = re.compile(r"\.\.|…|\d\s*(?:-|–|to)\s*\d")
-"""How a range is written elsewhere."""
+"""Ranges as other programs write them."""
 
 
 class Axis(NamedTuple):
     """One swept key with its values, SI."""
 
     name: str
-    """As the user called it: a symbol or a path."""
+    """Symbol or path, as the user called it."""
     key: Key
     values: Floats
     """Values of the parameter as called."""
     scale: float = 1.0
-    """What a value is multiplied by to give the spec key (zC → C)."""
+    """Factor from a value to the spec key (zC → C)."""
     question: Finding | None = None
     """The first value without a unit that may be meant in another than SI."""
 
     @property
     def called_path(self) -> str:
-        """What its values are: a spec path; of zC, no key, its name in results."""
+        """Spec path; of zC, which is no key, its name in results."""
         return "reduced_gain" if self.name == "zC" else self.key.path
 
 
 def find_key(name: str, spec: Spec, option: str = "--sweep") -> Key:
     """Return the numeric key of a spec that ``name`` (a path, a key's name or a symbol) means, given to an option.
 
-    Raises:
-        AfmcalcError: no such key, a key that is no number, or one of other variants.
+    Raises AfmcalcError: no such key, a key that is no number, or one of other variants.
     """
     path, known = path_of(name), keys()
     if path is None:
@@ -63,29 +62,22 @@ def find_key(name: str, spec: Spec, option: str = "--sweep") -> Key:
         hint = instead_of(name) or elsewhere(name) or did_you_mean(name, [*ALIASES, *names()])
         raise AfmcalcError(
             "{name!r:.80} is no key or symbol{hint}; symbols: {symbols}; keys: by name or path, as in the spec",
-            name=name,
-            hint=hint,
-            symbols=symbols,
-        )
+            name=name, hint=hint, symbols=symbols,
+        )  # fmt: skip
     if known[path].unit is None:
         raise AfmcalcError("{name!r} is not a number", name=name)
     if (only := variants_of(path)) and spec.variant not in only:
         raise AfmcalcError(
             "{option} {name:.80}: {path} is only for {only}, not {variant!r}",
-            option=option,
-            name=name,
-            path=path,
-            only=", ".join(only),
-            variant=spec.variant,
-        )
+            option=option, name=name, path=path, only=", ".join(only), variant=spec.variant,
+        )  # fmt: skip
     return known[path]
 
 
 def parse_axis(text: str, spec: Spec) -> Axis:
     """Read ``NAME``, ``NAME=start:stop:count`` or ``NAME=v1,v2,…`` (values in SI or with units).
 
-    Raises:
-        AfmcalcError: the text cannot be read.
+    Raises AfmcalcError: the text cannot be read.
     """
     name, separator, given = text.partition("=")
     name = name.strip()
@@ -125,10 +117,8 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
     if len(asked) > 10 or (count := int(asked)) > MOST_POINTS:
         raise AfmcalcError(
             "--sweep {text:.80}: {count:.20} points; at most {most:,} are swept",
-            text=text,
-            count=asked,
-            most=MOST_POINTS,
-        )
+            text=text, count=asked, most=MOST_POINTS,
+        )  # fmt: skip
     return np.linspace(number(parts[0]), number(parts[1]), count)
 
 

@@ -12,8 +12,8 @@ from ..engines.selection import quantities_of
 from ..equations.arrays import next_listed
 from ..findings import Finding, finding
 from ..messages import say
-from ..result import Answer, Sentence, described, quantity
-from ..spec import Spec, resolved
+from ..result import Answer, described, quantity
+from ..spec import Spec
 from ..spec.edit import with_key
 from ..spec.lists import ball_designation, diameters
 from ..spec.models import ControlUnit
@@ -41,7 +41,7 @@ class SynthesisResult(Asking, Answer):
     ball_radius: float = asked()
     undercut_radius: float | None = asked(optional=True)
     ball_diameter_standard: float | None = asked()
-    ball_designation: Sentence | None = described("designation of the ball, without its grade", optional=True)
+    ball_designation: str | None = described("designation of the ball, without its grade", optional=True)
     edge_clearance_standard: float | None = asked()
     pocket_depth: float = asked()
     pocket_depth_cut: float = asked()
@@ -64,11 +64,10 @@ class SynthesisResult(Asking, Answer):
         return 2 * self.ball_radius if self.ball_diameter_standard is None else self.ball_diameter_standard
 
 
-def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
+def pocket(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
     """Design the control unit of a clutch, with ``balls`` to choose from, m, ascending; None: those of the spec.
 
-    Raises:
-        SpecError: the spec lacks what synthesis needs.
+    Raises SpecError: the spec lacks what synthesis needs.
     """
     spec, unit = clutch.spec, _unit(clutch)
     sizes = balls or spec.lists.balls or diameters()
@@ -82,19 +81,14 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
     if chosen is None:
         unknown |= {"edge_clearance_standard": None}
     result = answer(
-        SynthesisResult,
-        own,
-        ball_diameter_standard=chosen,
+        SynthesisResult, own, ball_diameter_standard=chosen,
         ball_designation=None if chosen is None else ball_designation(chosen),
-        wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None,
-        **unknown,
+        wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None, **unknown,
         **_contact(own, unit, by_hertz=chosen is not None and wall.can_be_cut),
-    )
+    )  # fmt: skip
     return result, [
-        *clutch_findings(spec, own),
-        *failures_of(spec, own, "synthesize"),
-        *_remarks(spec, unit, result, sizes),
-    ]
+        *clutch_findings(spec, own), *failures_of(spec, own, "pocket"), *_remarks(spec, unit, result, sizes),
+    ]  # fmt: skip
 
 
 def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[str, Any]:
@@ -112,41 +106,32 @@ def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[s
     allowable, basis = min(limits, key=lambda limit: limit[0], default=(None, None))
     force = None if unit.balls is None else float(clutch["contact_force"])
     return {
-        "contact_force": force,
-        "contact_force_allowable": allowable,
-        "contact_basis": basis,
+        "contact_force": force, "contact_force_allowable": allowable, "contact_basis": basis,
         "contact_utilisation": force / allowable if force is not None and allowable else None,
         "contact_force_hertz": hertz,
         "contact_pressure": float(clutch["contact_pressure"]) if force is not None and by_hertz else None,
-    }
+    }  # fmt: skip
 
 
 def _unit(clutch: Clutch) -> ControlUnit:
     """Return the control unit; refuse a clutch without what synthesis needs."""
     spec, unit = clutch.spec, clutch.spec.control_unit
     if unit is None:
-        raise spec.refused("variant", say("has no control unit to synthesize"), spec.variant)
+        raise spec.refused("variant", say("has no control unit, so no pockets"), spec.variant)
     if unit.ball_circle_radius is None:
-        raise spec.refused("control_unit.ball_circle_radius", say("required by synthesize"))
+        raise spec.refused("control_unit.ball_circle_radius", say("required by afmcalc pocket"))
     if clutch.quantities["gain"] == 0:
-        raise spec.refused("control_unit.gain", say("must be greater than 0 to synthesize pockets"), "0")
+        raise spec.refused("control_unit.gain", say("must be greater than 0 to have pockets"), "0")
     return unit
 
 
-def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
-    """Return the spec with the control unit as synthesized: wall angle instead of gain, the ball, gap and clearance."""
-    data = resolved(spec)
-    unit = data["control_unit"]
-    unit.pop("gain", None)
-    unit |= {
-        "wall_angle": result.wall_angle,
-        "ball_circle_radius": result.ball_circle_radius,
-        "face_gap": result.face_gap,
-        "edge_clearance": result.edge_clearance,
-    }
+def completed(result: SynthesisResult) -> dict[str, Any]:
+    """Return the keys of the control unit as designed: wall angle, in place of a gain, ball, gap and clearance."""
+    names = ("wall_angle", "ball_circle_radius", "face_gap", "edge_clearance")
+    changes = {f"control_unit.{name}": getattr(result, name) for name in names}
     if result.ball_diameter_standard is not None:
-        unit["ball_diameter"] = result.ball_diameter_standard
-    return data
+        changes["control_unit.ball_diameter"] = result.ball_diameter_standard
+    return changes
 
 
 def _remarks(spec: Spec, unit: ControlUnit, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:

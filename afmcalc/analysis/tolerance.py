@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drive.peaks import peaks_of
+from ..drive.cases import case_of
 from ..drive.result import dynamic_factor
 from ..engines import Clutch, build
 from ..engines.evaluate import BLOCK
@@ -73,8 +73,7 @@ def _distribution(kind: Kind, center: float, spread: float, low: float, high: fl
 def input_of(spec: Spec, path: str, given: Distribution) -> tuple[InputRow, Quantile]:
     """Return how a number scatters: as given, else by the range of friction or the value of the key.
 
-    Raises:
-        CalculationError: a number that the spec does not have, or a distribution beyond what the number may be.
+    Raises CalculationError: a number that the spec does not have, or a distribution beyond what the number may be.
     """
     about, kind, bounded = scatter_at(path), given.distribution, given.distribution in ("uniform", "triangular")
     assert about is not None
@@ -136,8 +135,7 @@ def input_of(spec: Spec, path: str, given: Distribution) -> tuple[InputRow, Quan
 def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     """Return the spec of the samples: as-made the springs of the nominal clutch, each-adjusted those a sample needs.
 
-    Raises:
-        SpecError: a field scatters that this clutch does not have, or that could have no effect.
+    Raises SpecError: a field scatters that this clutch does not have, or that could have no effect.
     """
     spec, as_made, unlike = clutch.spec, given.setting == "as-made", clutch.spec.friction.unlike
     for path in given.fields:
@@ -266,7 +264,7 @@ def peaks(model: Model, clutch: Clutch, sample: Sample, torque: Array) -> Array:
     lows = [min(own.min, np.min(values)) for own, values in zip(clutch.friction, sampled, strict=True)]
     widths = [max(own.max, np.max(f)) - low for own, f, low in zip(clutch.friction, sampled, lows, strict=True)]
     path = [low + share * width for low, width in zip(lows, widths, strict=True)]
-    peak, own = peaks_of(nominal, *path).shaft, nominal.torque(*path)
+    peak, own = case_of(nominal, *path).peaks().peak, nominal.torque(*path)
     places = [(values - low) / (width or 1.0) for values, low, width in zip(sampled, lows, widths, strict=True)]
     with np.errstate(all="ignore"):
         # a clutch that sticks passes no more with more torque, one that slips no more than in proportion to it
@@ -306,8 +304,7 @@ def sobol_rows(model: Model, base: int, random: np.random.Generator) -> list[Ind
 def estimate(name: str, figure: Callable[[Array], Any], values: Array, least: float = 0.0) -> dict[str, Any]:
     """Return a figure of a sample and its standard error, from its spread over batches, as fields of the result.
 
-    Raises:
-        OverflowError: it is beyond the range of numbers.
+    Raises OverflowError: it is beyond the range of numbers.
     """
     spread = np.std([figure(batch) for batch in np.array_split(values, BATCHES)], ddof=1)
     value, error = float(figure(values)), max(float(spread) / BATCHES**0.5, least)
@@ -333,9 +330,8 @@ def histogram(torques: Array) -> list[Bar]:
 def tolerance(clutch: Clutch) -> tuple[ToleranceResult, list[Finding]]:
     """Calculate the distribution of torque, life and peaks by the [tolerance] block of the spec.
 
-    Raises:
-        SpecError: no [tolerance] block, or a field that the clutch does not have.
-        CalculationError: hardly any sample is a clutch.
+    Raises SpecError: no [tolerance] block, or a field that the clutch does not have; CalculationError: hardly any
+    sample is a clutch.
     """
     given, machine = _block(clutch.spec), float(clutch.machine_torque)
     spec, random = with_setting(clutch, given), np.random.default_rng(given.seed)
@@ -371,16 +367,10 @@ def tolerance(clutch: Clutch) -> tuple[ToleranceResult, list[Finding]]:
         rows = (estimate(name, partial(np.quantile, q=p), values) for name, values in quantities.items())
         quantiles.append(QuantileRow(probability=p, **dict(ChainMap(*rows))))
     result = ToleranceResult(
-        setting=given.setting,
-        samples=given.samples,
-        torque_limit=given.torque_limit,
-        machine_torque=machine,
-        inputs=[row for row, _ in inputs.values()],
-        sobol=sobol_rows(model, given.sobol_base, random),
-        quantiles=quantiles,
-        histogram=histogram(torque),
-        **fields,
-    )
+        setting=given.setting, samples=given.samples, torque_limit=given.torque_limit, machine_torque=machine,
+        inputs=[row for row, _ in inputs.values()], sobol=sobol_rows(model, given.sobol_base, random),
+        quantiles=quantiles, histogram=histogram(torque), **fields,
+    )  # fmt: skip
     return result, [*clutch_findings(clutch.spec, clutch.quantities), *_findings(given, result, torque)]
 
 

@@ -1,4 +1,4 @@
-"""What a study of tolerances tells: every figure of the sample with its standard error."""
+"""Results of a study of tolerances: every figure of the sample with its standard error."""
 
 from typing import Any, ClassVar
 
@@ -30,7 +30,7 @@ class InputRow(Result):
 
 
 class QuantileRow(Result):
-    """What is not exceeded with one probability: torque, life of the shaft, peak torque."""
+    """Quantiles at one probability: torque, life of the shaft, peak torque."""
 
     probability: float = quantity("1", None, "probability")
     torque: float = quantity("N*m", "T_p", "torque not exceeded with this probability")

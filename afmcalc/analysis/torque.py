@@ -91,12 +91,9 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     if not spec.kind.travels:
         left_out["pack_force_at_rest"] = None  # it is the spring's
     result = answer(
-        TorqueResult,
-        own,
-        torque_range=answer(TorqueExtremes, own),
-        points=[_point(own, *pair, unlike=spec.friction.unlike) for pair in points] or None,
-        **left_out,
-    )
+        TorqueResult, own, torque_range=answer(TorqueExtremes, own),
+        points=[_point(own, *pair, unlike=spec.friction.unlike) for pair in points] or None, **left_out,
+    )  # fmt: skip
     remarks = [remark for pair in points for remark in outside_range(clutch, *pair)]
     return result, [*clutch_findings(spec, own), *remarks]
 
@@ -111,11 +108,7 @@ def _point(clutch: Quantities, friction: float, friction_driven: float | None, *
 
 
 def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
-    """Return the frictions asked for.
-
-    Raises:
-        CalculationError: two of a clutch that has one.
-    """
+    """Return the frictions asked for. Raises CalculationError: two of a clutch that has one."""
     points = list(friction)
     if not clutch.spec.friction.unlike and any(pair[1] is not None for pair in points):
         raise CalculationError(

@@ -1,4 +1,4 @@
-"""What can be made, yet is so unusual that a slip of the pen is likelier than a purpose.
+"""Values that can be made, yet are so unusual that a slip of the pen is likelier than a purpose.
 
 The ranges are wide: they are no limits of a design, they find a millimetre written for a metre.
 """

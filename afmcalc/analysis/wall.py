@@ -9,7 +9,7 @@ from ..equations import curved_wall as law
 from ..result import Result, quantity
 
 CHORD = 1e-6
-"""How far a chord may lie off the wall, m."""
+"""Largest distance of a chord from the wall, m."""
 CHORD_SHARE = 1e-5
 """The same of a ball above 200 mm, of its radius: a wall of some metres needs no more chords."""
 _WITHIN = 8
@@ -53,7 +53,7 @@ class Wall(NamedTuple):
 
     @property
     def can_be_cut(self) -> bool:
-        """Whether a ball of its own size can have made it."""
+        """True if a ball of its own size can have made it."""
         return self.undercut_radius is None or self.ball_radius < self.undercut_radius
 
     def at(self, depth: float) -> WallPoint:
@@ -61,16 +61,13 @@ class Wall(NamedTuple):
         angle = law.wall_angle_at_ball(law.tan_wall_angle_at_ball(self.tangent, self.steepening, depth))
         around = law.path_around(self.tangent, self.steepening, depth)
         return WallPoint(
-            travel=self.sleeves * depth,
-            wall_angle=angle,
-            path_axial=depth,
-            path_around=around,
+            travel=self.sleeves * depth, wall_angle=angle, path_axial=depth, path_around=around,
             wall_axial=law.wall_axial(depth, self.ball_radius, angle),
             wall_around=law.wall_around(around, self.ball_radius, angle),
-        )
+        )  # fmt: skip
 
     def clearance(self, travel: float) -> float:
-        """How far below the face the ball touches where it does least, m: at the largest travel, or at the stop."""
+        """Least depth of the contact below the face, m: at the largest travel, or at the stop."""
         points = (self.at(depth) for depth in (0.0, travel / self.sleeves))
         return min(-point.wall_axial for point in points) - self.face_gap / 2
 
@@ -81,7 +78,7 @@ class Wall(NamedTuple):
 
     @property
     def chord(self) -> float:
-        """How far a chord may lie off the wall, m."""
+        """Largest distance of a chord from the wall, m."""
         return max(CHORD, CHORD_SHARE * self.ball_radius)
 
     def points(self) -> list[WallPoint]:
@@ -94,13 +91,13 @@ class Wall(NamedTuple):
         return [self.at(end * i / count) for i in range(count + 1)]
 
     def _farthest_off(self, end: float, count: int) -> float:
-        """How far the wall as far as a place lies off its chords, so many of them, m."""
+        """Largest distance of the wall up to a place from its chords, so many of them, m."""
         if self.steepening == 0:
             return 0.0
         return max(self._off(end * i / count, end * (i + 1) / count) for i in range(count))
 
     def _off(self, start: float, stop: float) -> float:
-        """How far the wall between two places lies off its chord, m."""
+        """Largest distance of the wall between two places from its chord, m."""
         first, last = self.at(start), self.at(stop)
         along, around = last.wall_axial - first.wall_axial, last.wall_around - first.wall_around
         between = (self.at(start + (stop - start) * i / _WITHIN) for i in range(1, _WITHIN))

@@ -7,14 +7,12 @@ from typer import Argument, Option
 
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
-from ..messages import say
-from .help import completing
+from .names import completing
 from .options import Common, SpecArgument, with_common
 
 if TYPE_CHECKING:
     from ..analysis.sweep import Axis
     from ..engines import Clutch
-    from ..render.layout import SweepDrawing
 
 SweepOption = Annotated[
     list[str] | None,
@@ -22,12 +20,9 @@ SweepOption = Annotated[
         "--sweep",
         metavar="NAME[=RANGE]",
         autocompletion=completing("swept"),
-        help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta) "
-        "over start:stop:count or v1,v2,...; repeatable: several make a grid.",
+        help="Sweep a key (afmcalc help keys) over start:stop:count or v1,v2,...; several make a grid.",
     ),
 ]
-
-PlotOption = Annotated[bool, Option("--plot", help="Draw the sweep large below the table (for files: afmcalc plot).")]
 
 
 FrictionOption = Annotated[
@@ -68,7 +63,6 @@ def accuracy(
         list[str] | None,
         Option("--columns", metavar="NAME,…", help="More columns of the sweep: quantities, such as torque_at_f_max."),
     ] = None,
-    plot: PlotOption = False,
     *,
     common: Common,
 ) -> None:
@@ -80,12 +74,11 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep R --columns closing_force,torque_at_f_max
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
-    curve = curve_of(plot, sweep, common)
     if columns and not sweep:
         raise AfmcalcError("--columns are those of a sweep: give --sweep NAME with them")
     clutch = common.clutch(spec)
     names = [name.strip() for text in columns or () for name in text.split(",")]
-    common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch), columns=names)
+    common.calculate(clutch, sweeps=axes_of(sweep, clutch), columns=names)
 
 
 @with_common
@@ -104,7 +97,6 @@ def overload(
     spec: SpecArgument = None,
     friction: FrictionOption = None,
     sweep: SweepOption = None,
-    plot: PlotOption = False,
     *,
     common: Common,
 ) -> None:
@@ -118,38 +110,9 @@ def overload(
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
-    curve = curve_of(plot, sweep, common)
     clutch = common.clutch(spec)
     points = [friction_of(text) for text in friction or ()]
-    common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch), friction=points)
-
-
-@with_common
-def synthesize(
-    spec: SpecArgument = None,
-    *,
-    common: Common,
-) -> None:
-    """Wall angle, balls and pockets of the control unit.
-
-    --output FILE writes the completed spec; the table or JSON goes to standard output all the same.
-
-    \b
-    afmcalc synthesize clutch.toml
-    afmcalc synthesize clutch.toml --output completed.toml
-    afmcalc synthesize clutch.toml --json | afmcalc torque -
-    """  # noqa: D301
-    from ..analysis.synthesize import completed
-
-    common.keep(spec, spec=True)
-    if common.output == "-":
-        raise AfmcalcError("synthesize --output writes the completed spec beside the result: name a file")
-    clutch = common.build(spec)
-    result = common.to_standard_output().calculate(clutch).result
-    if common.output:
-        about = say("Completed by afmcalc synthesize.")
-        wrote = say("wrote the completed spec to {output}", output=common.output)
-        common.write_spec(completed(clutch.spec, result), about, wrote)
+    common.calculate(clutch, sweeps=axes_of(sweep, clutch), friction=points)
 
 
 @with_common
@@ -159,7 +122,6 @@ def life(
         StressRule, Option(help="Rule for the damaging stress: the paper's, Serensen-Kinasoshvili, Goodman.")
     ] = "mean-stress",
     sweep: SweepOption = None,
-    plot: PlotOption = False,
     *,
     common: Common,
 ) -> None:
@@ -173,9 +135,8 @@ def life(
     afmcalc life clutch.toml --model amplitude --set fatigue.mean_stress_sensitivity=0.1
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
-    curve = curve_of(plot, sweep, common)
     clutch = common.clutch(spec)
-    common.calculate(clutch, curve, model=model, sweeps=axes_of(sweep, clutch, band=True))
+    common.calculate(clutch, model=model, sweeps=axes_of(sweep, clutch, band=True))
 
 
 @with_common
@@ -207,19 +168,6 @@ def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) ->
     from ..analysis.life import parse_axes
 
     return parse_axes(sweep, clutch, band=band)
-
-
-def curve_of(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing | None":
-    """How to draw a sweep; refuse where there is none to draw, or no table to draw it under."""
-    if not plot:
-        return None
-    if not sweep:
-        raise AfmcalcError("--plot draws a sweep: give --sweep NAME with it (afmcalc plot draws the rest)")
-    if common.chosen_format != "table":
-        raise AfmcalcError("--plot draws under a table, not with --format {name}", name=common.chosen_format)
-    from ..render.plot.text import swept_lines
-
-    return swept_lines
 
 
 def friction_of(text: str) -> tuple[float, float | None]:

@@ -1,14 +1,15 @@
-"""Writing to standard output, or to a file that is either whole or untouched; no file that exists is lost."""
+"""Output: the standard streams, and files that are either whole or untouched; no file that exists is lost."""
 
+import errno
+import io
 import os
 import sys
 from collections.abc import Iterable
 from contextlib import suppress
 from itertools import combinations
 
-from ..errors import AfmcalcError, FileError, reason
-from ..messages import is_unicode
-from .signals import put_off, unreported
+from ..errors import LONGEST_LINE, AfmcalcError, FileError, reason
+from ..messages import is_unicode, printable, say
 
 _FORMATS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
@@ -16,7 +17,7 @@ _OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
 
 
 def format_of(output: str | None, asked: str | None) -> str:
-    """Return the format of a result: as asked, else as its file is named, else a table; refuse another name."""
+    """Return the format of a result: as asked, else as its file is named, else a table; refuse another ending."""
     ending = _ending(output)
     if ending in _OTHERS:
         raise AfmcalcError(
@@ -36,30 +37,35 @@ def format_of(output: str | None, asked: str | None) -> str:
 
 
 def is_json_spec(output: str) -> bool:
-    """Whether a spec goes to a file as JSON, by its name, not as TOML; refuse the name of something else."""
+    """Return whether a file that gets a spec is JSON, by its name, not TOML; refuse another ending."""
     ending = _ending(output)
     if ending in {*_FORMATS, *_OTHERS} - {".toml", ".json"}:
-        raise AfmcalcError("--output {output}: it gets a spec: .toml or .json", output=output)
+        raise AfmcalcError("--save {output}: it gets a spec: .toml or .json", output=output)
     return ending == ".json"
 
 
 def is_pdf(output: str | None) -> bool:
-    """Whether a page goes to a PDF alone, by its name; refuse a name that says it is neither that nor HTML."""
+    """True if a page goes to a PDF alone, by its name; refuse a name that says it is neither that nor HTML."""
     if _ending(output) in {*_FORMATS, *_OTHERS} - {".html", ".htm", ".pdf"}:
         raise AfmcalcError("--output {output}: this page is HTML or PDF; end it in .html or .pdf", output=output)
     return _ending(output) == ".pdf"
 
 
-def picture_of(output: str | None) -> str | None:
-    """Return the kind of picture that goes to a file, by its name, None for text; refuse any other name."""
+def picture_of(output: str | None, *kinds: str) -> str:
+    """Return the kind of picture that goes to a file, by its name, SVG to standard output; refuse others than kinds."""
     if output in (None, "-"):
-        return None
+        return "svg"
     ending = _ending(output).removeprefix(".")
-    if ending not in ("png", "svg", "pdf", "dxf"):
+    if ending not in kinds:
         raise AfmcalcError(
-            "--output {output}: end it in .png, .svg or .pdf (plot section, pocket: or .dxf)", output=output
+            "--output {output}: end it in {kinds}", output=output, kinds=", ".join(f".{kind}" for kind in kinds)
         )
     return ending
+
+
+def is_drawing(output: str | None) -> bool:
+    """Return whether a file gets a drawing, by its name, and no result."""
+    return _ending(output) in (".svg", ".dxf", ".pdf", ".png")
 
 
 def _ending(path: str | None) -> str:
@@ -81,7 +87,7 @@ def refuse(*paths: str | None, force: bool, inputs: Iterable[str | None] = ()) -
 
 
 def _is_same(path: str, other: str | None) -> bool:
-    """Whether two names are of one file, that exists or would be written."""
+    """True if two names are of one file, that exists or would be written."""
     if other in (None, "-") or os.path.exists(path) != os.path.exists(other):
         return False
     return os.path.samefile(path, other) if os.path.exists(path) else os.path.realpath(path) == os.path.realpath(other)
@@ -92,16 +98,11 @@ def _exists(path: str) -> AfmcalcError:
 
 
 def write(text: str, path: str | None, *, force: bool = False, utf8: bool = False) -> None:
-    """Write text to standard output, there as UTF-8 whatever the locale where asked, or to a file."""
+    """Write text to a file, or to standard output, there as UTF-8 whatever the locale where asked."""
     if path is None or path == "-":
-        if utf8 and not is_unicode(sys.stdout) and not sys.stdout.isatty():
-            sys.stdout.flush()
-            sys.stdout.buffer.write(text.encode())
-        else:
-            sys.stdout.write(text)
-        sys.stdout.flush()
-        return
-    write_file(path, text.encode("utf-8", "backslashreplace"), force=force)
+        put(text, utf8=utf8)
+    else:
+        write_file(path, text.encode("utf-8", "backslashreplace"), force=force)
 
 
 def write_file(path: str, content: bytes, *, force: bool = False) -> None:
@@ -117,12 +118,10 @@ def write_file(path: str, content: bytes, *, force: bool = False) -> None:
             with open(path, "wb") as file:
                 file.write(content)
             return
-        with put_off():
-            created = _create(target)
-            if not (created or force):
-                raise _exists(path)
-            _replace(target, content, created=created)
-            unreported.append(path)
+        created = _create(target)
+        if not (created or force):
+            raise _exists(path)
+        _replace(target, content, created=created)
     except OSError as error:
         raise FileError("{path}: cannot be written: {why}", path=path, why=reason(error)) from None
 
@@ -155,3 +154,54 @@ def _replace(target: str, content: bytes, *, created: bool) -> None:
             with suppress(OSError):
                 os.unlink(path)
         raise
+
+
+class _Closed(io.TextIOBase):
+    """Standard output that was closed: an error when something is written, and not before."""
+
+    def __init__(self) -> None:
+        # takes the place of the closed one: a file opened later would get its number
+        self._place = open(os.devnull, "rb")  # noqa: SIM115
+
+    def write(self, text: str) -> int:
+        """Refuse."""
+        raise OSError(errno.EBADF, say("it is closed"))
+
+    def fileno(self) -> int:
+        """Return the number of the place."""
+        return self._place.fileno()
+
+
+def prepare() -> None:
+    """Let no stream fail because it is closed, or lacks a letter."""
+    sys.stdout = sys.stdout or _Closed()
+    sys.stderr = sys.stderr or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
+    for stream in (sys.stdout, sys.stderr):
+        if reconfigure := getattr(stream, "reconfigure", None):
+            reconfigure(errors="backslashreplace")
+
+
+def put(text: str, *, utf8: bool = False) -> None:
+    """Write text to standard output, where asked as UTF-8 whatever the locale; a reader that left wants no more."""
+    try:
+        if utf8 and not is_unicode(sys.stdout) and not sys.stdout.isatty():
+            sys.stdout.flush()
+            sys.stdout.buffer.write(text.encode())
+        else:
+            sys.stdout.write(text)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        drop_output()
+
+
+def drop_output() -> None:
+    """Keep the interpreter from trying once more, as it ends, to write what could not be written."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def tell(text: str) -> None:
+    """Say something on standard error: lines of a text stay lines, are not endless, and do not act on the terminal."""
+    with suppress(OSError):  # nobody listens
+        for line in text.split("\n"):
+            shown = printable(line)
+            print(shown if len(shown) <= LONGEST_LINE else f"{shown[: LONGEST_LINE - 3]}...", file=sys.stderr)

@@ -1,34 +1,61 @@
-"""The program: its commands, the language it speaks, and how it ends; errors are told, never a traceback."""
+"""The program: its commands in panels, the language it speaks, and how it ends; errors are told, never a traceback."""
 
+import inspect
 import os
 import sys
 import warnings
 from importlib import import_module
-from typing import Annotated, Any, NoReturn
+from typing import Annotated, Any, NoReturn, TypeAlias
 
 import typer
-from typer import Option
+from typer import Argument, Option
+from typer.core import TyperGroup
 
 from .. import __version__
-from ..analysis.registry import ANALYSES
 from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
-from ..messages import speaking, term, told
-from .help import Command, Program, heard
-from .options import LANG
-from .streams import drop_output, prepare, tell
+from ..messages import deferred, did_you_mean, say, speaking, translate
+from .files import drop_output, prepare, tell
+from .names import Named, names_of
+from .options import COMMON
 
-COMMANDS = {
-    **{name: analysis.group for name, analysis in ANALYSES.items()},
-    "init": "specs",
-    "plot": "plot",
-    "report": "report",
-    "handbook": "report",
-    "serve": "serve",
-    "schema": "specs",
+Context: TypeAlias = Any
+"""Context, formatter and error of the parser behind typer, which has no public names for them."""
+
+PANELS = {
+    "Everyday": {
+        "init": "specs", "check": "specs", "torque": "clutch", "design": "searches", "report": "report",
+        "serve": "serve",
+    },
+    "Questions": {
+        "accuracy": "clutch", "adjust": "clutch", "overload": "clutch", "life": "clutch", "tolerance": "searches",
+        "solve": "searches", "compare": "clutch", "explain": "papers", "plot": "plot",
+    },
+    "Parts and drive": dict.fromkeys(("pocket", "springs", "layout", "simulate", "effects"), "hardware"),
+    "Theory and lists": {"papers": "papers", "handbook": "report", "list": "papers", "schema": "specs"},
+}  # fmt: skip
+"""Heading in the help → command → module of this package that holds its function."""
+COMMANDS = {name: module for panel in PANELS.values() for name, module in panel.items()}
+_MODULES = COMMANDS | {"help": "main"}
+FORMER = {
+    "synthesize": "pocket",
+    "heat": "simulate",
+    "equations": "papers",
+    "reproduce": "papers --claims",
+    "materials": "list materials",
+    "examples": "list examples",
 }
-"""Command → module of this package that holds the function of that name, in the order of the help."""
+"""Command of an earlier version → the command in its place."""
+FORMER_OPTIONS = {
+    **{f"--{name}": f"--set catalogues.{name}=FILE" for name in ("materials", "discs", "balls")},
+    "--excel": "--format csv --lang ru",
+    "--yes": deferred("a progress bar, and Ctrl-C to stop"),
+    "--symbols": deferred("the language of the report, --lang"),
+}
+"""Option of an earlier version → what is in its place."""
+LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
 FAULT = 70
 """Exit code where afmcalc itself is at fault (EX_SOFTWARE of sysexits.h)."""
+INTERRUPTED = 130
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:
@@ -36,7 +63,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     prepare()
     given, lang = without_lang(sys.argv[1:] if arguments is None else arguments)
     try:
-        speaks = chosen_language(lang, os.environ, lambda text: tell(told("note: {text}", text=text)))
+        speaks = chosen_language(lang, os.environ, lambda text: tell(say("note: {text}", text=text)))
     except AfmcalcError as error:
         _complain(str(error))
         sys.exit(error.exit_code)
@@ -49,27 +76,44 @@ def _run(given: list[str]) -> int:
     # arrays leave the range of numbers with a warning, where floats raise an error
     warnings.simplefilter("error", RuntimeWarning)
     try:
+        given = _called(given)
         code = application(given)(given, prog_name="afmcalc", standalone_mode=False)
     except AfmcalcError as error:
         for line in str(error).split("\n"):
             _complain(line)
         return error.exit_code
+    except (KeyboardInterrupt, typer.Abort):
+        return INTERRUPTED
     except OSError as error:
         drop_output()
-        named = error.filename or told("standard output")
-        _complain(told("{named}: cannot be written: {why}", named=named, why=term(error.strerror or str(error))))
+        named = error.filename or say("standard output")
+        _complain(say("{named}: cannot be written: {why}", named=named, why=translate(error.strerror or str(error))))
         return 3
     except Exception as error:
         return _misused(error, given) if hasattr(error, "format_message") else _unexpected(error)
     return code if isinstance(code, int) else 0
 
 
+def _called(given: list[str]) -> list[str]:
+    """Return a command line without ``help COMMAND``; refuse a former command, and a file without a command."""
+    match given:
+        case ["help"]:
+            return ["--help"]
+        case ["help", name] if name in COMMANDS:
+            return [name, "--help"]
+        case [name, *_] if name in FORMER:
+            raise AfmcalcError("{name} is now: afmcalc {new}", name=name, new=FORMER[name])
+        case [name, *_] if name.startswith("example:") or name.endswith((".toml", ".json")):
+            raise AfmcalcError("{name} is no command; did you mean: afmcalc check {name}", name=name)
+    return given
+
+
 def application(arguments: list[str]) -> Any:
-    """Build the program for a command line.
+    """Build the program for a command line, its help in the language of the user.
 
     Only the command that is called is imported and registered; all of them when none is (help, a misspelt name).
     """
-    called = arguments[0] if arguments and arguments[0] in COMMANDS else None
+    called = arguments[0] if arguments and arguments[0] in _MODULES else None
     app = typer.Typer(
         name="afmcalc",
         cls=Program,
@@ -77,13 +121,41 @@ def application(arguments: list[str]) -> Any:
         add_completion=called is None,
         rich_markup_mode=None,
         pretty_exceptions_enable=False,
-        context_settings={"help_option_names": ["-h", "--help"]},
+        context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     )
     app.callback()(_afmcalc)
-    for name in [called] if called else COMMANDS:
-        module = import_module(f".{COMMANDS[name]}", __package__)
-        app.command(name, cls=Command)(getattr(module, name))
-    return app
+    for name in [called] if called else _MODULES:
+        module = import_module(f".{_MODULES[name]}", __package__)
+        app.command(name)(getattr(module, f"{name}_" if name == "list" else name))
+    program: Any = typer.main.get_command(app)
+    foot = say("Options of every command (--set, --json, --lang, …): afmcalc help options")
+    for name, command in [("", program), *program.commands.items()]:
+        command.help = "\n\n".join(map(translate, paragraphs(command.help)))
+        command.epilog = foot if name else None
+        for parameter in command.params:
+            parameter.help = translate(getattr(parameter, "help", None) or "")
+            parameter.hidden = bool(name) and parameter.name in COMMON
+    return program
+
+
+def paragraphs(text: str | None) -> list[str]:
+    r"""Return the paragraphs of a help; one that begins with ``\b`` keeps its lines."""
+    parts = inspect.cleandoc(text or "").split("\n\n")
+    return [part if part.startswith("\b") else " ".join(part.split()) for part in parts]
+
+
+class Program(TyperGroup):
+    """The commands, in panels."""
+
+    def format_commands(self, ctx: Context, formatter: Context) -> None:
+        """Write the commands panel by panel, each with the first part of its help."""
+        for title, panel in PANELS.items():
+            rows = [
+                (name, (self.commands[name].help or "").split("\n\n")[0].partition(";")[0].rstrip("."))
+                for name in panel
+            ]
+            with formatter.section(translate(title)):
+                formatter.write_dl(rows)
 
 
 def _version(asked: bool) -> None:
@@ -94,22 +166,73 @@ def _version(asked: bool) -> None:
 
 def _afmcalc(
     version: Annotated[bool, Option("--version", callback=_version, is_eager=True, help="Show the version.")] = False,
-    lang: Annotated[str | None, Option(metavar="NAME", help=LANG)] = None,
 ) -> None:
     """Design calculator for adaptive friction clutches (torque limiters with feedback).
 
     \b
-    afmcalc init clutch.toml    an annotated spec to start from
+    afmcalc init clutch.toml    from the motor's plate to a clutch: a file to fill in
     afmcalc torque clutch.toml  torque and forces over the friction range
-    afmcalc accuracy --sweep C  accuracy of the built-in clutch over the gain
     afmcalc torque a.toml --json | afmcalc accuracy -
 
-    SPEC is a TOML or JSON file, - for standard input; without it one that ships is used, and a note says which.
-    A file that exists is replaced only with --force (-f), whatever wrote it.
-    Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written. Only check
-    judges: other commands print an error-level finding and exit with 0. Papers: F11 is Fokin and others 2011; S19, S21,
-    S22 Shishkarev 2019, 2021, 2022; M with a number is a misprint in them (afmcalc equations --misprints).
+    SPEC is a TOML or JSON file, - for standard input, or example:NAME; without it an example is calculated.
+    afmcalc help options|keys|quantities|plots: options of every command, and names that can be given.
+    Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written.
     """  # noqa: D301
+
+
+TOPICS = ("options", "keys", "quantities", "plots")
+
+
+def help(
+    topic: Annotated[
+        str,
+        Argument(
+            metavar="TOPIC",
+            autocompletion=lambda incomplete: [each for each in TOPICS if each.startswith(incomplete)],
+            help="options, keys, quantities, plots; or a command.",
+        ),
+    ],
+) -> None:
+    """Options of every command, and names that can be given: keys of a spec, quantities, plots.
+
+    \b
+    afmcalc help options
+    afmcalc help quantities
+    """  # noqa: D301
+    if topic not in TOPICS:
+        hint = did_you_mean(topic, [*TOPICS, *COMMANDS])
+        raise AfmcalcError("no help on {topic!r:.80}{hint}; topics: {topics}", topic=topic, hint=hint, topics=[*TOPICS])
+    match topic:
+        case "options":
+            rows = _common_options()
+        case "keys":
+            rows = [*names_of("swept"), *names_of("path")]
+        case "quantities":
+            rows = names_of("target")
+        case _:
+            rows = names_of("plot")
+    _print(rows)
+
+
+def _common_options() -> Named:
+    """Return the options that commands share, each with its help, as the parser has them."""
+    options = [each for each in application(["torque"]).commands["torque"].params if each.name in COMMON]
+    rows = [(f"{', '.join(each.opts)} {each.metavar or ''}", each.help) for each in options]
+    return [*rows, ("--lang NAME", translate(LANG))]
+
+
+def _print(rows: Named) -> None:
+    """Print names in a column, with the meaning of each beside it."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    from ..render.formats.table import columns
+
+    grid = Table.grid(padding=(0, 2))
+    for name, about in rows:
+        grid.add_row(Text(name, no_wrap=True), Text(about))
+    Console(width=columns(terminal=True), height=1, highlight=False).print(grid)
 
 
 def without_lang(arguments: list[str]) -> tuple[list[str], str]:
@@ -130,18 +253,21 @@ def without_lang(arguments: list[str]) -> tuple[list[str], str]:
 
 def _complain(text: str) -> None:
     """Say what is wrong; a line of a text that is shown belongs to what was said before."""
-    tell(text if text.startswith(" ") else told("error: {text}", text=text))
+    tell(text if text.startswith(" ") else say("error: {text}", text=text))
 
 
 def _misused(error: Any, given: list[str]) -> int:
-    """Say what the parser of the command line found wrong; show the help where nothing is asked."""
+    """Say what the parser of the command line found wrong, in its words; show the help where nothing is asked."""
     if not given:
         tell(error.format_message())
         return 2
     if context := getattr(error, "ctx", None):
         tell(context.get_usage())
-        tell(told("Try '{path} --help' for help.", path=context.command_path))
-    _complain(heard(error.format_message().rstrip(".")))
+        tell(say("Try '{path} --help' for help.", path=context.command_path))
+    message = error.format_message().rstrip(".").replace("Value error, ", "")  # which pydantic puts before it
+    if new := FORMER_OPTIONS.get(getattr(error, "option_name", "")):
+        message = say("{name} is no option any more; instead: {new}", name=error.option_name, new=translate(new))
+    _complain(message)
     return 2
 
 

@@ -1,11 +1,11 @@
-"""What every command shares: its options, reading the spec, running the calculation, printing its output."""
+"""Options of every command; reading the spec, running the calculation, printing its output."""
 
 import inspect
 import os
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from functools import wraps
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -14,26 +14,22 @@ from typer import Argument, Option
 from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, need
-from ..messages import is_unicode, say, told
+from ..messages import is_unicode, localized, say
 from ..progress import Bar
-from .files import format_of, is_json_spec, refuse, write, write_file
-from .help import completing
-from .signals import unreported
-from .streams import tell
+from .files import format_of, is_json_spec, refuse, tell, write, write_file
+from .names import completing
 
 if TYPE_CHECKING:
     from ..engines import Clutch
     from ..findings import Finding
-    from ..render.layout import SweepDrawing
-    from ..render.plot.chart import Sheet
     from ..result import Output
     from ..spec import Spec
 
-LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
-
 SpecArgument = Annotated[
-    str | None, Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it one that ships.")
+    str | None,
+    Argument(metavar="SPEC", help="TOML or JSON file, - for standard input, example:NAME; without it an example."),
 ]
+SaveOption = Annotated[str | None, Option("--save", metavar="FILE", help="Write the spec with what was found.")]
 
 
 def output_option(help: str) -> Any:
@@ -42,7 +38,7 @@ def output_option(help: str) -> Any:
 
 
 ForceOption = Annotated[bool, Option("--force", "-f", help="Replace a file that exists.")]
-QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
+QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the findings errors, and units in doubt.")]
 
 
 def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
@@ -54,7 +50,7 @@ def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
     return overrides
 
 
-@dataclass(frozen=True)
+@dataclass
 class Common:
     """The name of the command, and the options that all commands share."""
 
@@ -62,66 +58,47 @@ class Common:
     set: Annotated[
         list[str] | None,
         Option(
+            "--set",
             metavar="PATH=VALUE",
             help="Override a spec key; repeatable. Empty VALUE removes it.",
             autocompletion=completing("path", "="),
             callback=_with_equals_sign,
         ),
     ] = None
-    materials: Annotated[
-        str | None, Option(metavar="FILE", help="Your own list of friction materials, TOML or CSV.")
-    ] = None
-    discs: Annotated[str | None, Option(metavar="FILE", help="Your own list of disc springs, TOML or CSV.")] = None
-    balls: Annotated[str | None, Option(metavar="FILE", help="Your own list of ball diameters, TOML or CSV.")] = None
     format: Annotated[
         Literal["table", "json", "csv", "markdown"] | None,
-        Option(help="How to print. JSON and CSV are SI in full precision.  [default: table]"),
+        Option(
+            "--format",
+            help="table, json, csv or markdown; JSON and CSV are SI in full precision. In Russian CSV has decimal "
+            "commas and semicolons, as spreadsheets there read it.",
+        ),
     ] = None
     json: Annotated[bool, Option("--json", help="The same as --format json.")] = False
-    excel: Annotated[
-        bool,
-        Option("--excel", help="The same as --format csv, for Excel: semicolons, decimal commas, a byte order mark."),
-    ] = False
     units: Annotated[
-        Literal["engineer", "si"], Option(help="Units of tables and Markdown: mm, kN, MPa, deg, or SI.")
+        Literal["engineer", "si"], Option("--units", help="Units of tables: engineer (mm, kN, MPa, deg) or si.")
     ] = "engineer"
-    output: Annotated[str | None, output_option("Write to FILE instead of standard output.")] = None
+    output: Annotated[str | None, output_option("Write the result to FILE; its name says the format.")] = None
     force: ForceOption = False
-    yes: Annotated[bool, Option("--yes", help="Go on with what takes longer than a minute.")] = False
     quiet: QuietOption = False
-    lang: Annotated[str | None, Option(metavar="NAME", help=LANG)] = None
+    default: str = ""
+    """Example that is calculated because no SPEC was given."""
 
     @property
     def overrides(self) -> list[str]:
-        """Keys overridden: by ``--set``, and the catalogues, whose options are short forms of keys."""
-        from json import dumps
-
-        named = ((name, getattr(self, name)) for name in CATALOGUES)
-        quoted = (f"catalogues.{name}={dumps(file, ensure_ascii=False)}" for name, file in named if file)
-        return [*(self.set or ()), *quoted]
+        """Keys overridden by ``--set``."""
+        return self.set or []
 
     @property
     def chosen_format(self) -> str:
-        """The format asked for, or that of the file; ``--json`` and ``--excel`` are short forms."""
-        asked = {
-            "--json": self.json and "json",
-            "--excel": self.excel and "csv",
-            f"--format {self.format}": self.format,
-        }
-        given = [(option, name) for option, name in asked.items() if name]
-        for option, name in given[1:]:
-            if name != given[0][1]:
-                raise AfmcalcError("{first} and {option} exclude each other", first=given[0][0], option=option)
-        return format_of(self.output, given[0][1] if given else None)
+        """The format asked for, or that of the file."""
+        if self.json and self.format not in (None, "json"):
+            raise AfmcalcError("--json and --format {name} exclude each other", name=self.format)
+        return format_of(self.output, "json" if self.json else self.format)
 
     @property
     def csv_dialect(self) -> str:
-        """The format that CSV is written in."""
-        return "excel" if self.excel else "csv"
-
-    def to_standard_output(self) -> "Common":
-        """The same options with the result on standard output, for a command whose FILE is something else."""
-        return replace(self, output=None)
+        """The format that CSV is written in: that of spreadsheets where the language has a decimal comma."""
+        return "csv" if localized("0.5") == "0.5" else "excel"
 
     def shown(self) -> AbstractContextManager[None]:
         """Show quantities in the units asked for."""
@@ -131,51 +108,49 @@ class Common:
 
         return shown_in(self.units)
 
-    def keep(self, *sources: str | None, beside: str | None = None, spec: bool = False) -> None:
-        """Refuse to overwrite ``sources`` or other files, and the name of another file than of a result, or a spec.
+    def keep(self, *sources: str | None, beside: str | None = None, save: str | None = None) -> None:
+        """Check the output paths: none is an input or exists, and their names fit.
 
-        ``beside`` is a second file to write.
+        Args:
+            sources: what is read.
+            beside: a second file to write.
+            save: file that gets a spec.
         """
-        if not spec:
-            self.chosen_format  # noqa: B018
-        elif self.output:
-            is_json_spec(self.output)
-        lists = (getattr(self, name) for name in CATALOGUES)
-        refuse(self.output, beside, force=self.force, inputs=(*sources, *lists))
+        self.chosen_format  # noqa: B018
+        if save:
+            is_json_spec(save)
+        refuse(self.output, beside, save, force=self.force, inputs=sources)
 
     def bar(self) -> Bar:
-        """Show progress while the block calculates; refuse a calculation of more than a minute without ``--yes``."""
-        return Bar(quiet=self.quiet, agreed=self.yes)
+        """Show progress while the block calculates."""
+        return Bar(quiet=self.quiet)
 
     def note(self, text: str) -> None:
         """Print a note on standard error, unless ``--quiet``."""
         if not self.quiet:
-            tell(told("note: {text}", text=text))
+            tell(say("note: {text}", text=text))
 
-    def wrote(self, text: str) -> None:
-        """Report what was written."""
-        self.note(text)
-        unreported.clear()
+    def source(self, given: str | None, of: str = "") -> str:
+        """Return SPEC, or the default example of an analysis: of the command, or of what is plotted or explained."""
+        if given is None:
+            analysis = ANALYSES.get(of or self.command)
+            self.default = f"example:{analysis and analysis.example or 'default'}"
+        elif given == "-" and sys.stdin.isatty():
+            self.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
+        return given or self.default
 
-    def read(self, source: str | None, of: str | None = None) -> "Spec":
-        """Read the given spec, or the built-in one; ``of``: the analysis that is plotted or explained."""
+    def note_default(self) -> None:
+        """Name the default example where no table is headed by it."""
+        if self.default:
+            self.note(_no_spec(self.default))
+
+    def read(self, source: str | None, of: str = "") -> "Spec":
+        """Read the given spec, or the default example; ``of``: the analysis that is plotted or explained."""
         from ..spec import read_spec
 
-        if source is None:
-            source = self.given_instead(of or self.command)
-        elif source == "-" and sys.stdin.isatty():
-            self.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
-        return read_spec(source, self.overrides)
+        return read_spec(self.source(source, of), self.overrides)
 
-    def given_instead(self, of: str) -> str | None:
-        """Return the built-in example for an analysis, None for the base clutch, and name it in a note."""
-        if of not in ANALYSES or (kind := ANALYSES[of].example) is None:
-            self.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
-            return None
-        self.note(say("no SPEC given: example:{kind} is used (afmcalc init --kind {kind} writes it)", kind=kind))
-        return f"example:{kind}"
-
-    def build(self, source: str | None, of: str | None = None) -> "Clutch":
+    def build(self, source: str | None, of: str = "") -> "Clutch":
         """Read a spec and build its clutch; arguments as ``read``."""
         from ..engines import build
 
@@ -186,18 +161,19 @@ class Common:
         self.keep(source)
         return self.build(source)
 
-    def calculate(self, clutch: "Clutch", curve: "SweepDrawing | None" = None, **options: object) -> "Output":
-        """Run the analysis of the command on a clutch and print its result; ``curve`` draws the plot below a sweep."""
+    def calculate(self, clutch: "Clutch", **options: object) -> "Output":
+        """Run the analysis of the command on a clutch and print its result."""
         from ..spec import resolved
 
         result, findings = self.ask(clutch, **options)
-        return self.emit(result, findings, resolved(clutch.spec), curve)
+        return self.emit(result, findings, resolved(clutch.spec))
 
-    def without_clutch(self, *arguments: object, **options: object) -> None:
-        """Run the analysis of a command that reads no spec, and print its result; refuses overrides."""
+    def without_clutch(self, analysis: str, *arguments: object, **options: object) -> None:
+        """Run an analysis that reads no spec, and print its result; refuses overrides."""
         self.keep()
         if self.overrides:
             raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=self.command)
+        self.command = analysis
         self.emit(*self.ask(*arguments, **options))
 
     def ask(self, *arguments: object, **options: object) -> Any:
@@ -205,34 +181,23 @@ class Common:
         with self.bar():
             return ANALYSES[self.command].function(*arguments, **options)
 
-    def emit(
-        self,
-        result: Any,
-        findings: "list[Finding]",
-        spec: dict[str, Any] | None = None,
-        curve: "SweepDrawing | None" = None,
-    ) -> "Output":
+    def emit(self, result: Any, findings: "list[Finding]", spec: dict[str, Any] | None = None) -> "Output":
         """Render the output of a command in the chosen format, to standard output or a file."""
         from ..result import Output
 
         chosen = self.chosen_format
         if self.quiet and chosen != "json" and not result.findings_first:
-            findings = [finding for finding in findings if finding.level == "error"]
+            findings = [each for each in findings if each.level == "error" or each.code == "number-without-unit"]
         output = Output(command=self.command, version=__version__, spec=spec, result=result, findings=findings)
         terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
-        if curve:
-            from ..render.formats import table
-
-            text = table.render(output, terminal, curve)
-        else:
-            from ..render import renderer
-
-            text = renderer(self.csv_dialect if chosen == "csv" else chosen)(output, terminal)
+        text = self._rendered(output, chosen, terminal)
+        if self.default and chosen in ("table", "markdown"):
+            text = f"{_no_spec(self.default)}\n\n{text}"
         if chosen == "json" and self.output in (None, "-") and not is_unicode(sys.stdout):
             from ..render.formats import in_ascii
 
             text = in_ascii(text)
-        self.write(text, utf8=self.excel)
+        write(text, self.output, force=self.force, utf8=chosen == "csv")
         if chosen == "csv" and not result.findings_first:
             from ..render.layout import findings_lines
 
@@ -240,21 +205,23 @@ class Common:
                 print(line, file=sys.stderr)
         return output
 
-    def write(self, text: str, *, utf8: bool = False) -> None:
-        """Write to the file, or to standard output."""
-        write(text, self.output, force=self.force, utf8=utf8)
+    def _rendered(self, output: "Output", chosen: str, terminal: bool) -> str:  # noqa: FBT001
+        """Return the text of a result; heat of an event stands below it in a table of its own."""
+        from dataclasses import replace
 
-    def draw(self, sheet: "Sheet", before: str = "") -> None:
-        """Draw a sheet on standard output, below a text."""
-        from ..render.formats.table import columns
-        from ..render.plot.text import draw_sheet
+        from ..render import renderer
 
-        write(before + draw_sheet(sheet, unicode=is_unicode(sys.stdout), width=columns()), None)
+        render = renderer(self.csv_dialect if chosen == "csv" else chosen)
+        heat = getattr(output.result, "heat", None)
+        if chosen not in ("table", "markdown") or heat is None:
+            return render(output, terminal)
+        event = replace(output, result=output.result.model_copy(update={"heat": None}), findings=[])
+        return f"{render(event, terminal)}\n{render(replace(output, command='heat', result=heat), terminal)}"
 
     def save(self, content: bytes, path: str) -> None:
         """Write a file, and report it."""
         write_file(path, content, force=self.force)
-        self.wrote(say("wrote {output}", output=path))
+        self.note(say("wrote {output}", output=path))
 
     def save_spec(self, spec: "Spec", changes: Mapping[str, Any], changed: "Spec", path: str) -> None:
         """Write a spec with other values of some keys, its comments kept where the file is TOML."""
@@ -269,34 +236,13 @@ class Common:
             text = saved(spec, changes, changed, os.path.dirname(os.path.abspath(path)))
         self.save(text.encode(), path)
 
-    def write_spec(self, data: dict[str, Any], about: str, wrote: str) -> None:
-        """Write a spec, with ``about`` as its first line, to the file beside the result; report it with ``wrote``."""
-        assert self.output is not None
-        if listed := data.get("catalogues"):
-            home = os.path.dirname(os.path.abspath(self.output))
-            data = data | {"catalogues": {name: _relative(file, home) for name, file in listed.items()}}
-        if is_json_spec(self.output):
-            import json
 
-            text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"
-        else:
-            from ..spec import to_toml
-
-            text = to_toml(data, about)
-        self.write(text, utf8=True)
-        self.wrote(wrote)
+COMMON = frozenset(field.name for field in fields(Common)[1:-1])
+"""Names of the options that the help of a command leaves to ``afmcalc help options``."""
 
 
-CATALOGUES = ("materials", "discs", "balls")
-"""Lists of one's own that may stand in the place of those that ship."""
-
-
-def _relative(path: str, home: str) -> str:
-    """Return a path as from a folder; as it is where none leads there, as to another drive."""
-    try:
-        return os.path.relpath(path, home).replace(os.sep, "/")
-    except ValueError:
-        return path
+def _no_spec(default: str) -> str:
+    return say("no SPEC given: this is {default} (afmcalc init writes a spec to start from)", default=default)
 
 
 def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -304,9 +250,9 @@ def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Cal
 
     A command that writes a document says with ``output_help`` what ``--output`` gets; it has no format and no units.
     """
-    options = {option.name: (option.type, option.default) for option in fields(Common)[1:]}
+    options = {option.name: (option.type, option.default) for option in fields(Common)[1:-1]}
     if output_help:
-        options = {name: options[name] for name in ("set", *CATALOGUES, "output", "force", "yes", "quiet")}
+        options = {name: options[name] for name in ("set", "output", "force", "quiet")}
         options["output"] = (Annotated[str | None, output_option(output_help)], None)
 
     def decorate(function: Callable[..., None]) -> Callable[..., None]:

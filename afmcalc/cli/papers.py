@@ -1,12 +1,13 @@
-"""Commands about the papers behind the numbers: equations, explain, reproduce."""
+"""Commands about what is behind the numbers: a calculation step by step, the papers, lists that ship."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from typer import Argument, Option
 
 from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
-from .help import completing
+from .files import write
+from .names import completing
 from .options import Common, SpecArgument, with_common
 
 PaperOption = Annotated[list[str] | None, Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")]
@@ -44,44 +45,77 @@ def explain(
 
 
 @with_common
-def equations(
+def papers(
     paper: PaperOption = None,
     id_: Annotated[
         list[str] | None, Option("--id", metavar="ID", help='A formula, e.g. "S21 (15)"; repeatable.')
     ] = None,
     misprints: Annotated[bool, Option("--misprints", help="The papers' misprints and contradictions.")] = False,
-    *,
-    common: Common,
-) -> None:
-    """Every formula of the papers and what implements or covers it.
-
-    \b
-    afmcalc equations --paper S21
-    afmcalc equations --id "S21 (15)"
-    afmcalc equations --misprints
-    """  # noqa: D301
-    common.without_clutch(paper or [], id_ or [], show_misprints=misprints)
-
-
-@with_common
-def reproduce(
-    paper: PaperOption = None,
+    claims: Annotated[bool, Option("--claims", help="Every printed number and claim, recomputed.")] = False,
     figure: Annotated[
         list[str] | None,
         Option(
             metavar="NAME",
             autocompletion=completing("figure"),
-            help="The points of a figure's curves, e.g. S22-3; repeatable.",
+            help="With --claims: the points of a figure's curves, e.g. S22-3; repeatable.",
         ),
     ] = None,
     *,
     common: Common,
 ) -> None:
-    """Recompute every printed figure and claim of the papers.
+    """Every formula of the papers and what implements it; their misprints; their claims recomputed.
+
+    F11 is Fokin and others 2011; S19, S21, S22 Shishkarev 2019, 2021, 2022; M with a number is a misprint in them.
 
     \b
-    afmcalc reproduce
-    afmcalc reproduce --figure S22-3 --format csv
-    afmcalc reproduce --paper S22 --format csv
+    afmcalc papers --paper S21
+    afmcalc papers --id "S21 (15)"
+    afmcalc papers --misprints
+    afmcalc papers --claims --paper S22 --format csv
     """  # noqa: D301
-    common.without_clutch(paper or [], figure)
+    if figure and not claims:
+        raise AfmcalcError("--figure belongs to --claims")
+    if not claims:
+        common.without_clutch("papers", paper or [], id_ or [], show_misprints=misprints)
+    elif id_ or misprints:
+        raise AfmcalcError("--claims stands alone, without --id and --misprints")
+    else:
+        common.without_clutch("claims", paper or [], figure)
+
+
+@with_common
+def list_(
+    what: Annotated[
+        Literal["materials", "examples", "discs", "balls"],
+        Argument(metavar="WHAT", help="materials, examples, discs or balls."),
+    ],
+    name: Annotated[
+        str | None,
+        Argument(metavar="NAME", help="An example, to print its file; else a SPEC, for the lists of its [catalogues]."),
+    ] = None,
+    *,
+    common: Common,
+) -> None:
+    """Lists that ship: friction materials, examples (SPEC may be example:NAME), disc springs, balls.
+
+    \b
+    afmcalc list materials
+    afmcalc list examples
+    afmcalc list examples conveyor > conveyor.toml
+    afmcalc list balls clutch.toml
+    """  # noqa: D301
+    if what == "examples":
+        if name is None:
+            common.without_clutch("examples")
+            return
+        from ..spec.parse import example_text
+
+        if common.overrides:
+            raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name="list examples")
+        common.keep()
+        write(example_text(name.removeprefix("example:")), common.output, force=common.force, utf8=True)
+        return
+    common.keep(name)
+    lists = common.read(name).lists if name or common.overrides else None
+    common.default, common.command = "", what
+    common.emit(*common.ask(getattr(lists, what, None)))

@@ -1,27 +1,23 @@
-"""The command that draws, also for the shop."""
+"""The command that plots."""
 
 from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
 from ..analysis.registry import PLOTS, StressRule
-from ..errors import AfmcalcError, need
-from .files import picture_of, refuse
-from .help import completing
+from ..errors import AfmcalcError
+from .files import picture_of, refuse, write
+from .names import DRAWINGS, completing
 from .options import Common, common_options, need_drawing
 
 if TYPE_CHECKING:
     from ..analysis.answers import Answers
     from ..analysis.figures import Request
 
-_SHOP = ("dxf", "svg")
-"""Drawings of the pocket for the shop."""
+_KINDS = [name for name in PLOTS if name not in DRAWINGS and name != "paper"]
 
 
-_KINDS = [name for name in PLOTS if name != "paper"]
-
-
-@common_options("File, .png, .svg, .pdf (section, pocket: .dxf); without it drawn as text.")
+@common_options("File, .png, .svg or .pdf; without it SVG to standard output.")
 def plot(
     what: Annotated[
         str,
@@ -46,75 +42,42 @@ def plot(
     *,
     common: Common,
 ) -> None:
-    """Plots: of clutches, of section and pocket to scale, of tolerances, of a design's front, of the papers' figures.
+    """Plots: of clutches, of tolerances, of a design's front, of the papers' figures.
 
     \b
-    afmcalc plot section clutch.toml -o section.svg
     afmcalc plot torque clutch.toml -o torque.svg
     afmcalc plot accuracy a.toml b.toml --sweep C=0:1.25:101 -o accuracy.png
-    afmcalc plot pocket clutch.toml -o pocket.pdf
-    afmcalc plot pocket clutch.toml -o pocket.dxf
     afmcalc plot tolerance clutch.toml -o tolerance.svg
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
     """  # noqa: D301
     from ..analysis.figures import Request, check_request, gathered, plot_of
     from ..render.plot import sheet_of
+    from ..render.plot.figure import save
 
+    if what in DRAWINGS:
+        raise AfmcalcError("{what} is a drawing: afmcalc {command} SPEC -o FILE.svg", what=what, command=DRAWINGS[what])
     chosen = plot_of(what)
-    what = chosen.name
-    ending = picture_of(common.output)
+    what, output = chosen.name, common.output
+    ending = picture_of(output, "png", "svg", "pdf")
     of_clutches = chosen.takes not in ("names", "search")
     sources: list[str | None] = [*(subjects or ())] or ([None] if of_clutches else [])
-    refuse(common.output, force=common.force, inputs=sources)
+    refuse(output, force=common.force, inputs=sources)
     if sources.count("-") > 1:
         raise AfmcalcError("standard input (-) can be read once only")
     request = Request(sources, sweep, model)
     check_request(what, request)
-    if what == "pocket" and ending in _SHOP and common.output:
-        _for_the_shop(request, ending, common.output, common)
-        return
-    if ending == "dxf" and what != "section":
-        raise AfmcalcError(
-            "--output {output}: only plot pocket and plot section are drawn as .dxf", output=common.output
-        )
-    if ending == "dxf":
-        need("cad")
-    if ending and (what, ending) not in (("section", "svg"), ("section", "dxf")):
-        need_drawing("plot")
+    need_drawing("plot")
     if of_clutches:
         request = request._replace(subjects=_answers(what, request, common))
     elif chosen.takes == "search":
         request = request._replace(subjects=[common.read(source) for source in request.subjects])
     with common.bar():
-        figure = gathered(what, request)
-        if ending == "dxf" and common.output:
-            from ..render import dxf
-
-            common.save(dxf.section(figure, request.subjects[0].clutch.spec), common.output)
-            return
-        sheet = sheet_of(what, figure)
-    if ending and common.output:
-        from ..render.plot.figure import save
-
-        common.save(save(sheet, ending), common.output)  # type: ignore[arg-type]
-        return
-    if what == "pocket":
-        raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)")
-    common.draw(sheet)
-
-
-def _for_the_shop(request: "Request", ending: str, output: str, common: Common) -> None:
-    """Write the pocket in true millimetres."""
-    from ..analysis.figures import shop_drawing_of
-    from ..render import dxf, shop
-
-    if ending == "dxf":
-        need("cad")
-    subjects = _answers("pocket", request, common)
-    with common.bar():
-        drawing = shop_drawing_of("pocket", request._replace(subjects=subjects))
-    common.save(dxf.pocket(drawing) if ending == "dxf" else shop.svg(drawing), output)
+        content = save(sheet_of(what, gathered(what, request)), ending)
+    if output in (None, "-"):
+        write(content.decode(), None, utf8=True)
+    else:
+        common.save(content, str(output))
 
 
 def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":
@@ -122,6 +85,7 @@ def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":
     from ..analysis.answers import Answers
 
     clutches = [common.build(source, what) for source in request.subjects]
+    common.note_default()
     for clutch in clutches:
         for question in clutch.spec.label.findings:
             common.note(question.message)  # a plot has no findings

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Option
 
@@ -10,8 +10,11 @@ from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say, spoken
-from .files import is_pdf, refuse
+from .files import is_pdf, refuse, write
 from .options import Common, SpecArgument, common_options, need_drawing
+
+if TYPE_CHECKING:
+    from ..render.report.blocks import Document
 
 
 def _entry(text: str) -> Any:
@@ -21,17 +24,11 @@ def _entry(text: str) -> Any:
 @common_options("HTML file, or PDF by its name; without it HTML to standard output.")
 def report(
     spec: SpecArgument = None,
-    pdf: Annotated[
-        bool, Option("--pdf", help="Print it to PDF too, beside FILE, with a headless browser found here.")
-    ] = False,
+    pdf: Annotated[bool, Option("--pdf", help="PDF too, beside FILE.")] = False,
     short: Annotated[
         bool, Option("--short", help="Two pages: task, limits and their use, section, peaks and heat, conclusions.")
     ] = False,
     with_source: Annotated[bool, Option("--with-source", help="The spec as given, as an appendix.")] = False,
-    symbols: Annotated[
-        Literal["latin", "papers"] | None,
-        Option(help="Letters of indices: T_n, F_cl or T_н, F_п.  [default: latin in English]"),
-    ] = None,
     model: Annotated[StressRule, Option(help="Rule for the damaging stress of the life.")] = "mean-stress",
     organisation: Annotated[str | None, _entry("Title block: who answers for the calculation.")] = None,
     project: Annotated[str | None, _entry("Title block: project the clutch belongs to.")] = None,
@@ -66,7 +63,8 @@ def report(
     from hashlib import sha256
 
     from ..analysis.dossier import dossier
-    from ..render.report import Subject, render
+    from ..render.report import Subject
+    from ..render.report import report as laid_out
     from ..render.report.title import text_as_given, title_block
     from ..spec.parse import bytes_of, decoded
     from ..spec.read import spec_of
@@ -77,24 +75,23 @@ def report(
         "approved": approved, "date": date, "form": form,
     }  # fmt: skip
 
-    def page() -> str:
+    def document() -> "Document":
         # read once: the digest is of what is calculated
-        raw, name = bytes_of(common.given_instead("report") if spec is None else spec)
+        raw, name = bytes_of(common.source(spec))
+        common.note_default()
         source = decoded(raw, name)
         read, given = spec_of(source, common.overrides), text_as_given(source)
         title, digest = title_block(read, options), sha256(raw).hexdigest()
         told = dossier(read, model, explained=not short)
         texts = given, title, digest, read.label, common.overrides, __version__
-        return render(Subject(told, *texts, with_source, short, symbols or ""))
+        return laid_out(Subject(told, *texts, with_source, short))
 
-    _write(common, page, spec=spec, pdf=pdf)
+    _write(common, document, spec=spec, pdf=pdf)
 
 
 @common_options("HTML file, or PDF by its name; without it HTML to standard output.")
 def handbook(
-    pdf: Annotated[
-        bool, Option("--pdf", help="Print it to PDF too, beside FILE, with a headless browser found here.")
-    ] = False,
+    pdf: Annotated[bool, Option("--pdf", help="PDF too, beside FILE.")] = False,
     *,
     common: Common,
 ) -> None:
@@ -106,37 +103,42 @@ def handbook(
     """  # noqa: D301
     need_drawing("report")
     from ..analysis.handbook import handbook as gathered
-    from ..render.handbook import render
+    from ..render.handbook import book
 
     if common.overrides:
         raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=common.command)
-    _write(common, lambda: render(gathered(spoken())), pdf=pdf)
+    _write(common, lambda: book(gathered(spoken())), pdf=pdf)
 
 
-def _write(common: Common, render: Callable[[], str], *, spec: str | None = None, pdf: bool) -> None:
-    """Write a page, print it to PDF, or both; nothing where the browser fails."""
-    from ..render.report.sheets import find_browser, printed, printed_without_margins
+def _write(common: Common, lay_out: Callable[[], "Document"], *, spec: str | None = None, pdf: bool) -> None:
+    """Write a document as HTML, as PDF, or both; nothing where one of them fails."""
+    from ..render.report.html import page
 
-    output, browser = common.output, None
+    output, target = common.output, None
     alone = is_pdf(output)
-    target = output if alone else None
-    if pdf and not alone:
+    if alone:
+        target = output
+    elif pdf:
         if output in (None, "-"):
-            raise AfmcalcError("--pdf prints beside the HTML file: name that with -o FILE.html")
+            raise AfmcalcError("--pdf writes beside the HTML file: name that with -o FILE.html")
         target = f"{os.path.splitext(output)[0]}.pdf"
     if target:
-        need("report", "pypdf")
-        browser = find_browser()
+        need("pdf", "typst")
     refuse(*dict.fromkeys((output, target)), force=common.force, inputs=[spec])
     with common.bar() as bar:
-        page = render()
-        bar.advance("report", 1, 2 if browser else 1)
-        pdf_bytes = printed(browser, page) if browser else b""
+        document = lay_out()
+        bar.advance("report", 1, 2 if target else 1)
+        sheets = b""
+        if target:
+            from ..render.report.sheets import lacking, print_pdf
+
+            if signs := lacking(document):
+                common.note(say("the PDF has boxes in the place of {signs}: no font for them", signs=signs))
+            sheets = print_pdf(document)
     if not alone:
-        common.write(page)
-        if output not in (None, "-"):
-            common.wrote(say("wrote {output}", output=output))
+        if output in (None, "-"):
+            write(page(document), None)
+        else:
+            common.save(page(document).encode(), output)
     if target:
-        common.save(pdf_bytes, target)
-        if printed_without_margins(pdf_bytes):
-            common.note(say("the PDF has no numbers of sheets and no frame: that takes Chromium 131 or later"))
+        common.save(sheets, target)

@@ -4,35 +4,37 @@ import os
 import socket
 import sys
 from collections.abc import Callable
-from dataclasses import replace
 from threading import Thread
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Option
 
 from ..errors import AfmcalcError, FileError, reason
-from ..messages import say, told, translate
-from .options import Common, SpecArgument, common_options, need_drawing
-from .streams import tell
+from ..messages import say
+from .files import tell
+from .options import Common, SpecArgument, need_drawing, with_common
+
+if TYPE_CHECKING:
+    from ..spec import Spec
 
 
-@common_options("File that the page saves to, .toml or .json.")
+@with_common
 def serve(
     spec: SpecArgument = None,
     port: Annotated[int, Option(min=0, max=65535, help="Port of this machine; 0: any that is free.")] = 0,
     browser: Annotated[bool, Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
-    units: Annotated[Literal["engineer", "si"], Option(help="Units: mm, kN, MPa, deg, or SI.")] = "engineer",
+    save: Annotated[str | None, Option(metavar="FILE", help="File that the page saves the spec to.")] = None,
     *,
     common: Common,
 ) -> None:
     """A page in the browser on which a clutch is designed live; Ctrl-C ends it.
 
     Every change is calculated at once, as the other commands calculate it. The page is for this machine alone. It
-    saves to --output FILE, with --force to SPEC itself.
+    saves to --save FILE, with --force to SPEC itself.
 
     \b
     afmcalc serve clutch.toml
-    afmcalc serve clutch.toml -o changed.toml
+    afmcalc serve clutch.toml --save changed.toml
     afmcalc serve clutch.toml --force --no-browser --port 8000
     """  # noqa: D301
     need_drawing("web")
@@ -48,26 +50,29 @@ def serve(
     from ..web.app import Page
     from ..web.form import Base, State
 
-    common.keep(spec, spec=True)
-    raw, name = bytes_of(common.given_instead("torque") if spec is None else spec)
+    if common.output or common.json or common.format:
+        raise AfmcalcError("serve shows a page: it has no --output, --format and --json")
+    common.keep(spec, save=save)
+    raw, name = bytes_of(common.source(spec))
+    common.note_default()
     base = Base(name, decoded(raw, name).text, spec, tuple(common.overrides), sha256(raw).hexdigest())
     requirements = search_of(State(base).spec)
-    target = common.output or (spec if common.force and spec and os.path.isfile(spec) else "")
+    target = save or (spec if common.force and spec and os.path.isfile(spec) else "")
     listening, token = _listen(port), token_urlsafe(24)
     port = listening.getsockname()[1]
 
     def ready() -> None:
         url = f"http://127.0.0.1:{port}/{token}/"
-        tell(told("note: {text}", text=say("serving {url}", url=url)))
+        tell(say("note: {text}", text=say("serving {url}", url=url)))
         sys.stderr.flush()
         if browser:
             Thread(target=webbrowser.open, args=[url], daemon=True).start()  # one of the terminal does not return
 
-    page = Page(base, requirements, units, target, _saver(replace(common, output=target))).app(port, token, ready)
+    page = Page(base, requirements, common.units, target, _saver(common, target)).app(port, token, ready)
     # no log, no waiting for connections at the end: what is wrong is told on the page
     how: dict[str, Any] = {"log_config": None, "log_level": "critical", "access_log": False, "server_header": False}
     how |= {"http": "h11", "ws": "none", "loop": "asyncio", "lifespan": "on", "timeout_graceful_shutdown": 0}
-    with shown_in(units):
+    with shown_in(common.units):
         Server(Config(page, **how)).run([listening])
 
 
@@ -86,17 +91,14 @@ def _listen(port: int) -> socket.socket:
     return listening
 
 
-def _saver(common: Common) -> Callable[[dict[str, Any]], tuple[str, str]]:
-    """Return what writes a spec to the file named on the command line, and to no other."""
+def _saver(common: Common, target: str) -> "Callable[[Spec], tuple[str, str]]":
+    """Return the function that writes a spec to the file named on the command line, and to no other."""
 
-    def save(data: dict[str, Any]) -> tuple[str, str]:
-        nonlocal common
-        file = common.output
-        if not file:
-            raise AfmcalcError("nothing to save to: start with --output FILE, or with --force to save to SPEC")
-        wrote = say("wrote {output}", output=file)
-        common.write_spec(data, say("Saved by afmcalc serve."), wrote)
-        common = replace(common, force=True)  # what was saved is saved over
-        return file, translate(wrote)
+    def save(spec: "Spec") -> tuple[str, str]:
+        if not target:
+            raise AfmcalcError("nothing to save to: start with --save FILE, or with --force to save to SPEC")
+        common.save_spec(spec, {}, spec, target)
+        common.force = True  # what was saved is saved over
+        return target, say("wrote {output}", output=target)
 
     return save

@@ -1,98 +1,80 @@
 """Commands about the spec itself: init, check, schema."""
 
 import os
-from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 import typer
 from typer import Argument, Option
 
 from ..errors import AfmcalcError, SpecError
-from ..messages import say, translate
-from ..variants import VARIANTS
+from ..messages import native, say, translate
 from .files import refuse, write
-from .help import completing
+from .names import completing
 from .options import Common, ForceOption, QuietOption, SpecArgument, output_option, with_common
 
-_EXAMPLES = {name: variant.example for name, variant in VARIANTS.items() if variant.example} | {
-    "unlike-materials": None
-}
-"""Clutch to start from → its example, where the names differ."""
-_DEFAULT = next(name for name, example in _EXAMPLES.items() if example == "default")
-_KINDS = {
-    "clutch": "torque", "requirements": "design", "machine": "design", "tolerance": "tolerance", "drive": "simulate",
-}  # fmt: skip
-"""What a file is for → the command that calculates it; all but a clutch are the example of that name."""
-
-if TYPE_CHECKING:
-    Example: TypeAlias = str
-    Kind: TypeAlias = str
-else:
-    Example = Literal[tuple(_EXAMPLES)]
-    Kind = Literal[tuple(_KINDS)]
+Kind: TypeAlias = Literal["machine", "clutch", "drive", "tolerance"]
+_COMMAND = {"machine": "design", "clutch": "torque", "drive": "simulate", "tolerance": "tolerance"}
+"""Kind of a template → the command that calculates it."""
 
 
 def init(
     file: Annotated[
-        str | None, Argument(metavar="FILE", help="File to write (clutch.toml); - for standard output.")
-    ] = None,
+        str, Argument(metavar="FILE", help="File to write; - for standard output.", show_default=False)
+    ] = "clutch.toml",
     kind: Annotated[
-        Kind,
+        Kind | None,
         Option(
-            help="A clutch, one with a drive or with tolerances; one with a search for design, or from a motor's plate."
+            help="What it is for: from a motor's plate to a clutch, one clutch alone, one in its drive, or with "
+            "tolerances.  [default: machine]"
         ),
-    ] = "clutch",
-    variant: Annotated[Example | None, Option(help="Clutch to start from.")] = None,
+    ] = None,
+    example: Annotated[
+        str | None,
+        Option(
+            "--from",
+            metavar="EXAMPLE",
+            help="Copy this example (afmcalc list examples).",
+            autocompletion=completing("example"),
+        ),
+    ] = None,
     schema: Annotated[
         bool, Option("--schema", help="Write the JSON Schema beside FILE too, for completion in an editor.")
     ] = False,
-    output: Annotated[str | None, output_option("The same as FILE.")] = None,
     force: ForceOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Write an annotated spec to start from.
+    """Write an annotated spec to start from: the motor's plate, the shaft, the space, what may vary.
 
     \b
     afmcalc init clutch.toml
-    afmcalc init indirect.toml --variant indirect
-    afmcalc init driven.toml --kind drive --variant indirect
-    afmcalc init wanted.toml --kind requirements --schema
-    afmcalc init mixer.toml --kind machine
+    afmcalc init indirect.toml --from indirect
+    afmcalc init driven.toml --kind drive --schema
     """  # noqa: D301
+    from ..spec.parse import PREFIX, example_text
     from ..spec.write import annotated
 
-    if output and file:
-        raise AfmcalcError("give FILE or --output, not both")
-    if variant and kind not in ("clutch", "drive"):
-        raise AfmcalcError("--variant belongs to --kind clutch or drive")
-    target = output or file or f"{kind if _KINDS[kind] == 'design' else 'clutch'}.toml"
-    if schema and target == "-":
+    if kind and example:
+        raise AfmcalcError("give --kind or --from, not both")
+    if schema and file == "-":
         raise AfmcalcError("--schema writes a file beside FILE: name one")
-    text = annotated(_text(kind, variant))
-    written = [(target, text)]
+    name = example.removeprefix(PREFIX) if example else "default" if kind == "clutch" else kind or "machine"
+    text = annotated(example_text(name))
+    written = [(file, text)]
     if schema:
-        name = "afmcalc.schema.json"
-        beside = os.path.join(os.path.dirname(target), name)
-        written = [(target, f"#:schema ./{name}\n{text}"), (beside, _schema_of(None))]
+        beside = os.path.join(os.path.dirname(file), _SCHEMA)
+        written = [(file, f"#:schema ./{_SCHEMA}\n{text}"), (beside, _schema_of(None))]
     refuse(*(path for path, _ in written), force=force)
     for path, content in written:
         write(content, path, force=force, utf8=True)
-    if target != "-":
-        Common("init", quiet=quiet).wrote(
-            say("wrote {written}; calculate it with: afmcalc {command} {target}",
-                written=", ".join(path for path, _ in written), command=_KINDS[kind], target=target)
+    if file != "-":
+        command = ("design" if "\n[search]" in text else "check") if example else _COMMAND[kind or "machine"]
+        Common("init", quiet=quiet).note(
+            say("wrote {written}; calculate it with: afmcalc {command} {file}",
+                written=", ".join(path for path, _ in written), command=command, file=file)
         )  # fmt: skip
 
 
-def _text(kind: str, variant: str | None) -> str:
-    """Text of the example to start from."""
-    from ..spec.parse import example_text
-    from ..spec.write import in_a_drive
-
-    if kind != "clutch" and variant in (None, _DEFAULT):
-        return example_text(kind)
-    name = variant or _DEFAULT
-    text = example_text(_EXAMPLES[name] or name)
-    return in_a_drive(text, hub=name in VARIANTS and VARIANTS[name].travels) if kind == "drive" else text
+_SCHEMA = "afmcalc.schema.json"
 
 
 def _schema_of(kind: str | None) -> str:
@@ -104,26 +86,16 @@ def _schema_of(kind: str | None) -> str:
 
 
 def _described(part: Any) -> Any:
-    """Return a part of a schema with its descriptions in the language of the user; names stay."""
+    """Part of a schema with descriptions and symbols in the language of the user; names stay."""
     if isinstance(part, list):
         return [_described(each) for each in part]
     if not isinstance(part, dict):
         return part
+    said = {"description": translate, "symbol": native}
     return {
-        name: translate(each) if name == "description" and isinstance(each, str) else _described(each)
+        name: said[name](each) if name in said and isinstance(each, str) else _described(each)
         for name, each in part.items()
     }
-
-
-@with_common
-def examples(*, common: Common) -> None:
-    """Files that ship: SPEC may be example:NAME.
-
-    \b
-    afmcalc examples
-    afmcalc torque example:indirect
-    """  # noqa: D301
-    common.without_clutch()
 
 
 @with_common
@@ -149,20 +121,6 @@ def check(
         raise
     if not output.result.passed:
         raise typer.Exit(1)
-
-
-@with_common
-def materials(*, common: Common) -> None:
-    """Friction materials for friction.material, each with its source.
-
-    \b
-    afmcalc materials
-    afmcalc materials --materials own.csv
-    afmcalc torque --set friction.min= --set friction.mean= --set friction.max= --set friction.material=woven-dry
-    """  # noqa: D301
-    from dataclasses import replace
-
-    replace(common, materials=None).without_clutch(common.materials)
 
 
 def schema(

@@ -1,188 +1,138 @@
-"""Which events are simulated: the clutch at a friction, an ordinary clutch in its place, and for how long."""
+"""Which events are simulated: the clutch at a friction, and an ordinary clutch in its place."""
 
 import functools
-from collections.abc import Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
-
-import numpy as np
+from typing import Any, NamedTuple
 
 from ..engines import Clutch
-from ..equations import heat
 from ..equations.arrays import Values
+from .integrator import Event, simulate
 from .pack import DirectPack, Sleeve, ordinary_pack, pack_of
-from .plant import Plant, plant_of
 from .train import Train, train_of
-
-if TYPE_CHECKING:
-    from .trip import Trip
-
-_SWINGS = 6.0
-"""Swings of the driven half after an event within which its peak has come."""
-_LONG = 20.0
-"""Times the run-down at T(f) that is waited for: motor and load may all but balance the slipping clutch, the key hold
-the sleeve far off."""
 
 
 class Case(NamedTuple):
-    """A clutch in its drive at one friction."""
+    """Clutches in their drives at one friction each: numbers, or arrays."""
 
-    plant: Plant
-    horizon: float
-    """Time that is simulated at most, s."""
-    given: bool
-    """Whether that is the duration asked for."""
+    train: Train
+    pack: DirectPack | Sleeve
+    duration: float | None
+    """Duration asked for, s."""
 
-    def run(self, *, recorded: bool = False) -> "Trip":
-        """Simulate.
+    def run(self) -> Event:
+        """Simulate one drive until nothing more can come.
 
         Raises:
-            CalculationError: the integration fails.
+            CalculationError: the duration has too many steps.
         """
-        return run_of(self, recorded)
+        return event_of(self, full=False)
+
+    def history(self) -> Event:
+        """Simulate one drive to the end of the duration asked for, if any; errors as ``run``."""
+        return event_of(self, full=self.duration is not None)
+
+    def peaks(self) -> Event:
+        """Simulate, many drives too, until the peaks have passed; errors as ``run``."""
+        return simulate(*self, whole=False)
 
 
 @functools.lru_cache(maxsize=64)
-def run_of(case: Case, recorded: bool) -> "Trip":  # noqa: FBT001
+def event_of(case: Case, *, full: bool) -> Event:
     """Simulate; the last are cached, as heat and the requirements ask again what was simulated for the peaks."""
-    from .trip import trip
+    return simulate(*case, full=full)
 
-    return trip(case.plant, case.horizon, recorded=recorded, given=case.given)
+
+def case_of(clutch: Clutch, driving: Values, driven: Values | None = None, *, ordinary: bool = False) -> Case:
+    """Return the event at f, or at f_1 and f_2; of an ``ordinary`` clutch of equal T_н in the place of the clutch.
+
+    Raises:
+        SpecError: no event.
+    """
+    frictions: tuple[Any, Any] = (driving, driving if driven is None else driven)
+    train, pack = train_of(clutch), (ordinary_pack if ordinary else pack_of)(clutch, *frictions)
+    if isinstance(pack, DirectPack):
+        train = train.without_hub
+    event = clutch.spec.drive.event
+    return Case(train, pack, None if event is None else event.duration)
 
 
 class Outcome(NamedTuple):
     """What an event does at one friction."""
 
     case: Case
-    trip: "Trip"
-    ordinary: Plant
+    event: Event
+    ordinary: Case
     """An ordinary clutch of equal T_н in its place."""
     ordinary_peak: float
 
     @property
     def dynamic_factor(self) -> float:
         """k_д."""
-        return self.trip.peak / self.case.plant.sliding
+        return float(self.event.peak / self.case.pack.sliding)
+
+    @property
+    def ended(self) -> bool:
+        """Whether the slip has ended, as far as is known for good."""
+        return _ended(self.event, self.case)
 
     @property
     def slip_time(self) -> float | None:
         """Time of slip; None where it has not ended."""
-        return self.trip.slip_time if self.trip.ended else None
+        return self.event.slip_time if self.ended else None
 
     @property
     def energy(self) -> float | None:
         """Heat in the pack; None where the slip has not ended."""
-        return self.trip.heat if self.trip.ended else None
+        return self.event.heat if self.ended else None
 
     @property
     def key_energy(self) -> float | None:
         """Energy lost at the key until the slip has ended, or until the end where it does not slip; None as above."""
-        trip = self.trip
-        return (trip.key_heat if trip.trip_torque is None else trip.key_heat_slipping) if trip.ended else None
+        return self.event.key_heat if self.ended else None
+
+    @property
+    def rattles(self) -> bool:
+        """Whether the balls leave their stop, against which the sleeve then rattles."""
+        return bool(self.event.travel_max)
+
+    @property
+    def energies(self) -> tuple[float | None, float | None]:
+        """Heat in the pack by both step sizes."""
+        other = self.event.other
+        return self.energy, other.heat if _ended(other, self.case) else None
 
     @property
     def endless(self) -> bool:
         """Whether the motor is what keeps it slipping."""
-        train = self.case.plant.train
-        strong = train.cut_off is None and abs(self.trip.last) <= train.engine.torque
-        return not self.trip.ended and (self.trip.endless or (strong and not self.trip.stuck))
+        train, event = self.case.train, self.event
+        strong = train.cut_off is None and abs(event.last) <= train.engine.torque
+        return not self.ended and strong and not event.stuck
 
     @property
     def potential(self) -> float | None:
         """T_п, at which it would slip if the release force did not follow the load; None of an indirect clutch."""
-        pack = self.case.plant.pack
-        return pack.potential(self.case.plant.train.load, pack.static_ratio) if isinstance(pack, DirectPack) else None
+        pack = self.case.pack
+        return pack.potential(self.case.train.load, pack.static_ratio) if isinstance(pack, DirectPack) else None
+
+    @property
+    def trip_torque(self) -> float | None:
+        """Torque at which the clutch begins to slip, N·m; None where it does not."""
+        return self.event.trip_torque or None
 
     @property
     def trip_position(self) -> float | None:
         """Where the trip lies between T_муф (0) and T_п (1); None without slip, or where the two are one."""
-        expected, held, at = self.case.plant.breakaway, self.potential, self.trip.trip_torque
-        return None if at is None or held is None or held <= expected else (at - expected) / (held - expected)
+        expected, potential, at = self.case.pack.breakaway, self.potential, self.trip_torque
+        if at is None or potential is None or potential <= expected:
+            return None
+        return float((at - expected) / (potential - expected))
 
 
-def case_of(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Case:
-    """Return the event at one friction.
-
-    Args:
-        clutch: a clutch with float parameters and an event in its [drive] block.
-        friction: f, or f_1 of the driving pairs.
-        friction_driven: f_2; None for f.
-
-    Raises:
-        SpecError: no event.
-    """
-    pack = pack_of(clutch, friction, friction if friction_driven is None else friction_driven)
-    return _case(clutch, plant_of(train_of(clutch), pack))
-
-
-def _case(clutch: Clutch, plant: Plant) -> Case:
-    event = clutch.spec.drive.event
-    assert event is not None
-    return Case(plant, event.duration or longest(plant), event.duration is not None)
+def _ended(event: Event, case: Case) -> bool:
+    slipped = bool(event.trip_torque)
+    return bool(event.stuck) and (bool(event.settled) or case.duration is not None or not slipped)
 
 
 def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Outcome:
     """Simulate the clutch, and an ordinary one in its place, at one friction; arguments as ``case_of``."""
-    case = case_of(clutch, friction, friction_driven)
-    pack = ordinary_pack(clutch, friction, friction if friction_driven is None else friction_driven)
-    ordinary = _case(clutch, plant_of(train_of(clutch), pack))
-    return Outcome(case, case.run(), ordinary.plant, ordinary.run().peak)
-
-
-def bracket_of(outcome: Outcome) -> Sequence[Outcome]:
-    """Return the event as it is, then with N at the stop along κ alone, along κ₊ alone; empty without a key's play."""
-    case, pack = outcome.case, outcome.case.plant.pack
-    if not isinstance(pack, Sleeve) or pack.net_gain == pack.net_gain_returning:
-        return []
-    plants = (replace(case.plant, pack=replace(pack, branch=branch)) for branch in (1, -1))
-    cases = (case._replace(plant=plant, horizon=case.horizon if case.given else longest(plant)) for plant in plants)
-    return [outcome, *(outcome._replace(case=each, trip=each.run()) for each in cases)]
-
-
-def longest(plant: Plant) -> float:
-    """Time within which a drive has settled, if it does, s: a bound that few come near."""
-    return float(whole_time(plant.train, plant.sliding)) + _slip_time(plant)
-
-
-def whole_time(train: Train, sliding: Values) -> Values:
-    """Time within which nothing but the end of a slip is left to come, s, rather too long."""
-    off = 0.0 if train.cut_off is None else train.cut_off
-    run_down = _LONG * (train.front + train.tool_inertia) * train.speed / sliding
-    return peak_time(train, sliding) + off + run_down
-
-
-def peak_time(train: Train, sliding: Values) -> Values:
-    """Time within which the peak has come, s: some swings of the driven half, one of the stuck drive.
-
-    Where the tool has an inertia of its own, that within which its load has stopped it comes before.
-    """
-    if train.kind != "load":
-        return swings_time(train)
-    resisted = [(train.driven_inertia + train.tool_inertia, sliding)]
-    if train.engine.slip is not None:
-        # while the clutch holds, the motor is slowed with the tool, and pulls the harder for it
-        resisted.append((train.front + train.tool_inertia, train.engine.torque))
-    times = (
-        inertia * train.speed / np.maximum(np.abs(train.overload - torque), 0.05 * sliding)
-        for inertia, torque in resisted
-    )
-    return swings_time(train) + functools.reduce(np.maximum, times)
-
-
-def swings_time(train: Train) -> Values:
-    """Time of the event and of some swings of the driven half, one of the stuck drive, s."""
-    swings = (2 * np.pi * (inertia / train.stiffness) ** 0.5 for inertia in (train.driven_inertia, train.front))
-    return train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
-
-
-def _slip_time(plant: Plant) -> float:
-    """Time within which the slip ends, s, if it does."""
-    train, drive = plant.train, plant.train.engine.torque
-    if train.cut_off is not None:
-        gained = train.speed + max(drive - plant.least, 0.0) * train.cut_off / train.motor_inertia
-        return train.cut_off + float(heat.run_down_time(train.motor_inertia, gained, plant.least, 0.0))
-    if plant.least > drive:
-        return float(heat.run_down_time(train.motor_inertia, train.speed, plant.least, drive))
-    if plant.sliding > drive:
-        return _LONG * float(heat.run_down_time(train.motor_inertia, train.speed, plant.sliding, drive))
-    return 0.0
+    case, ordinary = (case_of(clutch, friction, friction_driven, ordinary=plain) for plain in (False, True))
+    return Outcome(case, case.run(), ordinary, float(ordinary.peaks().peak))

@@ -96,10 +96,20 @@ class Pack(ABC):
     def torque(self, ratio: Any) -> Any:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
 
+    @cached_property
+    def sliding(self) -> Any:
+        """Sliding torque T(f), friction rising, N·m."""
+        return self.torque(1.0)
+
+    @cached_property
+    def breakaway(self) -> Any:
+        """Torque at which the clutch at rest slips under a load that rises slowly, T(r_s f), N·m."""
+        return self.torque(self.static_ratio)
+
     @property
     def least(self) -> Values:
         """Smallest slip torque, N·m; of an indirect clutch that of a sleeve that moves back to its stop."""
-        return self.torque(1.0)
+        return self.sliding
 
     @property
     @abstractmethod
@@ -110,12 +120,17 @@ class Pack(ABC):
         """Turn of the balls at rest after the torque has risen to ``torque``, rad; 0 at the stop."""
         return 0.0
 
+    def judder(self, slip: Any) -> Any:
+        """Damping of the driven half below which slip swings more and more (V6), N·m·s/rad."""
+        decay = self.decay_rate * (np.asarray(self.static_ratio) > 1)
+        return self.growth * (self.static_ratio - 1) * decay * np.exp(-decay * slip)
+
     @abstractmethod
     def sticks_up_to(self, turn: Values, normal: Values) -> Values:
         """Torque up to which nothing of a stuck clutch slips or moves, N·m."""
 
     @abstractmethod
-    def leaning(self, turn: float) -> float:
+    def leaning(self, turn: Any) -> Any:
         """Normal force of the pocket walls times the radius of the ball circle, over the torque of the clutch."""
 
 
@@ -181,9 +196,9 @@ class DirectPack(Pack):
         breakaway = self.torque(self.static_ratio)
         return smaller(breakaway, self.carried(normal, self.static_ratio)) if np.any(self.lag) else breakaway
 
-    def leaning(self, turn: float) -> float:
+    def leaning(self, turn: Any) -> Any:
         """Share of the torque that passes the balls, divided by cos α, where tan α = C r/R."""
-        return self.ball_share * math.hypot(1.0, self.gain * self.lever)
+        return self.ball_share * (1 + (self.gain * self.lever) ** 2) ** 0.5
 
 
 @dataclass(frozen=True)
@@ -198,8 +213,6 @@ class Sleeve(Pack):
     """R/v_s, s/rad."""
     lever: float = 0.0
     """r/R; 0 where the circle of the balls is not known."""
-    branch: int = 0
-    """Law at the stop: 0 with the key's play, 1 along κ alone, −1 along κ₊ alone."""
 
     travels = True
     lag = 0.0
@@ -230,7 +243,7 @@ class Sleeve(Pack):
             stop_gain=law["gain"],
             gain_slope=law.get("gain_slope", 0.0),
             straight_springs=tuple(spring.straight_stiffness for spring in springs.values()) if straight else None,
-            stop_gains={0: (net, returning), 1: (net, net), -1: (returning, returning)}[self.branch],
+            stop_gains=(net, returning),
             **{f"{name}_spring": spring for name, spring in springs.items()},
         )
 
@@ -275,9 +288,9 @@ class Sleeve(Pack):
         off_stop = self.carried(self.pressed(self.travel(turn)), self.static_ratio)
         return np.where(np.asarray(turn) == 0, breakaway, smaller(breakaway, off_stop))
 
-    def leaning(self, turn: float) -> float:
+    def leaning(self, turn: Any) -> Any:
         """1/cos α at a turn of the balls, where tan α = C r/R."""
-        return math.hypot(1.0, self.gain(self.travel(turn)) * self.lever)
+        return (1 + (self.gain(self.travel(turn)) * self.lever) ** 2) ** 0.5
 
     def steeper(self, net_gain: Any, travel: Any) -> Any:
         """C, κ or κ₊ at a travel, from its value at the stop."""

@@ -51,21 +51,22 @@ class SimulateResult(Answer):
     sliding_torque: Triple = quantity("N*m", "T", "sliding torque")
     peak_torque: Triple = quantity("N*m", "T_peak", "peak torque in the shaft")
     peak_torque_clutch: Triple = quantity("N*m", "T_peak,c", "peak torque at the clutch")
+    peak_error: Triple = quantity("1", "δ", "change of the peak torque in the shaft against twice the time step")
     dynamic_factor: Triple = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
     peak_over_machine: Triple | None = quantity("1", "T_peak/T_0", "peak torque over the load before it", optional=True)
     slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
     slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
     peak_torque_low: Triple | None = quantity(
-        "N*m", "T_peak,low", "peak torque in the shaft at least, N at the stop by κ … κ₊", optional=True
+        "N*m", "T_peak,low", "peak torque in the shaft, the lower of two step sizes", optional=True
     )
     peak_torque_high: Triple | None = quantity(
-        "N*m", "T_peak,high", "peak torque in the shaft at most, N at the stop by κ … κ₊", optional=True
+        "N*m", "T_peak,high", "peak torque in the shaft, the higher of two step sizes", optional=True
     )
     slip_energy_low: OpenTriple | None = quantity(
-        "J", "Q_low", "heat in the pack at least, N at the stop by κ … κ₊", optional=True, null=NOT_ENDED
+        "J", "Q_low", "heat in the pack, the lower of two step sizes", optional=True, null=NOT_ENDED
     )
     slip_energy_high: OpenTriple | None = quantity(
-        "J", "Q_high", "heat in the pack at most, N at the stop by κ … κ₊", optional=True, null=NOT_ENDED
+        "J", "Q_high", "heat in the pack, the higher of two step sizes", optional=True, null=NOT_ENDED
     )
     key_energy: OpenTriple | None = quantity(
         "J", "Q_key", "energy lost at the key until the slip ends", optional=True, null=NOT_ENDED
@@ -89,6 +90,7 @@ class SimulateResult(Answer):
     energy_residual: float = quantity("1", "ε", "largest relative error of the energy balance")
     points: list[SimulatePoint] | None = quantity("", None, "at the friction asked for", optional=True)
     sweep: list[SimulateSweep] | None = quantity("", None, "peaks over the swept values", optional=True)
+    heat: "HeatResult | None" = quantity("", None, "heat of the trip", optional=True)
 
     @property
     def judged_peak(self) -> float:

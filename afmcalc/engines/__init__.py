@@ -13,8 +13,7 @@ __all__ = ["Clutch", "build"]
 def build(spec: Spec | Mapping[str, Any]) -> Clutch:
     """Return the clutch of ``spec``, a validated one or plain data of the same structure.
 
-    Raises:
-        SpecError: no valid spec; an indirect clutch whose gain does not overcome the friction at the key.
+    Raises SpecError: no valid spec; an indirect clutch whose gain does not overcome the friction at the key.
     """
     if not isinstance(spec, Spec):
         spec = make_spec(spec)

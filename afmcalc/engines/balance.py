@@ -28,7 +28,7 @@ class Balance:
     gain_slope: Values
     """C_1, 1/m."""
     straight: bool
-    """Whether C_1 is nought: then there is but one balance."""
+    """True if C_1 is nought: then there is but one balance."""
 
     @cached_property
     def nought(self) -> Values:
@@ -47,7 +47,7 @@ class Balance:
         return self.net_gain if self.straight else curved.gain_acting(self.net_gain, self.gain_slope, travel)
 
     def _left(self, friction: Values) -> Callable[[Values], Values]:
-        """What the control spring has more than closing spring and balls, N."""
+        """Force of the control spring less that of closing spring and balls, N."""
         return lambda at: self.control.force(at) - self.pressed(at) * (1 + self.pairs * self.net_gain_at(at) * friction)
 
     def _slope(self, friction: Values) -> Callable[[Values], Values]:

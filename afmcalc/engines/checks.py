@@ -1,4 +1,4 @@
-"""What a clutch has to hold: one list of checks, asked of numbers by ``check`` and of arrays by ``design``.
+"""Checks of a clutch: one list, asked of numbers by ``check`` and of arrays by ``design``.
 
 for check in checks_of(spec):                                       # with the requirements of the spec
     value, limit = check.value_of(clutch), check.limit_of(clutch)   # of Quantities, or of what a part tells
@@ -6,13 +6,14 @@ for check in checks_of(spec):                                       # with the r
 """
 
 import math
+import re
 import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, cast
 
 from ..equations.arrays import is_array
 from ..findings import FINDINGS, Finding, Level, finding
-from ..messages import measured, term
+from ..messages import measured, translate
 from ..spec.keys import keys
 from ..spec.lists import diameters
 from ..units import ENGINEER, ZEROS
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from ..spec.models import Spec
 
 Part = Literal["simulate", "heat", "tolerance", "effects", "springs", "layout"]
-"""What is calculated beside the quantities of a clutch."""
+"""Parts that are calculated beside the quantities of a clutch."""
 ROUNDING = 1e-9
 """Share of a limit within which a value is on it."""
 
@@ -34,7 +35,7 @@ class Known(Protocol):
 
 
 class Beside(NamedTuple):
-    """What a part tells, beside the quantities of a clutch."""
+    """Values of a part, beside the quantities of a clutch."""
 
     part: Mapping[str, Any]
     clutch: Known
@@ -58,7 +59,7 @@ class Check(NamedTuple):
     """The same, or a number that the spec states."""
     least: bool = False
     strict: bool = False
-    """Whether a value on the limit fails."""
+    """True if a value on the limit fails."""
     level: Level = "error"
     path: str | None = None
     """Key of the spec that it belongs to."""
@@ -83,7 +84,7 @@ class Check(NamedTuple):
         return _number(known.get(self.limit)) if isinstance(self.limit, str) else self.limit
 
     def passes(self, value: Any, limit: Any) -> Any:
-        """Whether a value holds a limit, but for rounding; NaN does not."""
+        """True if a value holds a limit, but for rounding; NaN does not."""
         low, high = (limit, value) if self.least else (value, limit)
         return low < high * (1 - ROUNDING) if self.strict else low <= high * (1 + ROUNDING)
 
@@ -113,15 +114,15 @@ hub-too-large | hub within the balls | d ≤ 2r − d_ш | m | hub_diameter ≤ 
 shaft-yields | largest stress of the shaft, by von Mises | τ ≤ σ_т/√3 | Pa | stress_high_at_unprotected ≤ shear_yield_strength | error | shaft.yield_strength | | check | no-event
 shaft-yields | largest stress of the shaft, by von Mises | τ ≤ σ_т/√3 | Pa | stress_high ≤ shear_yield_strength | error | shaft.yield_strength | | check | event
 shaft-yields | largest stress of the shaft in the event, by von Mises | τ ≤ σ_т/√3 | Pa | event_stress ≤ shear_yield_strength | error | shaft.yield_strength | simulate | check | event
-no-standard-ball | ball needed | 2 r_ш ≤ d_ш,max | m | ball_diameter_needed ≤ stated | error | | | synthesize | pockets chosen
-ball-too-small | ball diameter | d_ш ≥ 2 r_ш | m | ball_diameter ≥ ball_diameter_needed | error | control_unit.ball_diameter | | synthesize | pockets given
-wall-undercut | ball runs on the curved wall | r_ш < ρ_0 | m | ball_radius_chosen < undercut_radius | error | control_unit.gain_slope | | synthesize | pockets
-ball-reaches-axis | ball clear of the axis | r_ш ≤ r | m | ball_radius_chosen ≤ ball_circle_radius | error | control_unit.ball_circle_radius | | synthesize | pockets single
-balls-overlap | balls side by side | d_ш ≤ t_ш | m | ball_diameter ≤ ball_pitch | error | control_unit.balls | | synthesize | pockets several
-pockets-overlap | pockets side by side | b ≤ t_ш | m | pocket_width ≤ ball_pitch | error | control_unit.balls | | synthesize | pockets several
-depth-beyond-sleeve | pocket within the sleeve | h_c ≤ B | m | pocket_depth_cut ≤ sleeve_depth | error | control_unit.sleeve_depth | | synthesize | pockets
-contact-force-exceeded | contact force on one ball | F_n ≤ [F_n] | N | contact_force ≤ allowable_contact_force | error | control_unit.allowable_contact_force | | synthesize | pockets
-contact-force-exceeded/hertz | contact force on one ball, by Hertz | F_n ≤ [F_n]_H | N | contact_force ≤ contact_force_hertz | error | control_unit.contact | | synthesize | pockets hertz
+no-standard-ball | ball needed | 2 r_ш ≤ d_ш,max | m | ball_diameter_needed ≤ stated | error | | | pocket | pockets chosen
+ball-too-small | ball diameter | d_ш ≥ 2 r_ш | m | ball_diameter ≥ ball_diameter_needed | error | control_unit.ball_diameter | | pocket | pockets given
+wall-undercut | ball runs on the curved wall | r_ш < ρ_0 | m | ball_radius_chosen < undercut_radius | error | control_unit.gain_slope | | pocket | pockets
+ball-reaches-axis | ball clear of the axis | r_ш ≤ r | m | ball_radius_chosen ≤ ball_circle_radius | error | control_unit.ball_circle_radius | | pocket | pockets single
+balls-overlap | balls side by side | d_ш ≤ t_ш | m | ball_diameter ≤ ball_pitch | error | control_unit.balls | | pocket | pockets several
+pockets-overlap | pockets side by side | b ≤ t_ш | m | pocket_width ≤ ball_pitch | error | control_unit.balls | | pocket | pockets several
+depth-beyond-sleeve | pocket within the sleeve | h_c ≤ B | m | pocket_depth_cut ≤ sleeve_depth | error | control_unit.sleeve_depth | | pocket | pockets
+contact-force-exceeded | contact force on one ball | F_n ≤ [F_n] | N | contact_force ≤ allowable_contact_force | error | control_unit.allowable_contact_force | | pocket | pockets
+contact-force-exceeded/hertz | contact force on one ball, by Hertz | F_n ≤ [F_n]_H | N | contact_force ≤ contact_force_hertz | error | control_unit.contact | | pocket | pockets hertz
 mean-pressure-in-range | surface pressure in the mean | p ≤ [p]_min | Pa | mean_pressure ≤ pressure_min | warning | | | check |
 mean-pressure-exceeded | surface pressure in the mean | p ≤ [p]_max | Pa | mean_pressure ≤ pressure_max | error | | | check |
 peak-pressure-in-range | surface pressure at the inner edge | p ≤ [p]_min | Pa | peak_pressure ≤ pressure_min | warning | | | check |
@@ -140,7 +141,7 @@ event-clearance | clearance of the ball in the event | y_x ≥ y | m | clearance
 event-spring-let-go | travel in the event, the closing spring pressing | x_max < x_0 | m | travel_max < travel_let_go | error | closing_spring | simulate | simulate | event
 dynamic-factor-exceeded | dynamic factor of the event | T_peak/T ≤ k_д | 1 | dynamic_factor_of_event ≤ dynamic_factor | warning | drive.dynamic_factor | simulate | simulate | event assumed
 """  # noqa: E501
-"""code | name | symbol | unit | value and limit | level | path | part needed | topic | conditions, as in ``_WHEN``."""
+"""Rows of ``check_of``; ``when`` are conditions of ``_WHEN``."""
 
 _REQUIRED = """\
 nominal_torque ≥ nominal_torque
@@ -166,24 +167,23 @@ trips_per_hour ≥ trips_per_hour heat
 """Key of [requirements], whether its value is the largest or the least, the quantity asked, and the part needed."""
 
 
-def _checks() -> Iterator[Check]:
-    for row in _TABLE.splitlines():
-        code, name, symbol, unit, held, level, path, needs, topic, when = (cell.strip() for cell in row.split("|"))
-        value, sign, limit = held.split()
-        number = limit.isdigit()
-        yield Check(
-            code, name, symbol, unit, value, float(limit) if number else limit, sign in "≥>", sign in "<>",
-            cast(Level, level), path or None, cast(Part, needs) or None, topic, tuple(when.split()),
-        )  # fmt: skip
-    for row in _REQUIRED.splitlines():
-        name, sign, value, needs = f"{row} ".split(" ")[:4]
-        yield Check(
-            "requirement-missed", "", "", "", value, "stated", sign == "≥", path=f"requirements.{name}",
-            needs=cast(Part, needs) or None, topic=name,
-        )  # fmt: skip
+def check_of(row: str) -> Check:
+    """Return the check of a row: code, name, symbol, unit, value and limit, level, path, part needed, topic, when."""
+    code, name, symbol, unit, held, level, path, needs, topic, when = map(str.strip, re.split(r" \|(?= |$)", row))
+    value, sign, limit = held.split()
+    return Check(
+        code, name, symbol, unit, value, float(limit) if limit.isdigit() else limit, sign in "≥>", sign in "<>",
+        cast(Level, level), path or None, cast(Part, needs) or None, topic, tuple(when.split()),
+    )  # fmt: skip
 
 
-CHECKS = tuple(_checks())
+def _requirement_of(row: str) -> Check:
+    name, sign, value, needs = f"{row} ".split(" ")[:4]
+    path, part = f"requirements.{name}", cast(Part, needs) or None
+    return Check("requirement-missed", "", "", "", value, "stated", sign == "≥", path=path, needs=part, topic=name)
+
+
+CHECKS = (*map(check_of, _TABLE.splitlines()), *map(_requirement_of, _REQUIRED.splitlines()))
 """Every check but those of the springs that are named as parts."""
 REQUIRED = {check.requirement: check for check in CHECKS if check.requirement}
 """Key of [requirements] → its check; name, symbol and unit are those of the key."""
@@ -223,19 +223,15 @@ _WHEN: Mapping[str, Callable[[Any], Any]] = {
     "recommended": lambda spec: spec.kind.gain_limit == "recommended",
     "controlled": lambda spec: spec.kind.controlled and not spec.kind.travels,
     "key": lambda spec: spec.kind.travels and (is_array(friction := spec.control_unit.key_friction) or friction),
-    "lasting": _is_lasting,
-    "faces": lambda spec: spec.friction_group.inner_radius is not None,
-    "no-faces": lambda spec: spec.friction_group.inner_radius is None,
-    "pockets": _has_pockets,
-    "several": _has_several_balls,
-    "single": lambda spec: not _has_several_balls(spec),
+    "lasting": _is_lasting, "faces": lambda spec: spec.friction_group.inner_radius is not None,
+    "no-faces": lambda spec: spec.friction_group.inner_radius is None, "pockets": _has_pockets,
+    "several": _has_several_balls, "single": lambda spec: not _has_several_balls(spec),
     "chosen": lambda spec: spec.control_unit.ball_diameter is None,
     "given": lambda spec: spec.control_unit.ball_diameter is not None,
     "hertz": lambda spec: spec.control_unit.allowable_contact_force is None or spec.control_unit.contact is not None,
-    "event": lambda spec: spec.drive.event is not None,
-    "no-event": lambda spec: spec.drive.event is None,
+    "event": lambda spec: spec.drive.event is not None, "no-event": lambda spec: spec.drive.event is None,
     "assumed": lambda spec: spec.drive.dynamic_factor is not None and spec.fatigue is not None,
-}
+}  # fmt: skip
 """Condition of a check on a spec."""
 
 
@@ -280,7 +276,7 @@ def _required(spec: "Spec", check: Check, name: str) -> Iterator[Check]:
 
 
 def _after_event(spec: "Spec", check: Check) -> Check:
-    """What the unprotected side bears takes the dynamic factor of the event, where none is given."""
+    """Replace the dynamic factor of the unprotected side by that of the event, where none is given."""
     factor = "unprotected" in check.value or check.value == "cycles_least"
     open_factor = spec.drive.event is not None and spec.drive.dynamic_factor is None
     return check._replace(needs="simulate") if factor and open_factor else check
@@ -308,8 +304,8 @@ def _failure(spec: "Spec", check: Check, known: Known, value: Any, limit: Any) -
     """Make the finding of a check; its sentence may name any quantity, the check and the material."""
     lining = spec.friction.linings.get(check.path or "")
     shown, required = apart(value, limit, check.unit)
-    words = {"name": term(check.name), "shown": shown, "required": required, "lining": lining and lining.name}
-    words["bound"] = term("at least") if check.least else term("at most")
+    words = {"name": translate(check.name), "shown": shown, "required": required, "lining": lining and lining.name}
+    words["bound"] = translate("at least") if check.least else translate("at most")
     fields = {field for _, field, _, _ in string.Formatter().parse(FINDINGS[check.code]) if field}
     named = {field: words[field] if field in words else known.get(field) for field in fields - _ALWAYS}
     return finding(check.code, check.level, value=value, limit=limit, path=check.path, **named)

@@ -1,4 +1,4 @@
-"""What a quantity of a clutch is sensitive to: elasticities by spec path, from one vectorised difference."""
+"""Elasticities of a quantity of a clutch by spec path, from one vectorised difference."""
 
 from typing import Any, NamedTuple
 
@@ -12,12 +12,7 @@ _KINK = 1e-5
 PATHS = {
     name: f"{path}.{key}"
     for path in (
-        "friction",
-        "friction.driving",
-        "friction.driven",
-        "friction_group",
-        "closing_spring",
-        "control_spring",
+        "friction", "friction.driving", "friction.driven", "friction_group", "closing_spring", "control_spring",
     )
     for key, name in NAMES[path].items()
 } | {
@@ -27,7 +22,7 @@ PATHS = {
         for key, name in NAMES["control_unit"].items()
         if key in ("gain", "gain_slope", "wall_angle", "ball_circle_radius", "hub_diameter", "key_friction")
     },
-}
+}  # fmt: skip
 
 
 class Elasticity(NamedTuple):
@@ -40,7 +35,7 @@ class Elasticity(NamedTuple):
 
     @property
     def kink(self) -> bool:
-        """Whether the slopes on both sides differ."""
+        """True if the slopes on both sides differ."""
         return self.slope != self.larger
 
 

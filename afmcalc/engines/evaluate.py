@@ -5,7 +5,7 @@ from itertools import product
 
 from ..equations.arrays import Floats, Values
 from ..errors import AfmcalcError, SpecError
-from ..messages import joined, say
+from ..messages import say
 from ..spec import Spec, edit
 from ..spec.keys import is_whole
 from . import build
@@ -15,7 +15,7 @@ BLOCK = 16_000
 """Points calculated at a time: as many as an array may have that the allocator keeps (128 KiB); a larger one it gives
 back to the system each time, and fetching its pages anew takes longer than all the arithmetic."""
 Output = str | Callable[[Clutch], Values]
-"""What is asked of the clutch at every point: a quantity, or a function of it."""
+"""Output at every point: a quantity, or a function of the clutch."""
 
 
 def evaluate(
@@ -23,11 +23,9 @@ def evaluate(
 ) -> dict[str, Floats]:
     """Evaluate what is asked of the clutch with arrays of one size, SI, in place of numbers at some paths of its spec.
 
-    Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand
-    for all their elements: those are validated, then the arrays go through the same engine as numbers do.
-
-    Raises:
-        SpecError: a value no spec may have.
+    Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand for all their
+    elements: those are validated, then the arrays go through the same engine as numbers do. Raises SpecError: a value
+    no spec may have.
     """
     import numpy as np
 
@@ -44,7 +42,7 @@ def evaluate(
             valid = edit.respecified(spec, corner)
             build(valid)
         except SpecError as error:
-            where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
+            where = ", ".join(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
             problems = [problem._replace(place=None) for problem in error.problems]
             raise SpecError(say("sweep at {where}", where=where), problems) from None
     size = max(array.size for array in arrays.values())

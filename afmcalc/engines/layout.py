@@ -27,7 +27,7 @@ PartName = Literal[
     "closing spring", "control spring",
 ]  # fmt: skip
 Half = Literal["driving", "hub", "driven"]
-"""What a part turns with: the housing, what is between discs and balls (indirect), or the hub."""
+"""Half that a part turns with: the housing, the parts between discs and balls (indirect), or the hub."""
 
 
 class Ring(NamedTuple):
@@ -43,7 +43,7 @@ class Ring(NamedTuple):
 
     @property
     def extends(self) -> Any:
-        """Whether there is such a ring."""
+        """True if there is such a ring."""
         return (self.right > self.left) & (self.outer > self.inner)
 
     @property
@@ -60,7 +60,7 @@ class Ring(NamedTuple):
         return drive.ring_inertia(self.mass, 2 * self.outer, 2 * self.inner)
 
     def overlap(self, other: "Ring") -> Values:
-        """How far it reaches into another ring, the shorter way, m; ≤ 0 where it does not."""
+        """Overlap with another ring, the shorter way, m; ≤ 0 where there is none."""
         along = smaller(self.right - other.left, other.right - self.left)
         across = smaller(self.outer - other.inner, other.outer - self.inner)
         return smaller(along, across) * (self.extends & other.extends)
@@ -72,9 +72,9 @@ class SectionPart(NamedTuple):
     name: PartName
     boxes: tuple[Ring, ...]
     turning: tuple[Ring, ...] = ()
-    """What its mass is spread over; none: its boxes."""
+    """Rings that its mass is spread over; none: its boxes."""
     pockets: bool = False
-    """Whether the balls are in pockets of it."""
+    """True if the balls are in pockets of it."""
 
     @property
     def bodies(self) -> tuple[Ring, ...]:
@@ -92,7 +92,7 @@ class SpringSize(NamedTuple):
 
 
 class Sizes(NamedTuple):
-    """What the layout is made of, m."""
+    """Dimensions of the layout, m."""
 
     travels: bool
     pairs: Values
@@ -183,12 +183,9 @@ def sizes_of(clutch: Clutch) -> Sizes:
         return size
     gap = FACE_GAP if unit.face_gap is None else unit.face_gap
     return size._replace(
-        ball=unit.ball_diameter,
-        balls=0 if unit.balls is None else unit.balls,
-        circle=unit.ball_circle_radius,
-        gap=gap,
+        ball=unit.ball_diameter, balls=0 if unit.balls is None else unit.balls, circle=unit.ball_circle_radius, gap=gap,
         depth=unit.sleeve_depth,
-    )
+    )  # fmt: skip
 
 
 def _spring(spec: Spec, name: str, force: Values) -> SpringSize:
@@ -258,17 +255,14 @@ def parts_of(size: Sizes) -> list[SectionPart]:
     return [
         _part("housing", "driving", (0.0, plate, size.bore_radius, wall), (plate, total, faces, wall)),
         _part(
-            "hub",
-            "driven",
-            (plate, total, size.bore_radius, hub),
-            *[flange] * size.travels,
+            "hub", "driven", (plate, total, size.bore_radius, hub), *[flange] * size.travels,
             (nut, total, hub, smaller(seat, faces)),
         ),
         SectionPart("pack", (Ring(pack, plate_at, carrier, faces),), discs),
         *sleeves,
         _part("balls", "driven", ball, mass=all_balls),
         *set_springs[: 1 + size.travels],
-    ]
+    ]  # fmt: skip
 
 
 _Sides: TypeAlias = tuple[Values, Values, Values, Values]
@@ -292,7 +286,7 @@ def overlaps(parts: list[SectionPart]) -> Iterator[tuple[PartName, PartName, Val
 
 
 def _outside(around: SectionPart, ring: Ring) -> Values:
-    """How far a ring is beyond the outside of the housing, or within the bore of the hub, m; ≤ 0: it is not."""
+    """Length by which a ring is outside the housing, or inside the bore of the hub, m; ≤ 0: it is not."""
     if around.name == "hub":
         return (around.boxes[0].inner - ring.inner) * ring.extends
     web, drum = around.boxes

@@ -2,4 +2,4 @@
 
 
 class Named:
-    """What has the quantities of ``equations.terms`` as attributes."""
+    """Object that has the quantities of ``equations.terms`` as attributes."""

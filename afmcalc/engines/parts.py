@@ -1,17 +1,17 @@
-"""What a spring is to give, and what a part is to hold as that spring: rules as columns, for one part or many."""
+"""Demands on a spring, and the rules a part must hold as that spring: as columns, for one part or many."""
 
 import math
 from collections.abc import Iterator
-from typing import Any, Literal, NamedTuple, cast
+from typing import Any, Literal, NamedTuple
 
 from ..equations import springs as law
 from ..equations.arrays import Values, chosen, is_array, logarithm, sin, smaller
-from ..findings import Finding, Level, finding
-from ..messages import term
+from ..findings import Finding, finding
+from ..messages import translate
 from ..spec.catalogues import Disc
 from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Room
 from .adapter import Clutch
-from .checks import ROUNDING, Check
+from .checks import ROUNDING, Check, check_of
 from .layout import rooms_of
 from .quantities import Apply, call
 from .springs import LEAST_USED, MODULUS, MOST_USED, CoilCharacteristic, DiscCharacteristic, characteristic
@@ -37,26 +37,26 @@ SpringName = Literal["closing", "control"]
 
 
 class SpringDemand(NamedTuple):
-    """What one spring of a clutch is to give, and what happens to it."""
+    """Force and stiffness that one spring of a clutch is to give, its room and its service."""
 
     name: SpringName
     force: float
-    """As set, N."""
+    """Force as set, N."""
     stiffness: float | None
     """N/m; None: any."""
     relaxes: float
-    """How much longer it gets in service, m."""
+    """Extension in service, m."""
     room: Room
     pitch: float | None
     """Of the nut, m."""
     friction: tuple[float, float] | None
     """w_M of the cones of a stack on each other, w_R of its edges."""
     compresses: float = 0.0
-    """How much shorter it gets in service, m."""
+    """Compression in service, m."""
     follows: int | None = None
     """Pairs whose wear it follows; None: wear does not reach it."""
     stroke: float | None = None
-    """How far it goes and comes at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
+    """Stroke at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
     cycles: float | None = None
     """Trips asked for; None: not told."""
     catalogue: tuple[Disc, ...] | None = None
@@ -82,64 +82,46 @@ def spring_demands(clutch: Clutch, travel: float = 0.0) -> list[SpringDemand]:
         given = {} if spring.room is None else spring.room.model_dump(exclude_none=True)
         surface, edge = spring.surface_friction, spring.edge_friction
         return SpringDemand(
-            name=name,
-            force=float(clutch[f"{name}_force"]),
-            stiffness=spring.stiffness or None,
-            relaxes=relaxes,
-            room=left.model_copy(update=given),
-            pitch=spring.thread_pitch,
-            friction=None if surface is None or edge is None else (surface, edge),
-            catalogue=spec.lists.discs,
+            name=name, force=float(clutch[f"{name}_force"]), stiffness=spring.stiffness or None, relaxes=relaxes,
+            room=left.model_copy(update=given), pitch=spring.thread_pitch,
+            friction=None if surface is None or edge is None else (surface, edge), catalogue=spec.lists.discs,
             **service,
-        )
+        )  # fmt: skip
 
     if not spec.kind.travels:
         return [demand("closing", worn, follows=pairs)]
     travel = max(travel, float(clutch["travel_max"]))
     cycles = spec.requirements.cycles if spec.requirements is not None else None
     moves: dict[str, Any] = {"stroke": travel if cycles is None or cycles > QUASI_STATIC else None, "cycles": cycles}
-    return [
-        demand("closing", travel, **moves),
-        demand("control", worn, compresses=travel, follows=pairs, **moves),
-    ]
+    return [demand("closing", travel, **moves), demand("control", worn, compresses=travel, follows=pairs, **moves)]
 
 
 _TABLE = """\
-spring-too-weak | force of the spring | F ≤ F_c | N | force ≤ force_at_end | error | force
-spring-slack | travel by which the spring is let go | Δs ≤ s | m | relaxes ≤ deflection | error | preload
-spring-beyond-range | deflection of disc springs | s ≥ s_min | m | deflection_least ≥ cone_least | warning | preload
-spring-beyond-range | deflection of disc springs | s ≤ s_max | m | deflection_most ≤ cone_most | warning | deflection
-disc-overstressed | stress where a disc turns | |σ_OM| ≤ [σ] | Pa | pressure_turning ≤ om_strength | error | stress
-coil-index | index of a coil | w ≥ 4 | 1 | index ≥ index_least | warning | index
-coil-index | index of a coil | w ≤ 20 | 1 | index ≤ index_most | warning | index
-coil-solid | deflection of coil springs | s ≤ s_c | m | deflection_most ≤ deflection_solid | error | deflection
-coil-gaps-closed | deflection of coil springs | s ≤ s_n | m | deflection_most ≤ deflection_of_gaps | warning | deflection
-coil-buckles | deflection of coil springs without guide | s ≤ s_K | m | deflection_most ≤ deflection_buckling | warning | buckling
-coil-overstressed | shear stress of a wire in service | τ_2 ≤ [τ] | Pa | stress_static ≤ wire_strength | error | stress
-coil-stress-solid | shear stress of a wire, solid | τ_c ≤ [τ] | Pa | stress_solid ≤ wire_strength | warning | stress
-coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance | warning | fatigue
-coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance_required | error | fatigue
-spring-does-not-fit | length of the spring | L ≤ [L] | m | length ≤ room_length | error | length
-spring-does-not-fit | deflection of the spring as set | s ≤ [L] | m | deflection ≤ room_length | error | length
-spring-does-not-fit | outer diameter of the spring | D_e ≤ (D_2 − D_1)/2 | m | outer_diameter ≤ room_ring | error | outer diameter
-spring-does-not-fit | outer diameter of the spring | D_e ≤ t_п | m | outer_diameter ≤ room_pitch | error | outer diameter
-spring-does-not-fit | outer diameter of the spring | D_e ≤ D_2 | m | outer_diameter ≤ room_outer | error | outer diameter
-spring-does-not-fit | inner diameter of the spring | D_i ≥ D_1 | m | inner_diameter ≥ room_inner | error | inner diameter
+spring-too-weak | force of the spring | F ≤ F_c | N | force ≤ force_at_end | error | | springs | force |
+spring-slack | travel by which the spring is let go | Δs ≤ s | m | relaxes ≤ deflection | error | | springs | preload |
+spring-beyond-range | deflection of disc springs | s ≥ s_min | m | deflection_least ≥ cone_least | warning | | springs | preload |
+spring-beyond-range | deflection of disc springs | s ≤ s_max | m | deflection_most ≤ cone_most | warning | | springs | deflection |
+disc-overstressed | stress where a disc turns | |σ_OM| ≤ [σ] | Pa | pressure_turning ≤ om_strength | error | | springs | stress |
+coil-index | index of a coil | w ≥ 4 | 1 | index ≥ index_least | warning | | springs | index |
+coil-index | index of a coil | w ≤ 20 | 1 | index ≤ index_most | warning | | springs | index |
+coil-solid | deflection of coil springs | s ≤ s_c | m | deflection_most ≤ deflection_solid | error | | springs | deflection |
+coil-gaps-closed | deflection of coil springs | s ≤ s_n | m | deflection_most ≤ deflection_of_gaps | warning | | springs | deflection |
+coil-buckles | deflection of coil springs without guide | s ≤ s_K | m | deflection_most ≤ deflection_buckling | warning | | springs | buckling |
+coil-overstressed | shear stress of a wire in service | τ_2 ≤ [τ] | Pa | stress_static ≤ wire_strength | error | | springs | stress |
+coil-stress-solid | shear stress of a wire, solid | τ_c ≤ [τ] | Pa | stress_solid ≤ wire_strength | warning | | springs | stress |
+coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance | warning | | springs | fatigue |
+coil-fatigue | shear stress, with k_τ, of a wire that moves at every trip | τ_k2 ≤ τ_kO | Pa | stress ≤ endurance_required | error | | springs | fatigue |
+spring-does-not-fit | length of the spring | L ≤ [L] | m | length ≤ room_length | error | | springs | length |
+spring-does-not-fit | deflection of the spring as set | s ≤ [L] | m | deflection ≤ room_length | error | | springs | length |
+spring-does-not-fit | outer diameter of the spring | D_e ≤ (D_2 − D_1)/2 | m | outer_diameter ≤ room_ring | error | | springs | outer diameter |
+spring-does-not-fit | outer diameter of the spring | D_e ≤ t_п | m | outer_diameter ≤ room_pitch | error | | springs | outer diameter |
+spring-does-not-fit | outer diameter of the spring | D_e ≤ D_2 | m | outer_diameter ≤ room_outer | error | | springs | outer diameter |
+spring-does-not-fit | inner diameter of the spring | D_i ≥ D_1 | m | inner_diameter ≥ room_inner | error | | springs | inner diameter |
 """  # noqa: E501
-"""code | name | symbol | unit | value and limit | level | what a part misses that does not hold it."""
+"""Rows of ``check_of``; the topic is what a part misses that does not hold it."""
 
-
-def _rules() -> Iterator[Check]:
-    for row in _TABLE.splitlines():
-        code, name, symbol, unit, condition, level, misses = row.split(" | ")
-        value, sign, limit = condition.split()
-        yield Check(
-            code, name, symbol, unit, value, limit, sign == "≥", level=cast(Level, level), needs="springs", topic=misses
-        )
-
-
-RULES = tuple(_rules())
-"""What a part is to hold."""
+RULES = tuple(map(check_of, _TABLE.splitlines()))
+"""Checks of a part."""
 
 
 class PartCheck(NamedTuple):
@@ -149,7 +131,7 @@ class PartCheck(NamedTuple):
     value: Any
     limit: Any
     scale: Any
-    """What a miss is told by."""
+    """Scale of the relative excess."""
 
     @property
     def utilisation(self) -> float:
@@ -158,7 +140,7 @@ class PartCheck(NamedTuple):
 
     @property
     def beyond(self) -> Any:
-        """By how much it is missed, relative; not positive: it is held."""
+        """Relative excess over the limit; not positive: it is held."""
         over = self.limit - self.value if self.rule.least else self.value - self.limit
         return over / self.scale
 
@@ -167,14 +149,12 @@ def checks_of_part(known: dict[str, Any]) -> list[PartCheck]:
     """Return what a part is to hold, held or not, from its values; of columns NaN is not asked."""
     return [
         PartCheck(
-            rule,
-            known[rule.value],
-            known[rule.limit],
+            rule, known[rule.value], known[rule.limit],
             known["deflection_end" if rule.topic in ("preload", "deflection") else rule.limit],
         )
         for rule in RULES
         if isinstance(rule.limit, str) and _asked(known.get(rule.value)) and _asked(known.get(rule.limit))
-    ]
+    ]  # fmt: skip
 
 
 def _asked(value: Any) -> bool:
@@ -190,18 +170,11 @@ def values_of_part(demand: SpringDemand, part: DiscStack | CoilSprings, apply: A
     deflection = own.deflection(demand.force)
     least, most = deflection - demand.relaxes, deflection + demand.compresses
     known = {
-        "force": demand.force,
-        "force_at_end": own.force(own.end),
-        "relaxes": demand.relaxes or None,
-        "deflection": deflection,
-        "deflection_least": least,
-        "deflection_most": most,
-        "deflection_end": own.end,
-        "stiffness": own.stiffness(deflection),
-        "free_length": own.free_length,
-        "length": own.free_length - least,
+        "force": demand.force, "force_at_end": own.force(own.end), "relaxes": demand.relaxes or None,
+        "deflection": deflection, "deflection_least": least, "deflection_most": most, "deflection_end": own.end,
+        "stiffness": own.stiffness(deflection), "free_length": own.free_length, "length": own.free_length - least,
         "mass": own.mass,
-    }
+    }  # fmt: skip
     of_kind = _of_discs(own, most) if isinstance(own, DiscCharacteristic) else _of_coils(own, demand, most)
     known |= of_kind
     return known | _of_room(demand.room, getattr(part, "count", 1), known["outer_diameter"])
@@ -210,15 +183,10 @@ def values_of_part(demand: SpringDemand, part: DiscStack | CoilSprings, apply: A
 def _of_discs(own: DiscCharacteristic, most: Values) -> dict[str, Any]:
     (low, high), (middle, edge) = own.range, own.stresses(most)
     return {
-        "cone_least": low,
-        "cone_most": high,
-        "stress": edge,
-        "stress_middle": middle,
-        "pressure_turning": abs(middle),
-        "om_strength": OM_STRENGTH,
-        "outer_diameter": own.part.outer_diameter,
+        "cone_least": low, "cone_most": high, "stress": edge, "stress_middle": middle, "pressure_turning": abs(middle),
+        "om_strength": OM_STRENGTH, "outer_diameter": own.part.outer_diameter,
         "inner_diameter": own.part.inner_diameter,
-    }
+    }  # fmt: skip
 
 
 def _of_coils(own: CoilCharacteristic, demand: SpringDemand, most: Values) -> dict[str, Any]:
@@ -297,7 +265,7 @@ def _finding(path: str, missed: PartCheck) -> Finding:
     elif rule.code == "spring-beyond-range":
         share = LEAST_USED if rule.least else MOST_USED
         value, limit = value / limit * share, share
-    return finding(rule.code, rule.level, value=value, limit=limit, path=path, what=term(rule.name))
+    return finding(rule.code, rule.level, value=value, limit=limit, path=path, what=translate(rule.name))
 
 
 def _remarks(clutch: Clutch, demand: SpringDemand) -> Iterator[Finding]:

@@ -86,7 +86,7 @@ class Laws:
         return self._needs[given, name]
 
     def missing(self, name: str, given: Names) -> list[str]:
-        """What would have to be given before a quantity can be calculated."""
+        """Quantities that must be given before one can be calculated."""
         needs = self.needs(name, given) - given
         return sorted(need for need in needs if need not in self.laws and self.case_of(need) is None)
 
@@ -136,8 +136,7 @@ class Quantities(Named):
     def __getitem__(self, name: str) -> Any:
         """Return the value of a quantity, such as ``gain``, or in a case ``torque_at_f_max``.
 
-        Raises:
-            MissingError: there is none of that name, or it needs what is not given; says what is.
+        Raises MissingError: there is none of that name, or it needs what is not given; says what is.
         """
         if name not in self._kept:
             scope = self._scope_of(name)
@@ -156,7 +155,7 @@ class Quantities(Named):
                 raise AttributeError(str(error)) from None
 
     def __contains__(self, name: object) -> bool:
-        """Whether a quantity is given, or follows from what is."""
+        """True if a quantity is given, or follows from what is."""
         return name in self._kept or not self.missing(str(name))
 
     def __dir__(self) -> Iterable[str]:
@@ -172,21 +171,18 @@ class Quantities(Named):
         return self[name] if name in self else default  # noqa: SIM401
 
     def known(self, names: Iterable[str]) -> dict[str, Any]:
-        """Those of some quantities that are given, or follow from what is."""
+        """Values of the quantities that are given, or follow from what is."""
         return {name: self[name] for name in names if name in self}
 
     def missing(self, name: str) -> list[str]:
-        """What would have to be given before a quantity can be calculated; empty where it can be."""
+        """Quantities that must be given before one can be calculated; empty where it can be."""
         return self.laws.missing(name, self._names)
 
     def at(self, case: str = "", /, **values: Any) -> "Quantities":
         """The same clutch in a case, or with other values of some quantities.
 
         What is set last counts: it displaces values set before of quantities that follow from it. A case sets all that
-        it names, or none.
-
-        Raises:
-            MissingError: no such case or quantity.
+        it names, or none. Raises MissingError: no such case or quantity.
         """
         targets: Case = {}
         if case:
@@ -291,8 +287,6 @@ class Quantities(Named):
         if cases:
             return say(
                 "{name} needs {needs}: ask it at a value of that, or in a case: {cases}",
-                name=name,
-                needs=", ".join(missing),
-                cases=", ".join(cases),
-            )
+                name=name, needs=", ".join(missing), cases=", ".join(cases),
+            )  # fmt: skip
         return say("{name} needs {needs}", name=name, needs=", ".join(missing))

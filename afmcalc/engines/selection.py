@@ -38,14 +38,11 @@ METHODS: dict[str, Part] = {"min-friction": pack.SET_AT_MIN, "mean-friction": pa
 _METHODS_UNLIKE: dict[str, Part] = {"min-friction": unlike.SET_AT_MIN, "mean-friction": unlike.SET_AT_MEAN}
 
 KEYS: dict[str, tuple[Part, ...]] = {
-    "wall_angle": (pack.WALL_ANGLE_GIVEN,),
-    "uniform-pressure": (pack.UNIFORM_PRESSURE,),
-    "uniform-wear": (pressure.UNIFORM_WEAR,),
-    "motor_power": (machine.GIVEN,),
-    "amplitude": (life.AMPLITUDE,),
+    "wall_angle": (pack.WALL_ANGLE_GIVEN,), "uniform-pressure": (pack.UNIFORM_PRESSURE,),
+    "uniform-wear": (pressure.UNIFORM_WEAR,), "motor_power": (machine.GIVEN,), "amplitude": (life.AMPLITUDE,),
     "goodman": (life.GOODMAN,),
-}
-"""What a spec gives, or says → the laws that it brings; those of the sleeve have an order of their own."""
+}  # fmt: skip
+"""Quantity or option of a spec → the laws that it brings; those of the sleeve have an order of their own."""
 RULES = ("amplitude", "goodman")
 CURVED = ("gain_slope", "constant-torque")
 DISCS = ("closing_disc", "control_disc")
@@ -214,9 +211,8 @@ def as_set(clutch: Quantities, **values: Any) -> Quantities:
 def accepted(spec: "Spec", clutch: Quantities) -> Quantities:
     """Return the quantities of a spec; refuse what its rules cannot see, of numbers: arrays have NaN there.
 
-    Raises:
-        SpecError: a gain below the threshold 2 R f_1/d, at which the sleeve would leave its stop at zero torque; no
-            wall that holds the torque.
+    Raises SpecError: a gain below the threshold 2 R f_1/d, at which the sleeve would leave its stop at zero torque; no
+    wall that holds the torque.
     """
     unit = spec.control_unit
     if not spec.kind.travels or unit is None or is_array(clutch["net_gain"]):

@@ -24,10 +24,7 @@ _CLOSE = 1e-13
 
 
 def root(
-    rising: Callable[[Values], Values],
-    slope: Callable[[Values], Values],
-    end: Values,
-    start: Values = 0.0,
+    rising: Callable[[Values], Values], slope: Callable[[Values], Values], end: Values, start: Values = 0.0
 ) -> Values:
     """Where a function that rises from ``start`` to ``end`` is 0, number by number; the nearer end where it is not.
 
@@ -62,7 +59,7 @@ class DiscCharacteristic:
 
     @property
     def thickness(self) -> float:
-        """As made: t, with flats t', m."""
+        """Thickness as made: t, with flats t', m."""
         own = self.part
         return own.thickness if own.reduced_thickness is None else own.reduced_thickness
 
@@ -216,7 +213,7 @@ class SetSpring:
 
     @cached_property
     def deflection(self) -> Values:
-        """As set, m."""
+        """Deflection as set, m."""
         if self.disc is None:
             return self.set_force / self.straight_stiffness
         return self.disc.deflection(self.set_force)
@@ -236,7 +233,7 @@ class SetSpring:
         return self.straight_stiffness if self.disc is None else (self.force(further) - self.set_force) / further
 
     def slackens(self, force: Values) -> Values:
-        """How far it lengthens until so much force is left, m."""
+        """Extension until so much force is left, m."""
         if self.disc is None:
             return (self.set_force - force) / self.straight_stiffness
         return self.deflection - self.disc.deflection(force)

@@ -4,29 +4,19 @@ from .wiring import Same
 
 
 def scatter(torque_max, torque_min):
-    """Torque scatter band, ΔT = T_max − T_min.
-
-    Source: S19 (10), (11).
-    Validity: Any clutch.
-    """
+    """Torque scatter band, ΔT = T_max − T_min. Source: S19 (10), (11). Validity: Any clutch."""
     return torque_max - torque_min
 
 
 def mid_torque(torque_max, torque_min):
-    """Torque at the middle of the scatter band, (T_min + T_max)/2.
-
-    Source: S19, conclusions.
-    Validity: Any variant.
-    """
+    """Torque at the middle of the scatter band, (T_min + T_max)/2. Source: S19, conclusions. Validity: Any variant."""
     return (torque_min + torque_max) / 2
 
 
 def accuracy_factor(torque_max, torque_min):
     """Accuracy factor, K_т = T_max/T_min.
-
-    Source: F11 (14); S21 (15); S22 (18), (19).
-    Validity: Any clutch; torque_max and torque_min are those of the case.
-    """
+    Source: F11 (14); S21 (15); S22 (18), (19). Validity: Any clutch; torque_max and torque_min are those of the
+    case."""
     return torque_max / torque_min
 
 
@@ -38,10 +28,7 @@ def conventional_accuracy_factor(
     bypass_pairs, controlled_pairs, friction_driving_min, friction_driven_min, friction_driving_max, friction_driven_max
 ):
     """Accuracy factor of an ordinary clutch in its place, K_т at C = 0; with one material f_max/f_min.
-
-    Source: F11 (14) at C = 0.
-    Validity: f_1 and f_2 move together (F11's working hypothesis).
-    """
+    Source: F11 (14) at C = 0. Validity: f_1 and f_2 move together (F11's working hypothesis)."""
     largest = bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max
     return largest / (bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min)
 
@@ -49,11 +36,9 @@ def conventional_accuracy_factor(
 def accuracy_factor_of_path(bypass_pairs, controlled_pairs, gain, friction_driving_min, friction_driven_min,
                             friction_driving_max, friction_driven_max):  # fmt: skip
     """Accuracy factor along the common path, K_т = T(f_1max, f_2max)/T(f_1min, f_2min).
-
-    Source: F11 (14); with one material S19 and S22 (18).
-    Validity: f_1 and f_2 move together (F11's working hypothesis). Below 1 where the torque falls with friction (unlike
-        materials, z_1 C f_1 > 1); the ratio largest/smallest torque is then 1/K_т.
-    """
+    Source: F11 (14); with one material S19 and S22 (18). Validity: f_1 and f_2 move together (F11's working
+    hypothesis). Below 1 where the torque falls with friction (unlike materials, z_1 C f_1 > 1); the ratio
+    largest/smallest torque is then 1/K_т."""
     largest = bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max
     least = bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
     feedback = controlled_pairs * gain

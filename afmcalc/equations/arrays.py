@@ -167,20 +167,10 @@ def quiet_division(value: Values) -> AbstractContextManager[object]:
     return nullcontext()
 
 
-def tangent(angle: Values) -> Values:
-    """Tangent, the same to the last bit for floats and arrays: NumPy's own may differ in the last."""
-    if is_array(angle):
-        import numpy as np
-
-        return np.fromiter(map(math.tan, angle.ravel()), float, angle.size).reshape(angle.shape)
-    return math.tan(float(angle))
-
-
 def finite(value: Values) -> Values:
     """Return a number, or an array in which NaN may stand for no value.
 
-    Raises:
-        OverflowError: it is beyond the range of numbers.
+    Raises OverflowError: it is beyond the range of numbers.
     """
     if is_array(value):
         import numpy as np

@@ -21,17 +21,17 @@ class Equation(NamedTuple):
     """``module.function``."""
     function: Callable[..., Any]
     summary: str
-    """First line of its docstring."""
+    """Summary: its docstring before ``Source:``."""
     source: str
-    """What follows ``Source:`` there."""
+    """Text after ``Source:`` there."""
     validity: str
-    """What follows ``Validity:``."""
+    """Text after ``Validity:``."""
     arguments: dict[str, Term]
     result: Term
 
     @property
     def about(self) -> str:
-        """What is calculated: the summary without its formula."""
+        """Name of the result: the summary without its formula."""
         return re.split("[,:;]", self.summary)[0].rstrip(".")
 
 
@@ -62,13 +62,13 @@ def _laws_of(module: ModuleType) -> Iterator[tuple[str, Callable[..., Any]]]:
 def equation_of(quantity: str, function: Callable[..., Any]) -> Equation:
     """Return what there is to say of the function that gives a quantity."""
     module, name = function.__module__.rpartition(".")[2], function.__name__.lstrip("_")
-    summary, _, rest = (inspect.getdoc(function) or "").partition("\n")
-    source, _, validity = (part.partition("\n\n")[0] for part in rest.partition("Source:")[2].partition("Validity:"))
+    summary, _, rest = " ".join((function.__doc__ or "").split()).partition(" Source: ")
+    source, _, validity = rest.partition(" Validity: ")
     own = _symbols(function.__module__)
     names = inspect.signature(function).parameters
     arguments = {one: own.get(f"{name}.{one}") or own.get(one) or term_of(one) for one in names}
-    texts = summary, " ".join(source.split()), " ".join(validity.split())
-    return Equation(f"{module}.{name}", function, *texts, arguments, own.get(quantity) or term_of(quantity))
+    result = own.get(quantity) or term_of(quantity)
+    return Equation(f"{module}.{name}", function, summary, source, validity, arguments, result)
 
 
 @cache

@@ -3,186 +3,100 @@
 
 def run_down_time(inertia, speed, torque, motor_torque):
     """Slip until the motor side stands, the tool being blocked, J_1 ω_0/(T − M_1).
-
-    Source: Handbook, chapter 9, V1.
-    Validity: T > M_1, both constant.
-    """
+    Source: Handbook, chapter 9, V1. Validity: T > M_1, both constant."""
     return inertia * speed / (torque - motor_torque)
-
-
-def run_down_energy(inertia, speed, torque, motor_torque):
-    """Heat of a slip until the motor side stands, ½ J_1 ω_0² T/(T − M_1).
-
-    Source: Handbook, chapter 9, V1.
-    Validity: T > M_1, both constant.
-    """
-    return inertia * speed * speed * torque / (2 * (torque - motor_torque))
 
 
 def speed_after(speed, inertia, torque, motor_torque, time):
     """Speed of the motor side while the clutch slips, ω_0 − (T − M_1) t/J_1.
-
-    Source: Handbook, chapter 9, V1 (balance of the motor side).
-    Validity: Until ω = 0.
-    """
+    Source: Handbook, chapter 9, V1 (balance of the motor side). Validity: Until ω = 0."""
     return speed - (torque - motor_torque) * time / inertia
 
 
 def slip_energy(torque, speed, speed_end, time):
     """Heat of a slip whose speed changes evenly, T (ω_0 + ω) t/2.
-
-    Source: Handbook, chapter 10; at an even speed Q = T ω t.
-    Validity: T constant.
-    """
+    Source: Handbook, chapter 10; at an even speed Q = T ω t. Validity: T constant."""
     return torque * (speed + speed_end) * time / 2
 
 
 def friction_area(inner_radius, outer_radius, pi):
     """Area of a pair of faces, π (r_o² − r_i²).
-
-    Source: Handbook, chapter 10.
-    Validity: Full rings; grooves and sectors reduce it.
-    """
+    Source: Handbook, chapter 10. Validity: Full rings; grooves and sectors reduce it."""
     return pi * (outer_radius**2 - inner_radius**2)
 
 
 def specific_work(energy, pairs, area):
-    """Specific work of a trip, Q/(z A).
-
-    Source: Handbook, chapter 10.
-    Validity: All pairs alike.
-    """
+    """Specific work of a trip, Q/(z A). Source: Handbook, chapter 10. Validity: All pairs alike."""
     return energy / (pairs * area)
 
 
 def slip_power(torque, speed):
-    """Power of a slip, T ω.
-
-    Source: Handbook, chapter 10.
-    """
+    """Power of a slip, T ω. Source: Handbook, chapter 10."""
     return torque * speed
 
 
 def power_density(power, pairs, area):
-    """Power per area of a pair, P/(z A).
-
-    Source: Handbook, chapter 10.
-    Validity: All pairs alike.
-    """
+    """Power per area of a pair, P/(z A). Source: Handbook, chapter 10. Validity: All pairs alike."""
     return power / (pairs * area)
 
 
 def temperature_rise(energy, mass, specific_heat):
     """Mean rise of temperature of the discs by a trip, Q/(m c).
-
-    Source: Handbook, chapter 10.
-    Validity: No cooling during the trip; nothing flows into linings and housing.
-    """
+    Source: Handbook, chapter 10. Validity: No cooling during the trip; nothing flows into linings and housing."""
     return energy / (mass * specific_heat)
-
-
-def effusivity(conductivity, density, specific_heat):
-    """Square root of k ρ c, by which bodies in contact share the heat.
-
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 2.15; handbook, chapter 10.
-    Validity: Half-spaces.
-    """
-    return (conductivity * density * specific_heat) ** 0.5
-
-
-def face_admittance(effusivity, root, through):
-    """Flux into a face per rise of it, both as Laplace transforms: b √p tanh(l √(p/a)).
-
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 3.8, transformed; handbook, chapter 10.
-    Validity: A layer of the depth l, evenly warm at first, that loses no heat at its back; bodies whose faces are
-        equally hot share the flux, and their admittances add up.
-    """
-    return effusivity * root * through
 
 
 def heated_depth(mass, density, pairs, area):
     """Depth of disc that a face has to heat, m/(ρ z A).
-
-    Source: Handbook, chapter 10: the mass of the discs shared among the pairs.
-    Validity: One face of each pair is a disc's.
-    """
+    Source: Handbook, chapter 10: the mass of the discs shared among the pairs. Validity: One face of each pair is a
+    disc's."""
     return mass / (density * pairs * area)
-
-
-def fourier_number(conductivity, density, specific_heat, time, depth):
-    """How far the heat has come in a time, k t/(ρ c l²).
-
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.3; handbook, chapter 10.
-    """
-    return conductivity * time / (density * specific_heat * depth * depth)
 
 
 def share_of_rise(temperature, ambient, temperature_limit):
     """Share that a temperature uses of the rise that a limit allows, (Θ − Θ_0)/(Θ_max − Θ_0).
-
-    Source: Handbook, chapter 10; a ratio of absolute temperatures would be no share.
-    Validity: Θ_0 < Θ_max.
-    """
+    Source: Handbook, chapter 10; a ratio of absolute temperatures would be no share. Validity: Θ_0 < Θ_max."""
     return (temperature - ambient) / (temperature_limit - ambient)
 
 
 def trips_without_cooling(temperature_limit, ambient, rise):
     """Trips one upon the other until the discs reach a limit, (Θ_max − Θ_0)/ΔΘ.
-
-    Source: Handbook, chapter 10.
-    Validity: No cooling between them.
-    """
+    Source: Handbook, chapter 10. Validity: No cooling between them."""
     return (temperature_limit - ambient) / rise
 
 
 def trips_per_time(cooling, temperature_limit, ambient, energy):
     """Trips per time whose heat is given off at the limit, α A_c (Θ_max − Θ_0)/Q.
-
-    Source: Handbook, chapter 10.
-    Validity: Mean temperature over many trips; each trip goes beyond it by up to ΔΘ.
-    """
+    Source: Handbook, chapter 10. Validity: Mean temperature over many trips; each trip goes beyond it by up to ΔΘ."""
     return cooling * (temperature_limit - ambient) / energy
 
 
 def trips_to_wear_out(pairs, area, lining, wear, energy):
     """Trips until the lining is gone, z A s_w/(w Q).
-
-    Source: Handbook, chapter 10.
-    Validity: Wear per energy does not depend on temperature.
-    """
+    Source: Handbook, chapter 10. Validity: Wear per energy does not depend on temperature."""
     return pairs * area * lining / (wear * energy)
 
 
 def setting_loss_per_wear(stiffness, pairs, force):
     """Share of the force on the pack lost per wear of a pair, c_п z/F.
-
-    Source: Handbook, chapter 10.
-    Validity: Linear spring that is not re-adjusted.
-    """
+    Source: Handbook, chapter 10. Validity: Linear spring that is not re-adjusted."""
     return stiffness * pairs / force
 
 
 def time_between_trips(mass, specific_heat, cooling, logarithm):
     """Time between trips after each of which the discs just reach a limit, m c λ/(α A_c).
-
-    Source: Handbook, chapter 10: one body that cools between trips, when every trip is as the last.
-    Validity: ΔΘ < Θ_max − Θ_0; the trip is short against the time between.
-    """
+    Source: Handbook, chapter 10: one body that cools between trips, when every trip is as the last. Validity: ΔΘ <
+    Θ_max − Θ_0; the trip is short against the time between."""
     return mass * specific_heat * logarithm / cooling
 
 
 SYMBOLS = """\
 ambient | Θ_0 | K | temperature of the surroundings
 area | A | m^2 | area of a pair
-conductivity | k | W/m/K | thermal conductivity
 cooling | α A_c | W/K | heat given off per kelvin
 density | ρ | kg/m^3 | density
-depth | l | m | depth to the middle of the disc
-effusivity | b | W*s^0.5/m^2/K | √(k ρ c)
 energy | Q | J | heat of a trip
-face_admittance | Y | W/m^2/K |
 force | F | N | force on the pack at rest
-fourier_number | Fo | 1 |
 friction_area | A | m^2 | area of a pair
 heated_depth | l | m | depth to the middle of the disc
 inertia | J_1 | kg*m^2 | moment of inertia of the motor side
@@ -194,8 +108,6 @@ pi | π | 1 | circumference over diameter of a circle
 power | P | W | power of the slip
 power_density | q | W/m^2 |
 rise | ΔΘ | K | rise of temperature by a trip
-root | √p | 1/s^0.5 | root of the variable of the transform
-run_down_energy | Q | J | heat of a trip
 run_down_time | t | s | duration of the slip
 setting_loss_per_wear | ΔF/(F δ) | 1/m |
 share_of_rise | η_Θ | 1 |
@@ -211,7 +123,6 @@ stiffness | c_п | N/m | stiffness of the spring that follows the pack
 temperature | Θ | K | temperature that is reached
 temperature_limit | Θ_max | K | largest temperature the discs may have
 temperature_rise | ΔΘ | K | rise of temperature by a trip
-through | tanh(l √(p/a)) | 1 | how far the heat comes in 1/p; 1 in a half-space
 time | t | s | time
 time_between_trips | t_p | s |
 trips_per_time | ν | 1/s |

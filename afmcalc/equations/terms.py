@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Term(NamedTuple):
-    """What a quantity is called."""
+    """Symbol, unit and meaning of a quantity."""
 
     symbol: str
     """Symbol of the papers."""
@@ -296,30 +296,13 @@ TERMS = read_terms(_TABLE)
 """Name of a quantity → what it is called."""
 
 CASES = {
-    "f_min": "f_min",
-    "f_mean": "f_cp",
-    "f_max": "f_max",
-    "setting": "f_set",
-    "rest": "f = 0",
-    "leaving": "f_L",
-    "leaving_in_range": "f_L",
-    "leaving_from_mean": "f_L",
-    "unlocking": "f_u",
-    "returning": "returning",
-    "by_min": "set at f_min",
-    "by_mean": "set at f_cp",
-    "overload": "T_н at f_min",
-    "unprotected": "unprotected side",
-    "forecast": "from f_cp",
-    "f_min_max": "f_1min, f_2max",
-    "f_max_min": "f_1max, f_2min",
-    "low": "T_low",
-    "high": "T_high",
-    "slips": "each slip",
-    "each_slip": "each slip",
-    "along_wall": "along the wall",
+    "f_min": "f_min", "f_mean": "f_cp", "f_max": "f_max", "setting": "f_set", "rest": "f = 0", "leaving": "f_L",
+    "leaving_in_range": "f_L", "leaving_from_mean": "f_L", "unlocking": "f_u", "returning": "returning",
+    "by_min": "set at f_min", "by_mean": "set at f_cp", "overload": "T_н at f_min", "unprotected": "unprotected side",
+    "forecast": "from f_cp", "f_min_max": "f_1min, f_2max", "f_max_min": "f_1max, f_2min", "low": "T_low",
+    "high": "T_high", "slips": "each slip", "each_slip": "each slip", "along_wall": "along the wall",
     **dict.fromkeys(("worst_case", "peak", "hysteresis", "expected", "actual", "equilibrium"), ""),
-}
+}  # fmt: skip
 """Case → how an explanation calls it; empty where the quantity in this case has a row of its own."""
 _SYMBOLS = {"returning": "κ₊", "by_min": "F_п,1", "by_mean": "F_п,2", "overload": "f_min"}
 """Case → what a symbol in it is followed by, where that is shorter."""

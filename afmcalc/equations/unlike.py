@@ -6,47 +6,35 @@ from .wiring import Same
 
 def friction_driving_mean(friction_driving_min, friction_driving_max):
     """Mean friction of the bypass pairs where none is given, f_1cp = (f_1min + f_1max)/2.
-
-    Source: Convention: the middle of the range.
-    Validity: 0 < f_1min ≤ f_1max.
-    """
+    Source: Convention: the middle of the range. Validity: 0 < f_1min ≤ f_1max."""
     return (friction_driving_min + friction_driving_max) / 2
 
 
 def friction_driven_mean(friction_driven_min, friction_driven_max):
     """Mean friction of the controlled pairs where none is given, f_2cp = (f_2min + f_2max)/2.
-
-    Source: Convention: the middle of the range.
-    Validity: 0 < f_2min ≤ f_2max.
-    """
+    Source: Convention: the middle of the range. Validity: 0 < f_2min ≤ f_2max."""
     return (friction_driven_min + friction_driven_max) / 2
 
 
 def torque_min(torque_at_f_min, torque_at_f_mean, torque_at_f_max):
     """Smallest slip torque along the common path, at its start, its mean or its end.
-
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3).
-    Validity: f_1 and f_2 move together (F11's working hypothesis).
-    """
+    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
+    together (F11's working hypothesis)."""
     return smaller(torque_at_f_min, torque_at_f_mean, torque_at_f_max)
 
 
 def torque_max(torque_at_f_min, torque_at_f_mean, torque_at_f_max):
     """Largest slip torque along the common path, at its start, its mean or its end.
-
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3).
-    Validity: f_1 and f_2 move together (F11's working hypothesis).
-    """
+    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
+    together (F11's working hypothesis)."""
     return larger(torque_at_f_min, torque_at_f_mean, torque_at_f_max)
 
 
 def friction_of_torque_min(torque_at_f_min, torque_at_f_mean, torque_at_f_max, friction_driving_min,
                            friction_driving_mean, friction_driving_max):  # fmt: skip
     """Friction f_1 where the torque is smallest.
-
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3).
-    Validity: f_1 and f_2 move together.
-    """
+    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
+    together."""
     torques = torque_at_f_min, torque_at_f_mean, torque_at_f_max
     return place_of_smallest(torques, (friction_driving_min, friction_driving_mean, friction_driving_max))
 
@@ -54,29 +42,23 @@ def friction_of_torque_min(torque_at_f_min, torque_at_f_mean, torque_at_f_max, f
 def friction_of_torque_max(torque_at_f_min, torque_at_f_mean, torque_at_f_max, friction_driving_min,
                            friction_driving_mean, friction_driving_max):  # fmt: skip
     """Friction f_1 where the torque is largest.
-
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3).
-    Validity: f_1 and f_2 move together.
-    """
+    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
+    together."""
     torques = torque_at_f_min, torque_at_f_mean, torque_at_f_max
     return place_of_largest(torques, (friction_driving_min, friction_driving_mean, friction_driving_max))
 
 
 def torque_min_from_mean(torque_at_f_mean, torque_at_f_max):
     """Smallest slip torque from the mean friction on.
-
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3).
-    Validity: f_1 and f_2 move together.
-    """
+    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
+    together."""
     return smaller(torque_at_f_mean, torque_at_f_max)
 
 
 def torque_max_from_mean(torque_at_f_mean, torque_at_f_max):
     """Largest slip torque from the mean friction on.
-
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3).
-    Validity: f_1 and f_2 move together.
-    """
+    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
+    together."""
     return larger(torque_at_f_mean, torque_at_f_max)
 
 
@@ -84,30 +66,19 @@ def torque_max_from_mean(torque_at_f_mean, torque_at_f_max):
 
 
 def friction_ratio_max(friction_driven_max, friction_driving_max):
-    """Ratio of the largest frictions, n = f_2max/f_1max.
-
-    Source: F11 (15).
-    Validity: f_1max > 0.
-    """
+    """Ratio of the largest frictions, n = f_2max/f_1max. Source: F11 (15). Validity: f_1max > 0."""
     return friction_driven_max / friction_driving_max
 
 
 def friction_ratio_min(friction_driven_min, friction_driving_min):
-    """Ratio of the smallest frictions, p = f_2min/f_1min.
-
-    Source: F11 (16).
-    Validity: f_1min > 0.
-    """
+    """Ratio of the smallest frictions, p = f_2min/f_1min. Source: F11 (16). Validity: f_1min > 0."""
     return friction_driven_min / friction_driving_min
 
 
 def accuracy_factor_by_ratios(bypass_pairs, controlled_pairs, gain, friction_ratio_max, friction_ratio_min,
                               friction_driving_min, friction_driving_max):  # fmt: skip
     """Accuracy factor in ratios, n = f_2max/f_1max, p = f_2min/f_1min, m = f_1max/f_1min.
-
-    Source: F11 (17) with (15), (16).
-    Validity: As ``accuracy_factor``; n and p are free as long as f_2min ≤ f_2max.
-    """
+    Source: F11 (17) with (15), (16). Validity: As ``accuracy_factor``; n and p are free as long as f_2min ≤ f_2max."""
     growth = friction_driving_max / friction_driving_min
     largest = bypass_pairs + controlled_pairs * friction_ratio_max
     least = bypass_pairs + controlled_pairs * friction_ratio_min
@@ -119,10 +90,8 @@ def accuracy_factor_by_ratios(bypass_pairs, controlled_pairs, gain, friction_rat
 def slope_in_ratio_max(bypass_pairs, controlled_pairs, gain, friction_ratio_max, friction_ratio_min,
                        friction_driving_min, friction_driving_max):  # fmt: skip
     """Slope ∂K_т/∂n; its sign is that of 1 − z_1 C f_1max for every n.
-
-    Source: F11 (18), mended (M2: printed with the factor z_1 − C f_1max).
-    Validity: As ``accuracy_factor_by_ratios``.
-    """
+    Source: F11 (18), mended (M2: printed with the factor z_1 − C f_1max). Validity: As
+    ``accuracy_factor_by_ratios``."""
     growth = friction_driving_max / friction_driving_min
     at_min = 1 + controlled_pairs * gain * friction_ratio_min * friction_driving_min
     at_max = 1 + controlled_pairs * gain * friction_ratio_max * friction_driving_max
@@ -134,10 +103,8 @@ def slope_in_ratio_max(bypass_pairs, controlled_pairs, gain, friction_ratio_max,
 def slope_in_ratio_min(bypass_pairs, controlled_pairs, gain, friction_ratio_max, friction_ratio_min,
                        friction_driving_min, friction_driving_max):  # fmt: skip
     """Slope ∂K_т/∂p; its sign is that of z_1 C f_1min − 1 for every p.
-
-    Source: F11 (22), mended (M3: printed with the factor C f_1min − z_1).
-    Validity: As ``accuracy_factor_by_ratios``.
-    """
+    Source: F11 (22), mended (M3: printed with the factor C f_1min − z_1). Validity: As
+    ``accuracy_factor_by_ratios``."""
     growth = friction_driving_max / friction_driving_min
     largest = bypass_pairs + controlled_pairs * friction_ratio_max
     least = bypass_pairs + controlled_pairs * friction_ratio_min
@@ -151,35 +118,26 @@ def slope_in_ratio_min(bypass_pairs, controlled_pairs, gain, friction_ratio_max,
 
 def friction_driving_slips(friction_driving_min, friction_driving_mean, friction_driving_max, bend_of_path):
     """Frictions f_1 of slips that are uniformly distributed along the common path, 256 of them.
-
-    Source: Handbook, chapter 4.
-    Validity: f_1 and f_2 move together, to their means and on from there.
-    """
-    share = spread(0.0, 1.0, 256, ends=False)
-    below, above = smaller(share / bend_of_path, 1.0), larger((share - bend_of_path) / (1 - bend_of_path), 0.0)
-    rising, further = friction_driving_mean - friction_driving_min, friction_driving_max - friction_driving_mean
-    return friction_driving_min + below * rising + above * further
+    Source: Handbook, chapter 4. Validity: f_1 and f_2 move together, to their means and on from there."""
+    return _along_path(friction_driving_min, friction_driving_mean, friction_driving_max, bend_of_path)
 
 
 def friction_driven_slips(friction_driven_min, friction_driven_mean, friction_driven_max, bend_of_path):
     """Frictions f_2 of slips that are uniformly distributed along the common path, 256 of them.
+    Source: Handbook, chapter 4. Validity: f_1 and f_2 move together, to their means and on from there."""
+    return _along_path(friction_driven_min, friction_driven_mean, friction_driven_max, bend_of_path)
 
-    Source: Handbook, chapter 4.
-    Validity: f_1 and f_2 move together, to their means and on from there.
-    """
+
+def _along_path(least, mean, largest, bend):
     share = spread(0.0, 1.0, 256, ends=False)
-    below, above = smaller(share / bend_of_path, 1.0), larger((share - bend_of_path) / (1 - bend_of_path), 0.0)
-    rising, further = friction_driven_mean - friction_driven_min, friction_driven_max - friction_driven_mean
-    return friction_driven_min + below * rising + above * further
+    below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
+    return least + below * (mean - least) + above * (largest - mean)
 
 
 def bend_of_path(friction_driving_min, friction_driving_mean, friction_driving_max, friction_driven_min,
                  friction_driven_mean, friction_driven_max):  # fmt: skip
     """Share of the common path at which both frictions have their means.
-
-    Source: Handbook, chapter 4.
-    Validity: Within the path, not at its ends.
-    """
+    Source: Handbook, chapter 4. Validity: Within the path, not at its ends."""
     first = friction_driving_mean - friction_driving_min + friction_driven_mean - friction_driven_min
     second = friction_driving_max - friction_driving_mean + friction_driven_max - friction_driven_mean
     return larger(smaller(first / larger(first + second, 1e-300), 1 - 1e-12), 1e-12)
@@ -187,19 +145,13 @@ def bend_of_path(friction_driving_min, friction_driving_mean, friction_driving_m
 
 def friction_driving_slips_from_mean(friction_driving_mean, friction_driving_max):
     """Frictions f_1 of slips from the mean on, 256 of them.
-
-    Source: Handbook, chapter 4; S19 forecasts from the mean friction on.
-    Validity: As ``friction_driving_slips``.
-    """
+    Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: As ``friction_driving_slips``."""
     return spread(friction_driving_mean, friction_driving_max, 256, ends=False)
 
 
 def friction_driven_slips_from_mean(friction_driven_mean, friction_driven_max):
     """Frictions f_2 of slips from the mean on, 256 of them.
-
-    Source: Handbook, chapter 4; S19 forecasts from the mean friction on.
-    Validity: As ``friction_driven_slips``.
-    """
+    Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: As ``friction_driven_slips``."""
     return spread(friction_driven_mean, friction_driven_max, 256, ends=False)
 
 
@@ -214,15 +166,11 @@ CASES = {
         for case, end in {"f_min": "min", "f_mean": "mean", "f_max": "max", "setting": "set"}.items()
     },
     "by_min": {
-        "closing_force": "closing_force_by_min",
-        "margin_in_spring": "unity",
-        "friction_driving_set": "friction_driving_min",
-        "friction_driven_set": "friction_driven_min",
+        "closing_force": "closing_force_by_min", "margin_in_spring": "unity",
+        "friction_driving_set": "friction_driving_min", "friction_driven_set": "friction_driven_min",
     },
     "by_mean": {
-        "closing_force": "closing_force_by_mean",
-        "margin_in_spring": "margin",
-        "friction_driving_set": "friction_driving_mean",
-        "friction_driven_set": "friction_driven_mean",
+        "closing_force": "closing_force_by_mean", "margin_in_spring": "margin",
+        "friction_driving_set": "friction_driving_mean", "friction_driven_set": "friction_driven_mean",
     },
-}
+}  # fmt: skip

@@ -1,4 +1,4 @@
-"""What stands beside functions in a table of laws."""
+"""Entries of a table of laws that are no functions."""
 
 from typing import NamedTuple
 

@@ -9,8 +9,8 @@ from typing import Literal, NamedTuple
 
 from ..errors import AfmcalcError
 from ..findings import Finding, finding
-from ..messages import did_you_mean, joined, say, term
-from ..result import Answer, Result, Sentence, described, quantity
+from ..messages import did_you_mean, say, translate
+from ..result import Answer, Result, described, quantity
 from . import FIGURES, PAPERS
 from .register import check_papers, data
 
@@ -49,7 +49,7 @@ class PaperFigure(NamedTuple):
     y: list[PaperAxis]
     """The ordinate of each panel."""
     inputs: str
-    """As printed."""
+    """Inputs as printed."""
     corrections: list[str]
     """Misprints mended, with their numbers."""
     assumed: str = ""
@@ -85,10 +85,8 @@ def paper_figure(name: str) -> PaperFigure:
     if wanted not in FIGURES:
         raise AfmcalcError(
             "no figure {name!r}{hint}; there are: {figures}",
-            name=name,
-            hint=did_you_mean(wanted, FIGURES),
-            figures=", ".join(FIGURES),
-        )
+            name=name, hint=did_you_mean(wanted, FIGURES), figures=", ".join(FIGURES),
+        )  # fmt: skip
     paper, _, number = wanted.partition("-")
     return getattr(import_module(f".{PAPERS[paper]}", __package__), f"figure_{number}")()
 
@@ -101,7 +99,7 @@ def verdict(as_printed: bool, corrected: bool = False) -> Verdict:
 
 
 def near(computed: float, printed: float, digits: float) -> bool:
-    """Whether a computed number rounds to the printed one: ``digits`` is a unit in its last place."""
+    """True if a computed number rounds to the printed one: ``digits`` is a unit in its last place."""
     return abs(computed - printed) <= digits
 
 
@@ -112,7 +110,7 @@ class Row(Result):
     source: str = described("source")
     inputs: str = described("inputs")
     printed: str = described("printed")
-    computed: Sentence = described("computed")
+    computed: str = described("computed")
     deviation: float | None = quantity("1", "dev.", "relative deviation: computed/printed − 1")
     verdict: Verdict = described("verdict")
     correction: str | None = described("correction")
@@ -125,12 +123,12 @@ class CurveRow(Result):
     figure: str = described("figure")
     curve: str = described("curve")
     label: str = described("what it shows")
-    axes: Sentence = described("axes")
+    axes: str = described("axes")
     first: float = quantity("1", None, "y first")
     least: float = quantity("1", None, "y least")
     largest: float = quantity("1", None, "y largest")
     last: float = quantity("1", None, "y last")
-    corrections: Sentence = described("corrections", detail=True)
+    corrections: str = described("corrections", detail=True)
 
 
 class CurvePoint(Result):
@@ -156,12 +154,12 @@ class ReproduceResult(Answer):
 
 
 @cache
-def claims() -> list[dict[str, str]]:
-    """What the papers print, with the verdict on record; a different one means the formulas have changed."""
+def recorded_claims() -> list[dict[str, str]]:
+    """Claims of the papers, with the verdict on record; a different one means the formulas have changed."""
     return data("claims.toml")["claim"]
 
 
-def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
+def claims(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
     """Recompute what the papers print, in the order of its numbers, and the curves of their figures.
 
     Args:
@@ -177,12 +175,12 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
     # the function ``p1`` of a paper's module recomputes its claim P1
     rows = [
         Row(**{"correction": None, **entry, **recompute()._asdict()})
-        for entry in claims()
+        for entry in recorded_claims()
         for module in modules
         if (recompute := getattr(module, entry["id"].lower(), None)) is not None
     ]
     verdicts = [row.verdict for row in rows]
-    recorded = {entry["id"]: entry["verdict"] for entry in claims()}
+    recorded = {entry["id"]: entry["verdict"] for entry in recorded_claims()}
     findings = [
         finding("unexpected-verdict", "error", row=row.id, verdict=row.verdict, record=recorded[row.id])
         for row in rows
@@ -190,35 +188,27 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
     ]
     shown = [paper_figure(name) for name in figures or FIGURES if figures or not papers or name.split("-")[0] in papers]
     result = ReproduceResult(
-        rows=rows,
-        reproduced=verdicts.count("reproduced"),
-        corrected=verdicts.count("reproduced with correction"),
-        not_reproduced=verdicts.count("not reproduced"),
-        undecided=verdicts.count("undecided"),
-        as_expected=not findings,
-        curves=[row for figure in shown for row in _curves(figure)],
+        rows=rows, reproduced=verdicts.count("reproduced"), corrected=verdicts.count("reproduced with correction"),
+        not_reproduced=verdicts.count("not reproduced"), undecided=verdicts.count("undecided"),
+        as_expected=not findings, curves=[row for figure in shown for row in _curves(figure)],
         points=[point for figure in shown for point in _points(figure)] if figures else None,
-    )
+    )  # fmt: skip
     return result, findings
 
 
 def _curves(figure: PaperFigure) -> list[CurveRow]:
     """Sum up the curves of a figure."""
+    x = figure.x.symbol or translate(figure.x.name)
     return [
         CurveRow(
-            figure=figure.name,
-            curve=curve.number or curve.label,
-            label=curve.label,
-            axes=say("{y} over {x}", y=term(axis.symbol or axis.name), x=term(figure.x.symbol or figure.x.name)),
-            first=curve.y[0],
-            least=min(curve.y),
-            largest=max(curve.y),
-            last=curve.y[-1],
-            corrections=joined(map(term, figure.corrections), "; "),
+            figure=figure.name, curve=curve.number or curve.label, label=curve.label,
+            axes=say("{y} over {x}", y=y, x=x), first=curve.y[0], least=min(curve.y), largest=max(curve.y),
+            last=curve.y[-1], corrections="; ".join(map(translate, figure.corrections)),
         )
         for axis, panel in zip(figure.y, figure.panels, strict=True)
+        for y in [axis.symbol or translate(axis.name)]
         for curve in panel
-    ]
+    ]  # fmt: skip
 
 
 def _points(figure: PaperFigure) -> list[CurvePoint]:

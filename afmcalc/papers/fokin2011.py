@@ -116,11 +116,8 @@ def p15() -> Found:
     ]
     text = say(
         "elasticities: n {in_n:.3f}, p {in_p:.3f}, m {by_max:.3f} (by f_1max) or {by_min:.3f} (by f_1min)",
-        in_n=in_n,
-        in_p=in_p,
-        by_max=in_m[0],
-        by_min=in_m[1],
-    )
+        in_n=in_n, in_p=in_p, by_max=in_m[0], by_min=in_m[1],
+    )  # fmt: skip
     return Found(text, verdict(abs(in_n) > max(abs(in_p), *map(abs, in_m))))
 
 

@@ -87,41 +87,29 @@ def _sources() -> dict[str, Any]:
 
 
 def check_papers(papers: list[str]) -> None:
-    """Refuse a paper that there is not.
-
-    Raises:
-        AfmcalcError: no such paper.
-    """
+    """Refuse a paper that there is not. Raises AfmcalcError: no such paper."""
     for paper in papers:
         if paper not in PAPERS:
             raise AfmcalcError(
                 "--paper {paper}: no such paper{hint}; papers: {papers}",
-                paper=paper,
-                hint=did_you_mean(paper, PAPERS),
-                papers=", ".join(PAPERS),
-            )
+                paper=paper, hint=did_you_mean(paper, PAPERS), papers=", ".join(PAPERS),
+            )  # fmt: skip
 
 
 def is_numbered(formula: Formula) -> bool:
-    """Whether the paper numbers the formula."""
+    """True if the paper numbers the formula."""
     return "unnumbered" not in formula.id
 
 
 def is_accounted(formula: Formula) -> bool:
-    """Whether a function implements the formula or an identity covers it."""
+    """True if a function implements the formula or an identity covers it."""
     return formula.function is not None or formula.covered_by is not None or formula.proof is not None
 
 
-def equations(
-    papers: list[str],
-    ids: list[str],
-    *,
-    show_misprints: bool = False,
-) -> tuple[EquationsResult, list[Finding]]:
+def papers(papers: list[str], ids: list[str], *, show_misprints: bool = False) -> tuple[EquationsResult, list[Finding]]:
     """Look up papers, or formulas such as ``S21 (15)``, in the register, all where none are asked for.
 
-    Raises:
-        AfmcalcError: no such paper or formula.
+    Raises AfmcalcError: no such paper or formula.
     """
     check_papers(papers)
     chosen = [entry for entry in register() if not papers or entry.id.split()[0] in papers]
@@ -129,8 +117,8 @@ def equations(
     for name in ids:
         if name not in known:
             where = {
-                "M": say("; equations --misprints lists misprints"),
-                "P": say("; reproduce has the printed figures"),
+                "M": say("; papers --misprints lists misprints"),
+                "P": say("; papers --claims has the printed figures"),
             }
             hint = where.get(name[:1]) if name[1:].isdecimal() else None
             raise AfmcalcError("--id {name}: no such formula{hint}", name=name, hint=hint or did_you_mean(name, known))
@@ -138,9 +126,7 @@ def equations(
     numbered = [entry for entry in chosen if is_numbered(entry)]
     slips = [m for m in misprints() if not papers or m.where.split()[0] in papers] if show_misprints else None
     result = EquationsResult(
-        numbered=len(numbered),
-        accounted=sum(is_accounted(entry) for entry in numbered),
-        formulas=None if show_misprints else chosen,
-        misprints=slips,
-    )
+        numbered=len(numbered), accounted=sum(is_accounted(entry) for entry in numbered),
+        formulas=None if show_misprints else chosen, misprints=slips,
+    )  # fmt: skip
     return result, []

@@ -106,11 +106,8 @@ def p17() -> Found:
     ceiling = LEAST * _MEAN / _MIN
     text = say(
         "K_т {factors:.3f}, never above {most:.3f} (the bands: {implied:.1f}); T_cp at most {ceiling:.0f N·m}",
-        implied=[(LEAST + band) / LEAST for band in FIRST],
-        factors=computed,
-        most=_MAX / _MIN,
-        ceiling=ceiling,
-    )
+        implied=[(LEAST + band) / LEAST for band in FIRST], factors=computed, most=_MAX / _MIN, ceiling=ceiling,
+    )  # fmt: skip
     return Found(text, verdict(ceiling >= MEAN), ceiling / MEAN - 1)
 
 
@@ -121,7 +118,7 @@ def _ends(pairs: int, margin: float, setting: float) -> tuple[float, float]:
 
 
 def _ratios(of: Callable[[float, float], float], pairs: Iterable[int] = PAIRS) -> list[float]:
-    """What is asked of T_max and T_min, second method over first."""
+    """Ratios of ``of(T_max, T_min)``, second method over first."""
     ends = [(_ends(z, _MARGIN, _MEAN), _ends(z, 1.0, _MIN)) for z in pairs]
     return [of(second[1], second[0]) / of(first[1], first[0]) for second, first in ends]
 
@@ -150,9 +147,6 @@ def p26() -> Found:
     """The middle of the band is lower with the first method."""
     ratios, below = (_ratios(lambda high, low: (high + low) / 2, pairs) for pairs in (PAIRS, (8,)))
     text = say(
-        "second over first {ratios:.3f} for z = {pairs}; {below:.3f} for z = 8",
-        ratios=ratios,
-        pairs=PAIRS,
-        below=below,
+        "second over first {ratios:.3f} for z = {pairs}; {below:.3f} for z = 8", ratios=ratios, pairs=PAIRS, below=below
     )
     return Found(text, verdict(min(ratios) > 1))

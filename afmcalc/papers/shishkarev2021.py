@@ -122,11 +122,9 @@ def p5() -> Found:
     at = [float(_stiffer(gain)) for gain in (1.0, 4.0)]
     averages = [_average(_stiffer, *gains) for gains in _RANGES]
     return _open(
-        1.03,
-        at,
-        averages,
+        1.03, at, averages,
         say("{first:.3f} at C 1, {last:.3f} at C 4; {average}", first=at[0], last=at[1], average=_over(averages)),
-    )
+    )  # fmt: skip
 
 
 def p6() -> Found:
@@ -135,10 +133,8 @@ def p6() -> Found:
     averages = [_average(_doubled, low, high / 2) for low, high in _RANGES]
     computed = say(
         "{first:.3f} (C 1 → 2), {last:.3f} (2 → 4); {average} (C and 2C)",
-        first=at[0],
-        last=at[1],
-        average=_over(averages),
-    )
+        first=at[0], last=at[1], average=_over(averages),
+    )  # fmt: skip
     return _open(1.18, at, averages, computed)
 
 
@@ -258,8 +254,6 @@ def p30() -> Found:
     factors = [float(factor(1.0, stiffness)) for stiffness in _CLOSING]
     text = say(
         "K_т at C 1 with c_1 = {stiffnesses:.0f N/mm}: {factors:.3f}; base clutch {base:.3f} with each",
-        stiffnesses=_CLOSING,
-        factors=factors,
-        base=base_factor(1.0),
-    )
+        stiffnesses=_CLOSING, factors=factors, base=base_factor(1.0),
+    )  # fmt: skip
     return Found(text, verdict(factors[0] > factors[1] > factors[2]))

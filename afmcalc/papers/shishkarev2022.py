@@ -6,7 +6,7 @@ import numpy as np
 
 from ..equations import accuracy, adjustment, direct, indirect, overload
 from ..equations.arrays import Values
-from ..messages import say, term
+from ..messages import say, translate
 from .claims import Found, PaperAxis, PaperFigure, curve, near, verdict
 
 _THRESHOLD: Any = adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"]
@@ -70,13 +70,11 @@ def figure_2() -> PaperFigure:
     ]
     right = [
         curve(
-            number,
-            f"left root, f_min = {low:g}",
-            reduced,
+            number, f"left root, f_min = {low:g}", reduced,
             overload.friction_at_equal_potential(low, MARGIN, gains[low]),
         )
         for number, low in (("3", 0.1), ("5", 0.2))
-    ]
+    ]  # fmt: skip
     shown = reduced[reduced >= 1]
     right.append(curve("4, 6", "right root 1/(zC), both f_min", shown, overload.friction_at_unit_loop_gain(shown)))
     return PaperFigure(
@@ -158,10 +156,8 @@ def p10() -> Found:
     closed = float(overload.optimal_reduced_gain(HIGH))
     text = say(
         "zC = {best:.3f} by scan, {closed:.3f} = 1/f_max; A(1.6) = {there:.3f}",
-        best=best,
-        closed=closed,
-        there=factor(1.6),
-    )
+        best=best, closed=closed, there=factor(1.6),
+    )  # fmt: skip
     return Found(text, verdict(near(best, 1.6, 0.05)), best / 1.6 - 1)
 
 
@@ -253,10 +249,8 @@ def p22() -> Found:
     thresholds = [float(_THRESHOLD(1, 1.6, 0.15, 0.33, margin)) for margin in (1.25, 1.5)]
     text = say(
         "rises: {rises}; {ends:.3f}; z > {thresholds:.3f}",
-        rises=term("yes" if rises else "no"),
-        ends=ends,
-        thresholds=thresholds,
-    )
+        rises=translate("yes" if rises else "no"), ends=ends, thresholds=thresholds,
+    )  # fmt: skip
     return Found(text, verdict(rises and ends[0] < 0.1 and ends[1] < 0.2 and thresholds[1] < thresholds[0]))
 
 

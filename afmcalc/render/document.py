@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Any, NamedTuple
 
-from ..messages import joined, translate
+from ..messages import translate
 from ..result import OpenTriple, Result, Series, Shown, Triple, shown_as
 
 ENDS = {"min": "at f_min", "mean": "at mean f", "max": "at f_max"}
@@ -39,7 +39,7 @@ class Column(NamedTuple):
     errors: Sequence[Any] = ()
     """Standard errors of the values, where they have any."""
     hidden: bool = False
-    """Whether formats for people leave the column out, because another column shows it."""
+    """True if formats for people leave the column out, because another column shows it."""
 
 
 class Table(NamedTuple):
@@ -146,11 +146,11 @@ def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
 
 
 def _word(record: Result, name: str, shown: Shown) -> str | None:
-    """What people read instead of a field's value; None: the value."""
+    """Word that people read instead of a field's value; None: the value."""
     value = getattr(record, name)
     if shown.in_words is None or not isinstance(value, str | list):
         return record.words(name)
-    return joined(map(shown.in_words, [value] if isinstance(value, str) else value), "; ")
+    return "; ".join(map(shown.in_words, [value] if isinstance(value, str) else value))
 
 
 def _records(records: Sequence[Result]) -> Table:

@@ -1,20 +1,18 @@
-"""A drawing as a list of shapes in millimetres, each on a layer that says what it is: painted as SVG or into axes.
+"""A drawing as data: shapes in millimetres, each on a layer that says what it is; ``svg`` and ``dxf`` write it.
 
-The axis of x runs to the right, that of y upwards. Whoever writes another format walks ``Drawing.shapes``.
+The axis of x runs to the right, that of y upwards.
 """
 
 import math
 import textwrap
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from html import escape
-from importlib import import_module
-from itertools import chain, product
-from typing import Any, NamedTuple, TypeAlias
+from itertools import product
+from typing import NamedTuple, TypeAlias
 
-from ..messages import printable
-from .plot.paint import COLOURS, INK, PAPER, SHADE, WIDTH, WRONG
-from .symbols import literal, mathtext, split
+from ..messages import localized
+from .plot.paint import COLOURS, INK, PAPER, SHADE, WRONG
+from .symbols import split
 
 Point: TypeAlias = tuple[float, float]
 Rectangle: TypeAlias = tuple[float, float, float, float]
@@ -22,17 +20,19 @@ Rectangle: TypeAlias = tuple[float, float, float, float]
 
 
 class Layer(NamedTuple):
-    """How the lines of a layer look; the width in points of a drawing that is as wide as the text of a page."""
+    """How the lines of a layer look; millimetres on paper."""
 
     about: str
     colour: str
+    number: int
+    """Of the colour among AutoCAD's."""
     width: float
-    dashes: tuple[float, ...] = ()
-    """Lengths of dashes and gaps, points."""
+    line: str = "CONTINUOUS"
+    """One of ``DASHES``, else whole."""
     fill: float = 0.0
     """Opacity that its areas are filled with."""
     hides: bool = False
-    """Whether its areas hide what is painted before them: they are filled with the colour of the paper."""
+    """True if its areas hide what is painted before them: they are filled with the colour of the paper."""
 
     @property
     def face(self) -> str:
@@ -40,19 +40,32 @@ class Layer(NamedTuple):
         return PAPER if self.hides else self.colour
 
 
+HIDDEN, CENTRE, GHOST = "HIDDEN2", "CENTER2", "DIVIDE2"
+DASHES = {HIDDEN: (1.4, 0.7), CENTRE: (3.2, 0.7, 0.5, 0.7), GHOST: (2.5, 0.5, 0.35, 0.5, 0.35, 0.5)}
+"""Type of a line → lengths of its dashes and gaps, mm on paper."""
 LAYERS: dict[str, Layer] = {
-    "faces": Layer("friction faces, from their end", SHADE, 0.5, fill=0.28),
-    "discs": Layer("friction discs, one a pair", COLOURS[0], 0.5, fill=0.3),
-    "bypass": Layer("discs of the pairs that bypass the control unit", COLOURS[1], 0.5, fill=0.6),
-    "hatch": Layer("cut faces", INK, 0.35),
-    "outline": Layer("edges that are seen", INK, 1.1),
-    "assumed": Layer("edges of what is drawn at a default", INK, 0.8, (4, 2), 1.0, hides=True),
-    "springs": Layer("springs", COLOURS[2], 1.0),
-    "balls": Layer("balls of the control unit", COLOURS[0], 1.3, fill=1.0, hides=True),
-    "ghost": Layer("parts that move, where they are at f_max", COLOURS[3], 0.9, (7, 1.5, 1, 1.5, 1, 1.5)),
-    "overlap": Layer("where parts are in each other's way", WRONG, 0.8, fill=0.55),
-    "centre": Layer("centre lines", INK, 0.45, (9, 2, 1.5, 2)),
-    "dimensions": Layer("dimensions, numbers of the parts and their list", INK, 0.45, fill=1.0),
+    "faces": Layer("friction faces, from their end", SHADE, 8, 0.18, fill=0.28),
+    "discs": Layer("friction discs, one a pair", COLOURS[0], 5, 0.18, fill=0.3),
+    "bypass": Layer("discs of the pairs that bypass the control unit", COLOURS[1], 30, 0.18, fill=0.6),
+    "hatch": Layer("cut faces", INK, 8, 0.13),
+    "outline": Layer("edges that are seen", INK, 7, 0.4),
+    "sleeve_1": Layer("sleeve with the profiled wall", INK, 7, 0.5),
+    "sleeve_2": Layer("the other sleeve", INK, 7, 0.5),
+    "pocket_1": Layer("pocket of the profiled wall: to cut", INK, 7, 0.5),
+    "pocket_2": Layer("pocket of the other sleeve: to cut", INK, 7, 0.5),
+    "end_view": Layer("a sleeve seen from its pockets", INK, 7, 0.5),
+    "assumed": Layer("edges of what is drawn at a default", INK, 7, 0.25, HIDDEN, fill=1.0, hides=True),
+    "springs": Layer("springs", COLOURS[2], 3, 0.35),
+    "balls": Layer("balls of the control unit", COLOURS[0], 5, 0.5, fill=1.0, hides=True),
+    "ball": Layer("the ball at the stop", COLOURS[0], 5, 0.25, GHOST),
+    "contact": Layer("where the ball touches", COLOURS[1], 30, 0.25, fill=1.0),
+    "path": Layer("path of the ball's centre in the profiled sleeve", COLOURS[2], 3, 0.25, CENTRE),
+    "ghost": Layer("parts that move, where they are at f_max", COLOURS[3], 6, 0.3, GHOST),
+    "overlap": Layer("where parts are in each other's way", WRONG, 1, 0.3, fill=0.55),
+    "centre": Layer("centre lines", INK, 1, 0.18, CENTRE),
+    "dimensions": Layer("dimensions, notes and the list of the parts", INK, 7, 0.18, fill=1.0),
+    "title": Layer("title block", INK, 7, 0.25),
+    "frame": Layer("frame of the sheet", INK, 7, 0.7),
 }
 """Name → look, in the order they are painted."""
 
@@ -90,37 +103,70 @@ class Inscription(NamedTuple):
 
     text: str
     at: Point
+    height: float
+    """Size of the text, millimetres of the drawing: its capital letters are 0.7 as high."""
     anchor: str = "start"
     """``start``, ``middle`` or ``end``."""
     upright: bool = False
-    """Whether it reads from below upwards."""
+    """True if it reads from below upwards."""
     ours: bool = True
-    """Whether symbols in it are set as such; what a user wrote is set as it is."""
+    """True if symbols in it are set as such; what a user wrote is set as it is."""
+    layer: str = "dimensions"
 
 
-class DimensionLine(NamedTuple):
+class Length(NamedTuple):
     """A dimension between two points, its line along x at a height ``line``, or upright along y at an x."""
 
-    key: str
     label: str
+    height: float
     start: Point
     end: Point
     line: float
     upright: bool = False
+    key: str = ""
     about: str = ""
+    shrunk: float = 1.0
+    """Scale of what is drawn smaller than the rest of the drawing."""
+    layer: str = "dimensions"
+
+
+class Diameter(NamedTuple):
+    """A dimension across a circle, at an angle to x in degrees."""
+
+    label: str
+    height: float
+    centre: Point
+    radius: float
+    angle: float
+    shrunk: float = 1.0
+    layer: str = "dimensions"
+
+
+class Angle(NamedTuple):
+    """A dimension between two lines from an apex, anticlockwise from the first to the second."""
+
+    label: str
+    height: float
+    apex: Point
+    first: Point
+    second: Point
+    radius: float
+    """Of its arc."""
+    layer: str = "dimensions"
 
 
 Simple: TypeAlias = Region | Stroke | Circle | Inscription
-Shape: TypeAlias = Simple | DimensionLine
+Dimension: TypeAlias = Length | Diameter | Angle
+Shape: TypeAlias = Simple | Dimension
 
-TEXT = 9.0
-"""Points of every text."""
-LETTER = 0.62
+WIDTH = 175.0
+"""Width of a drawing that is as wide as the text of a page, mm on paper."""
+TEXT = 3.2
+"""Size of its texts, mm on paper: nine points."""
+_LETTER = 0.62
 """Width of a letter over the size of the text, at most about."""
-_ARROW = 5.0, 1.3
-"""Length and half width of the head of an arrow, points."""
-PAGE = 72 * WIDTH
-"""Width of a drawing, points."""
+_LONG, _HALF = 0.55, 0.14
+"""Length and half width of the head of an arrow, over the size of the text."""
 
 
 @dataclass(frozen=True)
@@ -129,112 +175,75 @@ class Drawing:
 
     shapes: Sequence[Shape]
     frame: tuple[float, float, float, float]
-    table: Sequence[Sequence[str]] = ()
-    """The part list: heads, then a row for each part; it is among the shapes too."""
-    solids: Sequence[tuple[str, Rectangle]] = ()
-    """What is above the axis for a sketch in letters: the sign of a part, where it is."""
+    width: float = WIDTH
+    """On paper, mm."""
+    cells: int = 0
+    """Number of shapes at its end that are a part list."""
 
     @property
-    def point(self) -> float:
-        """How many millimetres of the drawing a point is where it is as wide as the text of a page."""
-        return (self.frame[2] - self.frame[0]) / PAGE
-
-    @property
-    def height(self) -> float:
-        """Inches, as wide as the text of a page."""
-        left, bottom, right, top = self.frame
-        return WIDTH * (top - bottom) / (right - left)
+    def unit(self) -> float:
+        """Millimetres of the drawing that one of the paper is."""
+        return (self.frame[2] - self.frame[0]) / self.width
 
     def captioned(self, title: str, name: str, caption: str) -> "Drawing":
         """Return it with a title and a name above it and a caption below."""
         left, bottom, right, top = self.frame
-        row, lines = 1.4 * TEXT * self.point, textwrap.wrap(caption, int(PAGE / (LETTER * TEXT)))
-        inset = left + 4 * self.point
-        texts = [Inscription(line, (inset, bottom - row * place)) for place, line in enumerate(lines, 1)]
-        texts += [Inscription(title, (inset, top + 1.6 * row)), Inscription(name, (inset, top + 0.6 * row), ours=False)]
+        size = TEXT * self.unit
+        row, inset = 1.4 * size, left + 0.5 * size
+        lines = textwrap.wrap(caption, int((right - left) / (_LETTER * size)))
+        texts = [Inscription(line, (inset, bottom - row * place), size) for place, line in enumerate(lines, 1)]
+        texts.append(Inscription(title, (inset, top + 1.6 * row), size))
+        texts.append(Inscription(name, (inset, top + 0.6 * row), size, ours=False))
         frame = left, bottom - row * (len(lines) + 0.5), right, top + 2.7 * row
         return replace(self, shapes=(*self.shapes, *texts), frame=frame)
 
     def without_table(self) -> "Drawing":
-        """Return it without the part list, whose cells are the last of its shapes."""
-        cells = [shape for shape in self.shapes if isinstance(shape, Inscription)][
-            -sum(map(bool, chain(*self.table))) :
-        ]
+        """Return it without its part list."""
+        *shapes, first = self.shapes[: len(self.shapes) - self.cells + 1]
+        assert isinstance(first, Inscription)
         left, _, right, top = self.frame
-        frame = left, cells[0].at[1] + TEXT * self.point, right, top
-        return replace(self, shapes=self.shapes[: -len(cells)], frame=frame, table=())
+        return replace(self, shapes=shapes, frame=(left, first.at[1] + first.height, right, top), cells=0)
 
     def by_layer(self) -> Iterator[tuple[str, list[Shape]]]:
         """Yield each layer that has shapes, in the order they are painted."""
         for name in LAYERS:
-            if shapes := [shape for shape in self.shapes if getattr(shape, "layer", "dimensions") == name]:
+            if shapes := [shape for shape in self.shapes if shape.layer == name]:
                 yield name, shapes
 
-    def svg(self, title: str = "") -> str:
-        """Write it as SVG whose numbers are millimetres, as wide as the text of a page."""
-        left, bottom, right, top = self.frame
-        hatches = {shape.hatch for shape in self.shapes if isinstance(shape, Region) and shape.hatch}
-        parts = [
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{_n(25.4 * WIDTH)}mm" height="{_n(25.4 * self.height)}mm" '
-            f'viewBox="{_path([(left, top)])} {_n(right - left)} {_n(top - bottom)}" '
-            f'font-family="DejaVu Sans, sans-serif" font-size="{_n(TEXT * self.point)}">',
-            f"<title>{escape(printable(title), quote=False)}</title>" if title else "",
-            *(_pattern(angle, self.point) for angle in sorted(hatches)),
-        ]
-        for name, shapes in self.by_layer():
-            look = LAYERS[name]
-            dashes = " ".join(_n(length * self.point) for length in look.dashes) or "none"
-            parts.append(
-                f'<g class="{name}" stroke="{look.colour}" stroke-width="{_n(look.width * self.point)}" '
-                f'stroke-dasharray="{dashes}" stroke-linejoin="round" '
-                f'fill="{look.face}" fill-opacity="{look.fill:g}" fill-rule="evenodd">'
-            )
-            for shape in shapes:
-                simple = "\n".join(_svg(part) for part in exploded(shape, self.point))
-                about = f"<title>{escape(shape.about, quote=False)}</title>" if isinstance(shape, DimensionLine) else ""
-                parts.append(
-                    f'<g data-key="{shape.key}">{about}{simple}</g>' if isinstance(shape, DimensionLine) else simple
-                )
-            parts.append("</g>")
-        return "\n".join([*filter(None, parts), "</svg>", ""])
 
-    def paint(self, axes: Any) -> None:
-        """Draw into matplotlib's axes."""
-        patches: Any = import_module("matplotlib.patches")
-        path: Any = import_module("matplotlib.path").Path
-        left, bottom, right, top = self.frame
-        axes.set_axis_off()
-        axes.set(aspect="equal", xlim=(left, right), ylim=(bottom, top))
-        for order, (name, shapes) in enumerate(self.by_layer()):
-            look = LAYERS[name]
-            line: dict[str, Any] = {"linewidth": look.width, "zorder": 2 + order / 100}
-            if look.dashes:
-                line["linestyle"] = 0, tuple(length / look.width for length in look.dashes)
-            area = line | {"facecolor": (look.face, look.fill), "edgecolor": look.colour}
-            for shape in chain.from_iterable(exploded(each, self.point) for each in shapes):
-                if isinstance(shape, Inscription):
-                    text, side = (mathtext if shape.ours else literal)(shape.text), _SIDES[shape.anchor]
-                    turn = 90.0 if shape.upright else 0.0
-                    axes.text(*shape.at, text, size=TEXT, ha=side, va="baseline", rotation=turn, rotation_mode="anchor")
-                elif isinstance(shape, Stroke):
-                    axes.plot(*zip(*shape.points, strict=True), color=look.colour, **line)
-                elif isinstance(shape, Circle):
-                    ring = patches.Annulus(shape.centre, shape.radius, shape.radius - shape.hole, **area)
-                    axes.add_patch(ring if shape.hole else patches.Circle(shape.centre, shape.radius, **area))
-                else:
-                    rings = path.make_compound_path(*(path([*ring, ring[0]], closed=True) for ring in shape.contours))
-                    hatch = {"hatch": "////" if shape.hatch < 90 else "\\\\\\\\", "linewidth": 0} if shape.hatch else {}
-                    axes.add_patch(patches.PathPatch(rings, **area | hatch))
+def exploded(shape: Shape) -> list[Simple]:
+    """Return the lines, arrows and text of a dimension, anything else as it is."""
+    match shape:
+        case Length():
+            return _length(shape)
+        case Diameter(label, height, (x, y), radius, angle, layer=layer):
+            along, across = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+            hand = math.copysign(1, along)
+            ends = [(x + way * radius * along, y + way * radius * across) for way in (-1, 1)]
+            knee = x + (radius + 2 * height) * along, y + (radius + 2 * height) * across
+            shelf = knee[0] + hand * text_width(label, height), knee[1]
+            text = Inscription(label, (min(knee[0], shelf[0]), knee[1] + 0.3 * height), height)
+            heads = [arrow(end, (x, y), height, layer) for end in ends]
+            return [Stroke(layer, (ends[0], knee, shelf)), *heads, text]
+        case Angle(label, height, apex, first, second, radius, layer):
+            start, stop = (math.atan2(y - apex[1], x - apex[0]) for x, y in (first, second))
+            turn = (stop - start) % (2 * math.pi)
+            angles = [start + turn * step / 24 for step in range(25)]
+            arc = [(apex[0] + radius * math.cos(each), apex[1] + radius * math.sin(each)) for each in angles]
+            wide, middle = text_width(label, height), start + turn / 2
+            out = radius + 0.4 * height
+            x, y = apex[0] + out * math.cos(middle), apex[1] + out * math.sin(middle)
+            at = x + (math.cos(middle) - 1) * wide / 2, y + (math.sin(middle) - 1) * height / 2
+            parts: list[Simple] = [Stroke(layer, tuple(arc)), Inscription(label, at, height)]
+            heads = [arrow(arc[0], arc[1], height, layer), arrow(arc[-1], arc[-2], height, layer)]
+            return [*parts, *heads] if label else parts[:1]
+        case _:
+            return [shape]
 
 
-_SIDES = {"start": "left", "middle": "center", "end": "right"}
-
-
-def exploded(shape: Shape, point: float) -> list[Simple]:
-    """Return the lines, arrows and text of a dimension, anything else as it is; ``point``: a point in millimetres."""
-    if not isinstance(shape, DimensionLine):
-        return [shape]
-    layer, y, (long, half) = "dimensions", shape.line, (length * point for length in _ARROW)
+def _length(shape: Length) -> list[Simple]:
+    layer, y, height = shape.layer, shape.line, shape.height
+    long, gap = _LONG * height, 0.25 * height
 
     def turned(*points: Point) -> tuple[Point, ...]:
         return tuple((y, x) for x, y in points) if shape.upright else points
@@ -244,72 +253,49 @@ def exploded(shape: Shape, point: float) -> list[Simple]:
     parts: list[Simple] = [Stroke(layer, turned((low, y), (high, y)))]
     for end, at, hand in ((low, low_at, 1), (high, high_at, -1)):
         back = end + (-hand if outside else hand) * long
-        parts.append(Region(layer, (turned((end, y), (back, y + half), (back, y - half)),)))
+        tip, tail = turned((end, y), (back, y))
+        parts.append(arrow(tip, tail, height, layer))
         if outside:
             parts.append(Stroke(layer, turned((back, y), (2 * back - end, y))))
-        if abs(y - at) > point:
-            parts.append(Stroke(layer, turned((end, at), (end, y + math.copysign(2 * point, y - at)))))
-    base = y - 2 * point if shape.upright else y + 2 * point
-    beside = not shape.upright and high - low < text_width(shape.label) * point
-    place = high + (2.3 * long if outside else point) if beside else (low + high) / 2
+        if abs(y - at) > gap / 2:
+            parts.append(Stroke(layer, turned((end, at), (end, y + math.copysign(gap, y - at)))))
+    base = y - gap if shape.upright else y + gap
+    beside = not shape.upright and high - low < text_width(shape.label, height)
+    place = high + (2.3 * long if outside else gap / 2) if beside else (low + high) / 2
     (at_text,) = turned((place, base))
-    return [*parts, Inscription(shape.label, at_text, "start" if beside else "middle", shape.upright)]
+    return [*parts, Inscription(shape.label, at_text, height, "start" if beside else "middle", shape.upright)]
 
 
-def text_width(text: str) -> float:
-    """Points that a text takes, about and at most."""
-    return sum((0.7 if low else 1.0) * len(piece) for piece, low in split(text)) * LETTER * TEXT
+def arrow(tip: Point, tail: Point, height: float, layer: str = "dimensions") -> Region:
+    """Head of an arrow beside texts of a height."""
+    long = math.dist(tip, tail)
+    along, across = ((end - start) / long * height for start, end in zip(tip, tail, strict=True))
+    back = tip[0] + _LONG * along, tip[1] + _LONG * across
+    sides = (back[0] - _HALF * across, back[1] + _HALF * along), (back[0] + _HALF * across, back[1] - _HALF * along)
+    return Region(layer, ((tip, *sides),))
 
 
-def _svg(shape: Simple) -> str:
-    if isinstance(shape, Inscription):
-        return _text(shape)
-    if isinstance(shape, Stroke):
-        return f'<path fill="none" d="M{_path(shape.points)}"/>'
-    about = f' data-part="{shape.part}"' if shape.part else ""
-    if isinstance(shape, Circle):
-        x, y = shape.centre
-        if not shape.hole:
-            return f'<circle{about} cx="{_n(x)}" cy="{_n(-y)}" r="{_n(shape.radius)}"/>'
-        arc = "a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0 -{1} 0Z".format
-        rings = (f"M{_path([(x - r, y)])}{arc(_n(r), _n(2 * r))}" for r in (shape.radius, shape.hole))
-    else:
-        rings = (f"M{_path(ring)}Z" for ring in shape.contours)
-        about += f' stroke="none" fill="url(#hatch{shape.hatch:g})" fill-opacity="1"' if shape.hatch else ""
-    return f'<path{about} d="{"".join(rings)}"/>'
+def leader(text: str, tip: Point, knee: Point, height: float) -> list[Simple]:
+    """Arrow from a text to its place."""
+    hand = math.copysign(1, knee[0] - tip[0])
+    shelf = knee[0] + hand * text_width(text, height), knee[1]
+    at = min(knee[0], shelf[0]), knee[1] + 0.3 * height
+    line = Stroke("dimensions", (tip, knee, shelf)), arrow(tip, knee, height)
+    return [*line, Inscription(text, at, height)] if text else [*line]
 
 
-def _text(text: Inscription) -> str:
-    at, shown = _path([text.at]), spans(text.text, text.ours)
-    turn = f' transform="rotate(-90 {at})"' if text.upright else ""
-    x, y = at.split()
-    return f'<text x="{x}" y="{y}" stroke="none" text-anchor="{text.anchor}"{turn}>{shown}</text>'
+def tenths(value: float) -> str:
+    """Length that was calculated (m), in millimetres to a tenth.
+
+    >>> tenths(0.0994561), tenths(0.1)
+    ('99.5', '100')
+    """
+    return localized(f"{1e3 * value:.1f}".removesuffix(".0"))
 
 
-def spans(text: str, ours: bool = True) -> str:
-    """Set a text of SVG with its subscripts; what is quoted is not ``ours``."""
-    shown, lowered, pieces = printable(text), False, ""
-    for piece, low in split(shown) if ours else [(shown, False)]:
-        drop = "" if low == lowered else ' dy=".18em"' if low else ' dy="-.126em"'
-        size, lowered = ' font-size="70%"' if low else "", low
-        pieces += f"<tspan{drop}{size}>{escape(piece, quote=False)}</tspan>"
-    return pieces
-
-
-def _pattern(angle: float, point: float) -> str:
-    look, step = LAYERS["hatch"], _n(4 * point)
-    lines = f'<path d="M0 0H{step}" stroke="{look.colour}" stroke-width="{_n(2 * look.width * point)}"/>'
-    size = f'width="{step}" height="{step}" patternUnits="userSpaceOnUse" patternTransform="rotate({-angle:g})"'
-    return f'<pattern id="hatch{angle:g}" {size}>{lines}</pattern>'
-
-
-def _path(points: Iterable[Point]) -> str:
-    return "L".join(f"{_n(x)} {_n(-y)}" for x, y in points)
-
-
-def _n(value: float) -> str:
-    """A number to the tenth of a micrometre."""
-    return f"{round(value, 4) + 0.0:.4f}".rstrip("0").rstrip(".")
+def text_width(text: str, height: float) -> float:
+    """Width that a text of a height takes, about and at most."""
+    return sum((0.7 if low else 1.0) * len(piece) for piece, low in split(text)) * _LETTER * height
 
 
 def corners(box: Rectangle) -> tuple[Point, ...]:

@@ -1,172 +1,248 @@
-"""The handbook as one page: Markdown with formulas, misprints, figures and lists of the program in it."""
+"""The handbook as a document: Markdown with formulas, misprints, figures and lists of the program in it."""
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
-from typing import Any
 
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
-from markupsafe import Markup, escape
 
 from .. import __version__
 from ..analysis.handbook import Entry, Handbook
-from ..messages import spoken, told, translate
-from ..papers.register import misprints, references
+from ..messages import say, spoken, translate
+from ..papers.register import Misprint, misprints, references
 from ..units import typeset
 from .plot import sheet_of
-from .plot.figure import inline_svg
 from .plot.schemes import SCHEMES
-from .report.chapters import broken, math
-from .report.markup import drawing, symbol
-from .report.page import template
+from .report import blocks
+from .report.blocks import Block, Document, Piece, Text, listed, piece, text, when
+from .report.chapters import broken
+from .report.formulas import formula
+from .report.html import page
+from .report.page import figure_of
+from .report.pieces import said
+from .report.title import today
 from .symbols import value_latex
 from .units import measured, worded
-
-Table = tuple[tuple[str, ...], Sequence[tuple[str, ...]], str]
-"""Headings, rows, and what the first cell is: ``id`` that links lead to, ``link``, or nothing."""
-
-
-@dataclass
-class _Chapter:
-    """One chapter: its number is in the name of its file."""
-
-    number: int
-    title: str
-    tokens: list[Token]
-    sections: list[tuple[str, str]] = field(default_factory=list)
-    """Anchor and heading of each section."""
-    html: Markup = Markup()
 
 
 def render(handbook: Handbook) -> str:
     """Write the page; the same program gives the same text."""
-    page = _Page(handbook)
-    for chapter in page.chapters:
-        chapter.html = page.set(chapter)
-    return template("handbook.html").render(
-        chapters=page.chapters, language=spoken(), version=__version__, running=told("Handbook"), paper="plain"
-    )
+    return page(book(handbook))
 
 
-class _Page:
+def book(handbook: Handbook) -> Document:
+    """Lay the handbook out."""
+    about = say("What afmcalc calculates and why: every formula is set from the function that calculates it.")
+    program, name = f"afmcalc {__version__}", say("Handbook")
+    cover = [blocks.Paragraph(text(about))]
+    return Document(spoken(), program, program, name, cover, _Book(handbook).chapters(), name, today(), paper="book")
+
+
+class _Book:
     """The chapters, with the number of every formula in them."""
 
     def __init__(self, handbook: Handbook) -> None:
         parser = MarkdownIt("commonmark", {"html": False}).enable("table")
         self.handbook, self.numbers, self.figures = handbook, dict[str, str](), 0
-        self.lists: dict[str, Callable[[], Table]] = {
+        self.lists: dict[str, Callable[[], blocks.Table]] = {
             "notation": self._notation,
             "claims": self._claims,
             "misprints": _misprints,
             "references": _references,
         }
-        self.chapters = []
-        for number, text in handbook.chapters.items():
-            head, _, body = text.partition("\n")
-            chapter = _Chapter(number, head.removeprefix("# "), parser.parse(body))
-            shown = [name for kind, name in _directives(chapter.tokens) if kind == "equation"]
+        self.parts: list[tuple[int, str, list[Token]]] = []
+        for number, words in handbook.chapters.items():
+            head, _, body = words.partition("\n")
+            tokens = parser.parse(body)
+            shown = [name for kind, name in _directives(tokens) if kind == "equation"]
             self.numbers |= {name: f"{number}.{count}" for count, name in enumerate(shown, 1)}
-            self.chapters.append(chapter)
-        parser.add_render_rule("text", lambda _, tokens, place, *more: self._text(tokens[place]))
-        parser.add_render_rule("fence", lambda _, tokens, place, *more: self._fence(tokens[place]))
-        parser.add_render_rule("table_open", lambda *_: '<div class="scroll"><table>')
-        parser.add_render_rule("table_close", lambda *_: "</table></div>")
-        self._parser = parser
+            self.parts.append((number, head.removeprefix("# "), tokens))
 
-    def set(self, chapter: _Chapter) -> Markup:
-        """Set a chapter; its sections are collected on the way."""
-        tokens = chapter.tokens
-        for place, token in enumerate(tokens):
+    def chapters(self) -> list[blocks.Section]:
+        """Lay out every chapter: its number is in the name of its file."""
+        return [
+            blocks.Section(f"chapter-{number}", str(number), said(title), self._chapter(number, tokens))
+            for number, title, tokens in self.parts
+        ]
+
+    def _chapter(self, number: int, tokens: list[Token]) -> list[Block]:
+        """Lay out a chapter: what stands before its first section, then its sections."""
+        before: list[Block] = []
+        sections: list[blocks.Section] = []
+        body = before
+        left = iter(tokens)
+        for token in left:
             if token.type == "heading_open":
-                anchor = f"section-{chapter.number}-{len(chapter.sections) + 1}"
-                token.attrSet("id", anchor)
-                chapter.sections.append((anchor, tokens[place + 1].content))
-                token.tag = tokens[place + 2].tag = "h3"
-            elif token.type == "inline" and (found := _blocks_of(token)):
-                html = Markup("\n").join(self._block(kind, name) for kind, name in found)
-                tokens[place] = Token("html_block", "", 0, content=str(html))
-                tokens[place - 1].hidden = tokens[place + 1].hidden = True
-        return Markup(self._parser.renderer.render(tokens, self._parser.options, {}))  # noqa: S704 our own prose, without HTML
+                body, count = [], len(sections) + 1
+                title = self._inline(next(left))
+                sections.append(blocks.Section(f"section-{number}-{count}", f"{number}.{count}", title, body))
+                next(left)
+            else:
+                body += self._blocks(token, left)
+        return [*before, *sections]
 
-    def _block(self, kind: str, name: str) -> Markup:
-        macros: Any = template("blocks.html").module
+    def _blocks(self, token: Token, left: Iterator[Token]) -> Iterator[Block]:
+        """Lay out what begins with a token; more of it is taken from those that are left."""
+        if token.type == "inline":
+            found = _blocks_of(token)
+            yield from (self._block(*each) for each in found)
+            if not found:
+                yield blocks.Paragraph(self._inline(token))
+        elif token.type == "fence":
+            lines = [*map(said, token.content.splitlines())]
+            yield blocks.Code(token.content) if token.info == "sh" else blocks.Reasoning(lines)
+        elif token.type == "bullet_list_open":
+            yield blocks.Bullets([*map(self._inline, _until("bullet_list_close", left))])
+        elif token.type == "table_open":
+            rows: list[int] = []
+            cells = [*map(self._inline, _until("table_close", left, rows))]
+            head, *others = [cells[start:end] for start, end in zip(rows, [*rows[1:], None], strict=True)]
+            yield blocks.Table("", text(), head, others)
+
+    def _block(self, kind: str, name: str) -> Block:
         if kind == "equation":
-            return macros.formula(self.numbers[name], *self._formula(self.handbook.formulas[name]))
+            return self._formula(self.handbook.formulas[name])
         if kind == "misprint":
-            return macros.misprint(next(entry for entry in misprints() if entry.id == name))
+            return _misprint(next(entry for entry in misprints() if entry.id == name))
         if kind in ("figure", "plot"):
             self.figures += 1
             sheet = SCHEMES[name]() if kind == "figure" else sheet_of(name.split()[0], self.handbook.plots[name])
-            return macros.figure(self.figures, sheet, drawing(inline_svg(sheet), sheet.title, self.figures))
-        return macros.table(*self.lists[name]())
+            return figure_of(self.figures, sheet, [sheet])
+        return self.lists[name]()
 
-    def _formula(self, entry: Entry) -> tuple[Any, ...]:
-        """The formula, and what the macro has beside it: MathML, what its symbols are, source and validity."""
+    def _formula(self, entry: Entry) -> blocks.Step:
+        """Lay out a formula: what its symbols are, an example, sources, proofs, and the commands that calculate it."""
         equation = entry.equation
-        value = value_latex(measured(entry.value, equation.result.unit))
-        return (
-            entry,
-            math(broken(entry.latex)),
-            math(broken(f"{entry.worked} = {value}")) if entry.worked else "",
-            [(term.symbol, term.meaning, typeset(term.unit)) for term in equation.arguments.values()],
-            self._linked(translate(equation.source).rstrip("."), equation.name),
-            self._linked(translate(equation.validity), equation.name),
+        source = self._linked(translate(equation.source).rstrip("."), equation.name)
+        what = [
+            text(_strong(said(equation.result.symbol))),
+            said(translate(equation.about)),
+            when(source, piece("sources", text("[", source, "]"))),
+        ]
+        lines = []
+        if entry.worked:
+            example = piece("soft", say("In numbers, example:{example}", example=entry.example))
+            value = value_latex(measured(entry.value, equation.result.unit))
+            lines = [([text(example)], [formula(broken(f"{entry.worked} = {value}"))])]
+        notes = []
+        if validity := translate(equation.validity):
+            notes.append(text(_strong(say("Validity:")), " ", self._linked(validity, equation.name)))
+        notes += [
+            text(
+                *(
+                    _strong(say("Printed:")),
+                    " ",
+                    said(worded(place.id)),
+                    ": ",
+                    said(worded(place.printed or ""), False),
+                ),
+                f" ({place.misprint})",
+            )
+            for place in entry.printed
+            if place.status == "mended"
+        ]
+        proofs = when(entry.proofs, _strong(say("Proved by:")), " ", _codes(entry.proofs), "; ")
+        commands = _codes(entry.commands) if entry.commands else text(say("no command"))
+        by = text(_strong(say("Calculated by:")), " ", commands, "; ")
+        notes.append(text(proofs, by, _strong(say("Function:")), " ", piece("code", equation.name)))
+        return blocks.Step(
+            what=listed(what, " "),
+            number=self.numbers[equation.name],
+            formula=formula(broken(entry.latex)),
+            where=[_term(term.symbol, term.meaning, typeset(term.unit)) for term in equation.arguments.values()],
+            lines=lines,
+            notes=notes,
         )
 
-    def _linked(self, text: str, of: str) -> Markup:
+    def _linked(self, words: str, of: str) -> Text:
         """Set a text of a docstring: a function that it names becomes the number of its formula."""
-        pieces: list[Markup] = []
-        for place, piece in enumerate(_NAMED.split(text)):
-            name = piece if "." in piece else f"{of.partition('.')[0]}.{piece}"
-            pieces.append(self._see(name) if place % 2 and name in self.numbers else symbol(piece))
-        return Markup("").join(pieces)
+        pieces: list[Piece | Text] = []
+        for place, part in enumerate(_NAMED.split(words)):
+            name = part if "." in part else f"{of.partition('.')[0]}.{part}"
+            pieces.append(self._see(name) if place % 2 and name in self.numbers else said(part))
+        return text(*pieces)
 
-    def _text(self, token: Token) -> str:
-        pieces = _INLINE.split(token.content)
-        shown = [symbol(pieces[0])]
-        for kind, name, text in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):
-            shown += [
-                self._see(name) if kind == "see" else escape(measured(*self.handbook.values[name])),
-                symbol(text),
-            ]
-        return str(Markup("").join(shown))
+    def _inline(self, token: Token) -> Text:
+        """Set a line of Markdown."""
+        levels: list[list[str | Piece | Text]] = [[]]
+        for child in token.children or []:
+            if child.type == "em_open":
+                levels.append([])
+            elif child.type == "em_close":
+                inner = levels.pop()
+                levels[-1].append(piece("em", text(*inner)))
+            elif child.type == "code_inline":
+                levels[-1].append(piece("code", child.content))
+            else:
+                levels[-1].append(" " if child.type == "softbreak" else self._text(child.content))
+        return text(*levels[0])
 
-    def _see(self, name: str) -> Markup:
-        link = Markup('<a href="#{}">{}</a>').format
+    def _text(self, content: str) -> Text:
+        before, *pieces = _INLINE.split(content)
+        shown: list[str | Piece | Text] = [said(before)]
+        for kind, name, after in zip(pieces[::3], pieces[1::3], pieces[2::3], strict=True):
+            shown += [self._see(name) if kind == "see" else measured(*self.handbook.values[name]), said(after)]
+        return text(*shown)
+
+    def _see(self, name: str) -> Piece:
         if name in self.numbers:
-            return link(f"formula-{self.numbers[name]}", f"({self.numbers[name]})")
+            return piece("link", f"({self.numbers[name]})", f"formula-{self.numbers[name]}")
         if name.isdecimal():
-            return link(f"chapter-{name}", told("chapter {number}", number=name))
-        return link(name, name if re.fullmatch(r"[MP]\d+", name) else f"[{name}]")
+            return piece("link", say("chapter {number}", number=name), f"chapter-{name}")
+        return piece("link", name if re.fullmatch(r"[MP]\d+", name) else f"[{name}]", name)
 
-    def _fence(self, token: Token) -> str:
-        if token.info == "sh":
-            return str(Markup("<pre><code>{}</code></pre>").format(token.content))
-        lines = (Markup("<p>{}</p>").format(symbol(line)) for line in token.content.splitlines())
-        return str(Markup('<div class="derivation">{}</div>').format(Markup("").join(lines)))
-
-    def _notation(self) -> Table:
+    def _notation(self) -> blocks.Table:
         equations = (entry.equation for entry in self.handbook.formulas.values())
         terms = (term for each in equations for term in (*each.arguments.values(), each.result))
         meant = [(term.symbol, translate(term.meaning), typeset(term.unit)) for term in terms if term.meaning]
         rows = {(name, meaning, translate(unit, "unit")) for name, meaning, unit in meant}
         rows_in_order = sorted(rows, key=lambda row: (row[0].casefold(), *row))
-        return tuple(map(translate, ("Symbol", "Quantity", "Unit"))), rows_in_order, ""
+        return _table(("Symbol", "Quantity", "Unit"), [[*map(said, row)] for row in rows_in_order])
 
-    def _claims(self) -> Table:
+    def _claims(self) -> blocks.Table:
         rows = [
-            (
-                row.id,
-                *map(worded, (row.source, row.inputs)),
-                symbol(worded(row.printed), ours=False),
-                worded(row.computed),
-                worded(row.verdict) + (f" ({worded(row.correction)})" if row.correction else ""),
-                worded(row.why),
-            )
+            [
+                text(row.id),
+                *(said(worded(each)) for each in (row.source, row.inputs)),
+                said(worded(row.printed), ours=False),
+                said(worded(row.computed)),
+                said(worded(row.verdict) + (f" ({worded(row.correction)})" if row.correction else "")),
+                said(worded(row.why)),
+            ]
             for row in self.handbook.claims
         ]
-        return tuple(map(translate, ("No.", "Source", "Inputs", "Printed", "Computed", "Verdict", "Why"))), rows, "id"
+        heads = "No.", "Source", "Inputs", "Printed", "Computed", "Verdict", "Why"
+        return _table(heads, rows, role="claims", named=True)
+
+
+def _strong(words: str | Text) -> Piece:
+    return piece("b", words)
+
+
+def _codes(names: Sequence[str]) -> Text:
+    return listed([piece("code", name) for name in names])
+
+
+def _term(symbol: str, meaning: str, unit: str) -> Text:
+    """Say what a symbol is, with its unit."""
+    means = when(meaning, " – ", said(translate(meaning)))
+    return text(_strong(said(symbol)), means, f", {translate(unit, 'unit')}" if unit not in ("1", "") else "")
+
+
+def _misprint(entry: Misprint) -> blocks.Step:
+    """Lay out a misprint: what is printed, what should be, and why."""
+    status = [translate(entry.status, "value") + (f" {entry.repeats}" if entry.repeats else "")]
+    status += [translate(entry.certainty, "value")] if entry.certainty != entry.status else []
+    quote = when(entry.quote, piece("q", said(entry.quote or "", False)))
+    printed = [text(_strong(say("Printed") + ":")), said(translate(entry.printed), False), quote]
+    reading = when(entry.reading, ". ", _strong(say("Right if read as:")), " ", said(translate(entry.reading or "")))
+    notes = [
+        listed(printed, " "),
+        *([text(_strong(say("Should be:")), " ", said(translate(entry.correct)))] if entry.correct != "–" else []),
+        text(_strong(say("Why") + ":"), " ", said(translate(entry.why)), reading),
+    ]
+    what = text(_strong(entry.id), " ", said(translate(entry.where)), " ", piece("sources", f"[{'; '.join(status)}]"))
+    return blocks.Step(what, notes=notes, key=entry.id)
 
 
 _INLINE = re.compile(r"\{(see|value) ([^{}]+)\}")
@@ -175,7 +251,7 @@ _BLOCK = re.compile(r"\{(equation|misprint|figure|plot|list) ([^{}]+)\}")
 
 
 def _blocks_of(token: Token) -> list[tuple[str, str]]:
-    """What the program puts in the place of a paragraph; nothing where it is one of prose."""
+    """Content that the program puts in the place of a paragraph; nothing where it is one of prose."""
     lines = [_BLOCK.fullmatch(line.strip()) for line in token.content.splitlines()]
     return [(line[1], line[2]) for line in lines if line] if all(lines) else []
 
@@ -184,11 +260,32 @@ def _directives(tokens: list[Token]) -> Iterator[tuple[str, str]]:
     return (pair for token in tokens if token.type == "inline" for pair in _blocks_of(token))
 
 
-def _misprints() -> Table:
-    rows = [(entry.id, translate(entry.where), translate(entry.status, "value")) for entry in misprints()]
-    return tuple(map(translate, ("No.", "Where", "Kind"))), rows, "link"
+def _until(end: str, left: Iterator[Token], rows: list[int] | None = None) -> list[Token]:
+    """Return the texts before a token; ``rows``: how many stood before each row of a table."""
+    texts: list[Token] = []
+    for token in left:
+        if token.type == end:
+            break
+        if token.type == "tr_open" and rows is not None:
+            rows.append(len(texts))
+        texts += [token] if token.type == "inline" else []
+    return texts
 
 
-def _references() -> Table:
-    rows = [entry for entry in references().items() if entry[0] != "handbook"]  # it does not cite itself
-    return tuple(map(translate, ("Cited as", "Source"))), rows, "id"
+def _table(
+    heads: Sequence[str], rows: Sequence[Sequence[Text]], *, role: str = "", named: bool = False
+) -> blocks.Table:
+    return blocks.Table(role, text(), [text(translate(head)) for head in heads], rows, named=named)
+
+
+def _misprints() -> blocks.Table:
+    rows = [
+        [text(piece("link", entry.id, entry.id)), said(translate(entry.where)), text(translate(entry.status, "value"))]
+        for entry in misprints()
+    ]
+    return _table(("No.", "Where", "Kind"), rows)
+
+
+def _references() -> blocks.Table:
+    rows = [[text(name), said(source)] for name, source in references().items() if name != "handbook"]
+    return _table(("Cited as", "Source"), rows, named=True)  # it does not cite itself

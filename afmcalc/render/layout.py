@@ -1,15 +1,14 @@
 """From document to tables of text cells and lines of text, shared by all formats for people and the report."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import compress
 from typing import Any, NamedTuple
 
-from ..findings import Finding, told_once
-from ..messages import named, printable, term, told, translate, with_unit
+from ..findings import Finding
+from ..messages import named, native, printable, say, translate, with_unit
 from ..result import Output
 from .document import ENDS, Column, Document, Table
-from .symbols import native
 from .units import display, display_unit, estimate, headed, in_numbers, measured, worded
 
 
@@ -20,16 +19,12 @@ class TextTable(NamedTuple):
     header: list[str]
     rows: list[list[str]]
     numeric: list[bool]
-    """Whether each column is set flush right."""
+    """True if each column is set flush right."""
     source: Table | None = None
     legend: str = ""
     """Line above the table: what is the same in all rows."""
     meanings: str = ""
     """Line above the table: what the symbols in the header mean."""
-
-
-SweepDrawing = Callable[[TextTable, bool, int | None], list[str]]
-"""``curve(block, unicode, width)`` → lines under a table of a sweep, none under any other."""
 
 
 def title(output: Output) -> str:
@@ -47,10 +42,10 @@ def lead(output: Output) -> str:
         for row in output.result.clutches:
             variant = translate(row.variant, "value")
             name = f"{variant}, {worded(row.basis)}" if row.basis else printable(named(row.name) or variant)
-            lines[f"{name}: {translate(row.sentence)}"] = None
+            lines[f"{name}: {row.sentence}"] = None
         return "\n".join(lines)
     checked = output.result if output.command == "check" else getattr(output.result, "verdict", None)
-    return "" if checked is None else translate(checked.verdict.sentence)
+    return "" if checked is None else checked.verdict.sentence
 
 
 def blocks(laid_out: Document) -> list[TextTable]:
@@ -153,7 +148,7 @@ def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
             same.append(f"{name} = {with_unit(text, display_unit(column.unit))}")
         else:
             kept.append(column)
-    return kept, told("the same in all: {list}", list="; ".join(same)) if same else ""
+    return kept, say("the same in all: {list}", list="; ".join(same)) if same else ""
 
 
 _NUMBER = re.compile(r"(\(?[-−]?\d+(?:\xa0\d{3})*|–)(.*)")
@@ -179,67 +174,34 @@ def _pointed(column: Sequence[str]) -> list[str]:
     return [text.rjust(width) for text in (heading, *filled)]
 
 
-def unfolded(tables: list[TextTable]) -> list[TextTable]:
-    """Return tables for a page of any width: with records as columns where ``is_across``, else as rows."""
-    return [part for block in tables for part in (turned(block) if is_across(block) else [block])]
+def unfolded(tables: Iterable[TextTable]) -> list[TextTable]:
+    """Return tables, with their records as columns where these are always compared side by side."""
+    return [_turned(block) if block.source is not None and block.source.shown.across else block for block in tables]
 
 
-_SHORT = 24
-"""Largest width of a cell in a table whose records may become its columns."""
-
-
-def is_across(block: TextTable) -> bool:
-    """Whether the records of a table are always its columns."""
-    return block.source is not None and block.source.shown.across
-
-
-def may_turn(block: TextTable) -> bool:
-    """Whether the records of a table may become its columns where the table is too wide."""
-    short = all(len(cell) <= _SHORT for row in block.rows for cell in row)
-    return is_across(block) or (block.source is not None and not block.source.axes and short)
-
-
-def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[TextTable]:
-    """Set the records of a table side by side, quantities as rows, in as many tables as a width of characters asks for.
+def _turned(block: TextTable) -> TextTable:
+    """Set the records of a table side by side, quantities as rows.
 
     Text that is the same in all records goes into the title; the first column whose text differs gives the new header.
-    No tables where not even one record has room.
     """
     assert block.source is not None
-    shared: list[tuple[str, Column, list[str]]] = []
-    others: list[tuple[str, Column, list[str]]] = []
+    shared: list[str] = []
+    others: list[tuple[Column, list[str]]] = []
     for head, column, right, *texts in zip(block.header, block.source.columns, block.numeric, *block.rows, strict=True):
-        same = len(texts) > 1 and not right and len(set(texts)) == 1
-        (shared if same else others).append((head, column._replace(units=None), texts))
-    common = "; ".join(f"{head}: {texts[0]}" for head, _, texts in shared)
-    title = f"{block.title} ({common})" if common else block.title
-    (corner, _, heads), *rest = others
-    whole = quantities(heads, [(column, texts) for _, column, texts in rest], title)._replace(legend=block.legend)
-    widths = [max(map(len, record)) for record in zip(*(texts for *_, texts in others), strict=True)]
-    ends = (max(len(row[place]) for row in whole.rows) for place in (0, 1, -1))
-    if width is None or sum(ends) + sum(widths) + gap * (len(widths) + 2) <= width:
-        return [whole]
-    room = width - max(len(head) for head, *_ in others)
-    if max(widths) + gap > room:
-        return []
-    tables: list[TextTable] = []
-    start = 0
-    for stop in range(1, len(heads) + 1):
-        if stop == len(heads) or sum(widths[start : stop + 1]) + gap * (stop + 1 - start) > room:
-            rows = [[head, *texts[start:stop]] for head, _, texts in rest]
-            header = [corner, *heads[start:stop]]
-            about = ("", "", "") if start else (title, block.legend, block.meanings)
-            flush = [False] + [True] * (stop - start)
-            tables.append(TextTable(about[0], header, rows, flush, None, *about[1:]))
-            start = stop
-    return tables
+        if len(texts) > 1 and not right and len(set(texts)) == 1:
+            shared.append(f"{head}: {texts[0]}")
+        else:
+            others.append((column._replace(units=None), texts))
+    (_, heads), *rest = others
+    title = f"{block.title} ({'; '.join(shared)})" if shared else block.title
+    return quantities(heads, rest, title)._replace(legend=block.legend)
 
 
 def step_lines(laid_out: Document) -> list[str]:
     """Lines of an explanation, for each step: name, formula, numbers, value with source, and how the print differs."""
     lines = []
     for step in laid_out.steps:
-        at = told(" at {place}", place=in_numbers(translate(step.at))) if step.at else ""
+        at = say(" at {place}", place=in_numbers(step.at)) if step.at else ""
         at = ", ".join([at, *told_apart(step, laid_out.steps)])
         symbol = native(step.symbol)
         lines += ["", f"{symbol}{at}: {translate(step.name)}", f"    {symbol} = {in_numbers(step.formula)}"]
@@ -248,7 +210,7 @@ def step_lines(laid_out: Document) -> list[str]:
             lines.append(f"{indent}= {in_numbers(step.substituted)}")
         lines.append(f"{indent}= {measured(step.value, step.unit)}    [{translate(step.source).rstrip('.')}]")
         if step.print_differs:
-            lines.append(told("    print differs: {what}", what=term(step.print_differs)))
+            lines.append(say("    print differs: {what}", what=step.print_differs))
     return lines
 
 
@@ -256,7 +218,7 @@ def told_apart(step: Any, steps: Sequence[Any]) -> list[str]:
     """Setting of the spring and side of a step, where steps of the same quantity differ in them."""
     alike = [other for other in steps if (other.function, other.symbol) == (step.function, step.symbol)]
     names = [name for name in _APART if len({getattr(other, name) for other in alike}) > 1]
-    return [told(_APART[name][value]) for name in names if (value := getattr(step, name))]
+    return [translate(_APART[name][value]) for name in names if (value := getattr(step, name))]
 
 
 _APART: Mapping[str, Mapping[str, str]] = {
@@ -271,8 +233,8 @@ def ranked(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def findings_lines(findings: Iterable[Finding]) -> list[str]:
-    """One line per finding, gravest first; what several clutches have is told once."""
+    """One line per finding, gravest first."""
     return [
-        printable(f"{translate(f.level, 'value')}: {translate(f.message)} [{f.code}{', ' + f.path if f.path else ''}]")
-        for f in told_once(ranked(findings))
+        printable(f"{translate(f.level, 'value')}: {f.message} [{f.code}{', ' + f.path if f.path else ''}]")
+        for f in ranked(findings)
     ]

@@ -1,88 +1,317 @@
-"""The pocket for the shop in true millimetres: SVG, and what is said beside it."""
+"""Drawings for the shop on a sheet A3 with a frame, a title block and notes: the sleeves with pockets, the clutch.
 
-from html import escape
+They are in true millimetres: what is of the sheet (texts, arrows, frame) is as much smaller than on paper as the
+drawing is larger there.
+"""
 
+import math
+import re
+import textwrap
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from ..analysis.section import ClutchSection
 from ..analysis.shop import ShopDrawing
-from ..messages import named, told
+from ..messages import localized, named, say, translate
+from ..spec import Spec
+from ..spec.models import ShopNotes, TitleBlock
+from .drawing import (
+    Angle,
+    Circle,
+    Diameter,
+    Drawing,
+    Inscription,
+    Length,
+    Point,
+    Region,
+    Shape,
+    Stroke,
+    corners,
+    leader,
+)
+from .plot.section import section as laid_out
+from .units import display
 
-LAYERS = {
-    "SLEEVE_1": ("sleeve with the profiled wall", 8, "#6e6e6e"),
-    "SLEEVE_2": ("the other sleeve", 8, "#6e6e6e"),
-    "POCKET_1": ("pocket of the profiled wall: to cut", 7, "#111111"),
-    "POCKET_2": ("pocket of the other sleeve: to cut", 7, "#111111"),
-    "PATH": ("path of the ball's centre in the profiled sleeve", 3, "#1a7f37"),
-    "BALL": ("the ball at the stop", 5, "#0b57d0"),
-    "DIMENSIONS": ("dimensions and notes", 8, "#6e6e6e"),
-}
-"""Layer → what it shows, its number among AutoCAD's colours, its colour."""
+_TITLE_TEXT, _TEXT, _SMALL, _LETTER, _LINE = 7.0, 5.0, 3.5, 0.54, 4.2
+"""Sizes of titles, text and notes on paper, mm; width of a letter over them, at most about; from note to note."""
+_SCALES = [*map(Fraction, ("20", "10", "5", "4", "2.5", "2", "1", "1/2", "0.4", "1/4", "1/5", "1/10", "1/20", "1/50"))]
+_WIDE, _HIGH, _TITLE = 420, 297, (185, 55)
+_LEFT, _EDGE = 20, 5
+"""Margins of the sheet, mm: to the left, and all others."""
 
-CREATOR = "afmcalc plot"
-_MM = 1e3
+
+class ShopSheet:
+    """A sheet around a drawing: places on paper are millimetres from its lower left corner."""
+
+    scale = Fraction(1)
+    origin = 0.0, 0.0
+    """Where on paper the origin of the drawing is."""
+
+    def __init__(
+        self, spec: Spec, title: str, said: Sequence[str], *below: str, mass: str = "", material: str | None = ""
+    ) -> None:
+        """Reserve what title block and notes need: of the spec, as ``said``, and ``below`` without numbers."""
+        shop = spec.drawing or ShopNotes()
+        told_first = [
+            shop.hardness and say("hardness of the pocket walls {hardness}", hardness=shop.hardness),
+            shop.tolerance
+            and say(
+                "limit deviations of dimensions that show none: {tolerance}; the same for the division, along the ball "
+                "circle, and for wall angles, across the wall",
+                tolerance=shop.tolerance,
+            ),
+        ]
+        numbered = enumerate(filter(None, (*told_first, *said)), 1)
+        texts = [*(f"{number}. {text[0].upper()}{text[1:].rstrip('.')}." for number, text in numbered), *below]
+        letters = int((_WIDE - _LEFT - _EDGE - _TITLE[0] - 6) / (_SMALL * _LETTER))
+        self.notes = [line for text in texts for line in textwrap.wrap(text, letters, subsequent_indent="    ")]
+        self.low = _EDGE + max(_TITLE[1], _LINE * len(self.notes) + 4)
+        self.free = _WIDE - _LEFT - _EDGE, _HIGH - self.low - _EDGE
+        self.spec, self.title, self.mass, self.material = spec, title, mass, material
+        digits = re.search(r"[.,](\d+)", shop.tolerance or "")
+        self.places = len(digits[1]) if digits else 1
+
+    @property
+    def unit(self) -> float:
+        """Millimetres of the drawing that one of the paper is."""
+        return float(1 / self.scale)
+
+    def at(self, x: float, y: float) -> Point:
+        """Place of the drawing at a place of the paper."""
+        return (x - self.origin[0]) * self.unit, (y - self.origin[1]) * self.unit
+
+    @property
+    def text(self) -> float:
+        """Height of its texts, mm of the drawing."""
+        return _TEXT * self.unit
+
+    def length(self, value: float) -> str:
+        """Length that was calculated (m), in millimetres as its tolerance has it, else to a tenth."""
+        return localized(f"{round(1e3 * value, self.places):.9g}")
+
+    def drawing(self, shapes: Sequence[Shape]) -> Drawing:
+        """Return shapes with frame, title block and notes."""
+        frame = *self.at(0, 0), *self.at(_WIDE, _HIGH)
+        return Drawing([*shapes, *self._surround()], frame, _WIDE)
+
+    def _surround(self) -> Iterator[Shape]:
+        spec, block = self.spec, self.spec.report or TitleBlock()
+        roles = map(translate, ("Approved", "Standards", "Checked", "Drawn"))
+        names = block.approved, block.norm_control, block.checked, block.author
+        people = zip((0, 5, 15, 20), roles, names, strict=True)
+        cells = [
+            *(cell for y, role, who in people for cell in ((0, y, 22, 5, role), (22, y, 28, 5, who))),
+            (50, 20, 15, 5, block.date), (0, 40, 65, 15, block.project), (0, 25, 65, 15, block.revision),
+            (65, 40, 120, 15, block.drawing),
+            (65, 27, 70, 13, named(spec.name)), (65, 15, 70, 12, self.title), (65, 0, 70, 15, self.material),
+            (135, 35, 25, 5, translate("Mass (kg)")), (135, 20, 25, 15, self.mass or "–"),
+            (160, 35, 25, 5, translate("Scale")), (160, 20, 25, 15, _stated(self.scale)),
+            (135, 15, 50, 5, translate("Sheet 1 of 1")), (135, 0, 50, 15, block.organisation),
+        ]  # fmt: skip
+        x, y = _WIDE - _EDGE - _TITLE[0], _EDGE
+        boxes = [("frame", _LEFT, y, self.free[0], _HIGH - 2 * _EDGE)]
+        for left, low, width, height, text in cells:
+            boxes.append(("title", x + left, y + low, width, height))
+            if text:
+                size = min(_TITLE_TEXT, 0.7 * height, (width - 2) / (_LETTER * len(text)))
+                middle = self.at(x + left + width / 2, y + low + height / 2 - 0.35 * size)
+                yield Inscription(text, middle, size * self.unit, "middle", ours=False)
+        for layer, left, low, width, height in boxes:
+            corner, (right, top) = self.at(left, low), self.at(left + width, low + height)
+            yield Region(layer, (corners((corner[0], right, corner[1], top)),))
+        for row, note in enumerate(self.notes, 1):
+            yield Inscription(note, self.at(_LEFT + 4, self.low - _LINE * row), _SMALL * self.unit, ours=False)
+
+
+def largest_scale(size: Point, free: Point) -> Fraction:
+    """Return the largest scale at which something fits into a part of the paper, or the smallest there is."""
+    fits = (scale for scale in _SCALES if all(a * scale <= b for a, b in zip(size, free, strict=True)))
+    return next(fits, _SCALES[-1])
+
+
+def _stated(scale: Fraction) -> str:
+    number = localized(f"{float(max(scale, 1 / scale)):g}")
+    return f"{number}:1" if scale >= 1 else f"1:{number}"
 
 
 def notes(drawing: ShopDrawing) -> list[str]:
-    """What stands below a drawing."""
+    """Texts that stand beside a drawing."""
     ball = drawing.synthesis
     if ball.wall_angle_max is None:
-        wall = told("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
+        wall = say("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
     else:
-        wall = told(
+        wall = say(
             "curved wall, angle to the axis {angle:.4f deg} at the stop, {most:.4f deg} at x = {travel:.4f mm}; "
             "chords within {chord:g mm}",
             angle=ball.wall_angle, most=ball.wall_angle_max, travel=ball.travel_max, chord=drawing.chord,
         )  # fmt: skip
     return [
-        told("{name}: pocket, cylindrical section at the ball circle, radius {radius:.4f mm}, unrolled; mm, sleeves at "
+        say("{name}: pocket, cylindrical section at the ball circle, radius {radius:.4f mm}, unrolled; mm, sleeves at "
             "the stop", name=named(drawing.name), radius=ball.ball_circle_radius),
-        told(
+        say(
             "pocket {width:.4f mm} wide at the face, cut to {depth:.4f mm}; ball {ball:.4f mm}, gap {gap:g mm}",
             width=ball.pocket_width, depth=ball.pocket_depth_cut, ball=ball.ball_diameter, gap=ball.face_gap,
         ),
-        *([told("{ball}, of a grade for the designer to set", ball=ball.ball_designation)]
+        *([say("{ball}, of a grade for the designer to set", ball=ball.ball_designation)]
             if ball.ball_designation else []),
         wall,
-        told("relief under the ball {groove:.4g mm} wide and {relief:g mm} deep, corners R {corner:g mm} at most: "
+        say("relief under the ball {groove:.4g mm} wide and {relief:g mm} deep, corners R {corner:g mm} at most: "
             "the ball touches the walls only", groove=drawing.sleeve.groove, relief=drawing.sleeve.relief,
             corner=drawing.sleeve.relief / 2),
     ]  # fmt: skip
 
 
-_MARGIN, _LINE, _TEXT = 8.0, 4.2, 2.8
-"""Of an SVG, mm."""
+def pocket(drawing: ShopDrawing) -> Drawing:
+    """Draw two sleeves that mate in the section at the ball circle, where the origin is, and the first from its end."""
+    unit, sleeve = drawing.synthesis, drawing.sleeve
+    contours = {
+        each.layer.lower(): [(along * 1e3, around * 1e3) for along, around in each.points] for each in drawing.contours
+    }
+    (back, side), outer = contours["sleeve_1"][-1], sleeve.outer_diameter * 1e3
+    said, near = notes(drawing), unit.edge_clearance_standard
+    said += [
+        say(
+            "1 mm around the ball circle is {turn:.5g deg} of a turn: walls and grooves run towards the axis, from "
+            "the rim to R {end:.5g mm}",
+            turn=1e-3 / unit.ball_circle_radius, end=sleeve.pocket_end,
+        ),
+        translate(
+            "contours to cut in true millimetres on layers POCKET_1 and POCKET_2; "
+            "the view of sleeve 1 is to its own scale"
+        ),
+    ]  # fmt: skip
+    if near is not None and near > 0:
+        said.append(
+            say(
+                "edges of the pockets at the face broken by {most:.2g mm} at most: the ball touches as near as "
+                "{near:.3g mm}",
+                most=near / 5, near=near,
+            )
+        )  # fmt: skip
+    below = [translate("* not in the spec: drawn at a default, for the designer to set")] if sleeve.assumed else []
+    mass = "; ".join(localized(f"{each:.3g}") for each in drawing.masses)
+    shop, title = drawing.spec.drawing or ShopNotes(), translate("Sleeves with ball pockets")
+    sheet = ShopSheet(drawing.spec, title, said, *below, mass=mass, material=shop.material)
+    wide, high = sheet.free
+    own = largest_scale((outer, outer), (_WIDE / 2 - 33, high - 36))
+    left = float(own) * outer + 74
+    sheet.scale = largest_scale((2 * back, 2 * side), (wide - left - 60, high - 64))
+    middle = (sheet.low + _HIGH - _EDGE) / 2 - 4
+    sheet.origin = (left + _WIDE - 18) / 2, middle
+
+    shapes: list[Shape] = []
+    for contour in drawing.contours:
+        layer = contour.layer.lower()
+        points = tuple(contours[layer])
+        shapes.append(Region(layer, (points,)) if contour.closed else Stroke(layer, points))
+    shapes.append(Circle("ball", (0.0, 0.0), unit.ball_diameter * 500))
+    for name, angle in (("sleeve_1", 45.0), ("sleeve_2", 135.0)):
+        shapes.append(Region("hatch", (tuple(contours[name]),), hatch=angle))
+        place = contours[name][0][0] / 2, -side - 9 * sheet.unit
+        shapes.append(Inscription(name[-1], place, _TITLE_TEXT * sheet.unit, "middle"))
+    shapes += _section_dimensions(sheet, drawing, contours)
+    x = _LEFT + 52 + float(own) * outer / 2
+    shapes += _end_view(sheet, drawing, sheet.at(x, middle), float(own / sheet.scale))
+    title = say("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
+    shapes.append(Inscription(title, (0.0, side + 30 * sheet.unit), _TITLE_TEXT * sheet.unit, "middle"))
+    title = say("Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
+    if unit.wall is not None:
+        title = say("Sleeve 1 ({scale})", scale=_stated(own))
+    shapes.append(Inscription(title, sheet.at(_LEFT + 8, _HIGH - 15), _TITLE_TEXT * sheet.unit))
+    return sheet.drawing(shapes)
 
 
-def svg(drawing: ShopDrawing) -> bytes:
-    """Write a drawing as SVG whose numbers are millimetres: printed at its own size it is 1:1."""
-    sleeve = drawing.contours[0].points
-    back, side = sleeve[0][0] * _MM, abs(sleeve[0][1]) * _MM
-    told_below = notes(drawing)
-    left, top = -back - _MARGIN, -side - _MARGIN
-    wide = max(2 * (back + _MARGIN), max(len(note) for note in told_below) * _TEXT * 0.55 + 2 * _MARGIN)
-    high = 2 * (side + _MARGIN) + _LINE * (len(told_below) + 1)
-    paths = []
-    for contour in drawing.contours:  # y runs down in SVG
-        points = " L".join(f"{_coordinate(x * _MM)} {_coordinate(-y * _MM)}" for x, y in contour.points)
-        end, colour = " Z" if contour.closed else "", LAYERS[contour.layer][2]
-        paths.append(f'<path id="{contour.layer}" stroke="{colour}" d="M{points}{end}"/>')
-    lines = [
-        '<?xml version="1.0" encoding="UTF-8"?>',
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{_coordinate(wide)}mm" height="{_coordinate(high)}mm" '
-        f'viewBox="{" ".join(map(_coordinate, (left, top, wide, high)))}">',
-        f"<title>{escape(named(drawing.name), quote=False)}</title>",
-        f"<desc>{CREATOR}</desc>",
-        '<g fill="none" stroke-width="0.18" stroke-linejoin="round">',
-        *paths,
-        f'<circle id="BALL" r="{_coordinate(drawing.synthesis.ball_diameter / 2 * _MM)}" '
-        f'stroke="{LAYERS["BALL"][2]}"/>',
-        "</g>",
-        f'<g font-family="sans-serif" font-size="{_TEXT}" fill="#111111">',
-    ]
-    for row, note in enumerate(told_below, 1):
-        y = _coordinate(side + _MARGIN + _LINE * row)
-        lines.append(f'<text x="{_coordinate(-back)}" y="{y}">{escape(note, quote=False)}</text>')
-    return "\n".join([*lines, "</g>", "</svg>", ""]).encode("utf-8")
+def _section_dimensions(sheet: ShopSheet, drawing: ShopDrawing, contours: dict[str, list[Point]]) -> Iterator[Shape]:
+    """Dimension pockets and sleeves in the section, and say how rough the walls are."""
+    unit, sleeve, k, text, said = drawing.synthesis, drawing.sleeve, sheet.unit, sheet.text, sheet.length
+    (face, half), (back, side) = contours["pocket_1"][-1], contours["sleeve_1"][-1]
+    other, groove = contours["pocket_2"][0], sleeve.groove * 500
+    floor = face + unit.pocket_depth_cut * 1e3
+    bottom = floor + sleeve.relief * 1e3
+    yield Length(said(unit.pocket_depth_cut), text, (face, half), (floor, groove), side + 6 * k)
+    relieved = said(unit.pocket_depth_cut + sleeve.relief)
+    yield Length(relieved, text, (face, half), (bottom, groove), side + 13 * k)
+    star = "*" * ("depth" in sleeve.assumed)
+    yield Length(said(sleeve.depth) + star, text, (face, side), (back, side), side + 20 * k)
+    yield Length(display(unit.face_gap, "m"), text, (-face, -side), (face, -side), -side - 8 * k)
+    yield Length(said(sleeve.groove), text, (bottom, -groove), (bottom, groove), back + 8 * k, upright=True)
+    yield Length(said(unit.pocket_width), text, (face, -half), (face, half), back + 16 * k, upright=True)
+    if abs(other[1]) < half:
+        ends = (-face, -abs(other[1])), (-face, abs(other[1]))
+        yield Length(said(abs(other[1]) / 500), text, *ends, -back - 8 * k, upright=True)
+    yield Diameter(localized(f"Ø{unit.ball_diameter * 1e3:.6g}"), text, (0.0, 0.0), unit.ball_diameter * 500, 135.0)
+    for x, y in ((back + 3 * k, 0.0), (0.0, side + 3 * k)):
+        yield Stroke("centre", ((-x, -y), (x, y)))
+    slope, reach = math.tan(unit.wall_angle), 0.75 * (floor - face)
+    apex = unit.ball_diameter * 500 / math.sin(unit.wall_angle)
+    first, second = ((floor - reach, hand * (groove + reach * slope)) for hand in (1, -1))
+    angle = localized(f"{math.degrees(2 * unit.wall_angle):.5g}°")
+    yield Angle(angle, text, (apex, 0.0), first, second, apex - min(face + reach, apex - 10 * k))
+    if rough := (drawing.spec.drawing or ShopNotes()).roughness:
+        x, y = next(point for point in contours["pocket_1"][1:] if -point[1] > groove + 1e-9)
+        tip, knee = ((x + floor) / 2, (y - groove) / 2), (back + 4 * k, -side - 12 * k)
+        yield from leader("", tip, knee, text)
+        sign = (1.0, 3.5), (3.0, 0.0), (7.0, 7.0), (16.0, 7.0)
+        for line in (sign, ((0.0, 0.0), (3.0, 0.0)), ((1.0, 3.5), (5.0, 3.5))):
+            yield Stroke("dimensions", tuple((knee[0] + a * k, knee[1] + b * k) for a, b in line))
+        yield Inscription(rough, (knee[0] + 7 * k, knee[1] + 2.5 * k), text, ours=False)
 
 
-def _coordinate(value: float) -> str:
-    """A coordinate to the millionth of a millimetre."""
-    return f"{round(value, 6) + 0.0:.6f}".rstrip("0").rstrip(".")
+def _end_view(sheet: ShopSheet, drawing: ShopDrawing, centre: Point, shrunk: float) -> Iterator[Shape]:
+    """Draw the first sleeve from its pockets, with all of them on their circle, smaller than the section."""
+    unit, sleeve, k, given = drawing.synthesis, drawing.sleeve, sheet.unit, drawing.spec.control_unit
+    count, circle, text = (given and given.balls) or 1, unit.ball_circle_radius, sheet.text
+    rim, bore, end, pitch, ball = (
+        each * 500 * shrunk
+        for each in (sleeve.outer_diameter, sleeve.bore, 2 * sleeve.pocket_end, 2 * circle, unit.ball_diameter)
+    )
+    up, step = math.pi / 2, 2 * math.pi / count
+    wide, groove = unit.pocket_width / 2 / circle, sleeve.groove / 2 / circle
+
+    def at(radius: float, angle: float) -> Point:
+        return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
+
+    for layer, radius in (("end_view", rim), ("end_view", bore), ("centre", pitch)):
+        yield Circle(layer, centre, radius)
+    for turn in (up - number * step for number in range(count)):
+        floor = (at(end, turn + wide * (1 - share / 8)) for share in range(17))
+        yield Stroke("end_view", (at(rim, turn + wide), *floor, at(rim, turn - wide)))
+        for side in (-groove, groove):
+            yield Stroke("end_view", (at(end, turn + side), at(rim, turn + side)))
+        yield Stroke("centre", (at(end - 3 * k, turn), at(rim + 4 * k, turn)))
+        yield Circle("ball", at(pitch, turn), ball)
+    for turn in (0.0, up):
+        yield Stroke("centre", (at(-bore - 4 * k, turn), at(bore + 4 * k, turn)))
+    hole = sheet.length(sleeve.bore) + "*" if "bore" in sleeve.assumed else display(sleeve.bore, "m")
+    yield Diameter(f"Ø{hole}", text, centre, bore, 30.0, shrunk)
+    left = centre[0] - rim
+    depth = sheet.length(sleeve.outer_diameter / 2 - sleeve.pocket_end)
+    yield Length(depth, text, at(end, up), at(rim, up), left - 8 * k, upright=True, shrunk=shrunk)
+    sizes = (pitch, display(2 * circle, "m")), (rim, sheet.length(sleeve.outer_diameter) + "*")
+    for away, (radius, said) in zip((17, 26), sizes, strict=True):
+        ends = at(-radius, up), at(radius, up)
+        yield Length(f"Ø{said}", text, *ends, left - away * k, upright=True, shrunk=shrunk)
+    if count > 2:
+        division = localized(f"{count}×{360 / count:.6g}°")
+        yield Angle(division, text, centre, at(rim, up - step), at(rim, up), rim + 9 * k)
+    tip = at(pitch, -up + step / 2 if count > 1 else -up)
+    yield from leader("A–A", tip, at(1.2 * rim, -0.3 * math.pi), text)
+
+
+def section(clutch: ClutchSection, spec: Spec) -> Drawing:
+    """Draw the whole clutch as ``plot section`` lays it out."""
+    page = laid_out(clutch)
+    drawing = page.panels[0]
+    shop = spec.drawing or ShopNotes()
+    mass = localized(f"{sum(part.row.mass for part in clutch.parts.values()):.3g}")
+    of_sleeves = (
+        shop.material and say("material of the sleeves with pockets {material}", material=shop.material),
+        shop.roughness and say("roughness of the pocket walls {roughness}", roughness=shop.roughness),
+    )
+    sheet = ShopSheet(spec, page.title, [*filter(None, of_sleeves), page.caption], mass=mass)
+    left, low, right, high = drawing.frame
+    size = right - left, high - low
+    sheet.scale = largest_scale(size, sheet.free)
+    x, y = ((room - float(sheet.scale) * wide) / 2 for room, wide in zip(sheet.free, size, strict=True))
+    sheet.origin = _LEFT + x - left * float(sheet.scale), sheet.low + y - low * float(sheet.scale)
+    return sheet.drawing(drawing.shapes)

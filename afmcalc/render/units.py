@@ -6,9 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-from ..messages import Text, localized, printable, spoken, translate, with_unit
+from ..messages import latin, localized, native, printable, spoken, translate, with_unit
 from ..units import ENGINEER, in_unit, per_si, typeset
-from .symbols import native
 
 CHOICES: dict[str, dict[str, str]] = {"engineer": ENGINEER, "si": {}}
 """Which units people choose → SI unit to the one shown, where it is another."""
@@ -85,8 +84,8 @@ def headed(name: str, unit: str) -> str:
 
 def worded(text: str) -> str:
     """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
-    if isinstance(text, Text):
-        return translate(text)
+    if spoken() == "en":
+        return _IN_ENGLISH.get(text) or (latin(text) if " " in text else text)
     # one word may be a name; a sentence is none
     for context in ("value", "", "comment", "name") if " " in text else ("value", "unit"):
         if (told := translate(text, context)) != text:
@@ -115,7 +114,7 @@ _NUMBER = re.compile(r"(?<![\w.,])(\d+(?:\.\d+)?(?:e[+-]\d+)?)(?: ((?:1/)?(?:[·
 def in_numbers(formula: str) -> str:
     """Return a formula with numbers and units put in as people of the user's language write it."""
     if spoken() == "en":
-        return formula
+        return native(formula)
     shown = _NUMBER.sub(lambda match: with_unit(localized(match[1]), translate(match[2] or "", "unit")), formula)
     shown = _AFTER_POWER.sub(lambda match: translate(match[0], "unit"), shown)
     return native(re.sub(r"(?<!\w)-", "−", shown))

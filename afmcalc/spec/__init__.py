@@ -1,4 +1,4 @@
-"""What a clutch is: reading, checking and writing specs."""
+"""Specs of a clutch: reading, checking and writing them."""
 
 from .make import make_spec
 from .models import Spec, resolved

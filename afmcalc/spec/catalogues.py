@@ -1,4 +1,4 @@
-"""What is bought: the disc springs of DIN EN 16983 and friction materials, each with its source."""
+"""Catalogues of bought parts: disc springs of DIN EN 16983 and friction materials, each with its source."""
 
 import re
 import tomllib
@@ -19,23 +19,23 @@ class Disc(NamedTuple):
     inner_diameter: float
     thickness: float
     reduced_thickness: float | None
-    """As made with flats, of discs thicker than 6 mm."""
+    """Thickness as made with flats, of discs thicker than 6 mm."""
     free_height: float
     printed_force: float | None
     """Force printed in the standard, at ¾ of the cone height, N."""
     source: str = ""
     """Of a list of one's own."""
     designation: str = ""
-    """As one's own list has it, such as by a standard of one's country."""
+    """Designation of one's own list, such as by a standard of one's country."""
 
     @property
     def name(self) -> str:
-        """As the standard, or one's own list, calls it."""
+        """Name in the standard, or in one's own list."""
         return self.series if self.source else f"{self.series} {self.outer_diameter / 1e-3:g}"
 
     @property
     def title(self) -> str:
-        """As a list of parts calls it."""
+        """Name in a list of parts."""
         if self.designation:
             return self.designation
         return f"{self.name} ({self.source})" if self.source else f"DIN EN 16983 {self.name}"
@@ -92,19 +92,11 @@ def friction_materials() -> dict[str, Material]:
         pressure: list[float | None] = [kpa * 1e3 for kpa in row.get("pressure_kPa", ())] or [None]
         temperature: list[float | None] = [float(celsius) for celsius in row.get("temperature_C", ())] or [None]
         materials[name] = Material(
-            name=name,
-            description=row["description"],
-            condition=row["condition"],
-            friction_min=row["friction"][0],
-            friction_max=row["friction"][1],
-            pressure_min=pressure[0],
-            pressure_max=pressure[-1],
-            temperature_min=temperature[0],
-            temperature_max=temperature[-1],
-            source=source["short"],
-            citation=source["full"],
-            also=tuple(row.get("also", ())),
-        )
+            name=name, description=row["description"], condition=row["condition"], friction_min=row["friction"][0],
+            friction_max=row["friction"][1], pressure_min=pressure[0], pressure_max=pressure[-1],
+            temperature_min=temperature[0], temperature_max=temperature[-1], source=source["short"],
+            citation=source["full"], also=tuple(row.get("also", ())),
+        )  # fmt: skip
     return materials
 
 

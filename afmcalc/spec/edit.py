@@ -14,7 +14,7 @@ from .fields import names_in
 from .keys import elsewhere, names, path_of
 from .make import make_spec
 from .models import Spec, resolved
-from .parse import TOO_DEEP, check_size
+from .parse import check_size, too_deep
 from .removed import instead_of
 from .rules import foreign_keys, given_in
 from .search import flat
@@ -29,9 +29,7 @@ _REPLACED = {
     "control_unit.gain_slope": ("control_unit.pocket",),
     "control_unit.pocket": ("control_unit.gain_slope",),
     "friction_group.mean_radius": (
-        "friction_group.inner_radius",
-        "friction_group.outer_radius",
-        "friction_group.radius_model",
+        "friction_group.inner_radius", "friction_group.outer_radius", "friction_group.radius_model",
     ),
     "closing_spring.force": ("adjustment.nominal_torque",),
     "adjustment.nominal_torque": ("closing_spring.force", "control_spring.force"),
@@ -45,7 +43,7 @@ _REPLACED = {
         for group in ("driving", "driven")
         for end in ("min", "mean", "max")
     },
-}
+}  # fmt: skip
 """Key → keys it stands in for: where it is set, they are taken out of the spec."""
 
 _SEARCH = "search."
@@ -134,7 +132,7 @@ def _value(override: str) -> object:
     except tomllib.TOMLDecodeError:
         return text
     except RecursionError:
-        raise AfmcalcError("--set {override:.80}: {why}", override=override, why=TOO_DEEP) from None
+        raise AfmcalcError("--set {override:.80}: {why}", override=override, why=too_deep()) from None
     except ValueError:
         raise AfmcalcError("--set {override:.80}: a number has too many digits", override=override) from None
     if set(read) != {"value"}:  # further lines are part of the text

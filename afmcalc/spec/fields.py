@@ -72,7 +72,7 @@ def required(description: str, symbol: str | None = None, **bounds: Any) -> Any:
 
 @dataclass(frozen=True)
 class Quantity:
-    """What a number of a spec may be; stands in its annotation, so that tables and sweeps find its unit there."""
+    """Unit and bounds of a number of a spec; stands in its annotation, where tables and sweeps find its unit."""
 
     unit: str
     """SI unit, a key of ``quantity.EXAMPLES``."""
@@ -129,7 +129,7 @@ class Key(NamedTuple):
     symbol: str | None
     description: str
     about: Quantity | None = None
-    """What a number may be; None for text."""
+    """Unit and bounds of a number; None for text."""
 
 
 @cache

@@ -1,34 +1,21 @@
-"""What a key of a spec may be called: its path, its name, its symbol in the papers; and what stands at its path."""
+"""Names of the keys of a spec: path, name, symbol in the papers; and the key at a path."""
 
 from collections import Counter
 from functools import cache
 
-from ..messages import joined, plain, say
+from ..messages import latin, say
 from .fields import Key, Quantity, keys_below
 from .models import Spec
 from .tolerance import scattering
 
 ALIASES = {
-    "C": "control_unit.gain",
-    "z": "friction_group.pairs",
-    "z1": "friction_group.driving_pairs",
-    "R": "friction_group.mean_radius",
-    "F": "closing_spring.force",
-    "f_min": "friction.min",
-    "f_cp": "friction.mean",
-    "f_mean": "friction.mean",
-    "f_max": "friction.max",
-    "c1": "closing_spring.stiffness",
-    "c2": "control_spring.stiffness",
-    "beta": "adjustment.margin",
-    "T_n": "adjustment.nominal_torque",
-    "r": "control_unit.ball_circle_radius",
-    "alpha": "control_unit.wall_angle",
-    "f1": "control_unit.key_friction",
-    "d": "control_unit.hub_diameter",
-    "gain_slope": "control_unit.gain_slope",
-    "speed": "drive.speed",
-}
+    "C": "control_unit.gain", "z": "friction_group.pairs", "z1": "friction_group.driving_pairs",
+    "R": "friction_group.mean_radius", "F": "closing_spring.force", "f_min": "friction.min", "f_cp": "friction.mean",
+    "f_mean": "friction.mean", "f_max": "friction.max", "c1": "closing_spring.stiffness",
+    "c2": "control_spring.stiffness", "beta": "adjustment.margin", "T_n": "adjustment.nominal_torque",
+    "r": "control_unit.ball_circle_radius", "alpha": "control_unit.wall_angle", "f1": "control_unit.key_friction",
+    "d": "control_unit.hub_diameter", "gain_slope": "control_unit.gain_slope", "speed": "drive.speed",
+}  # fmt: skip
 """Symbols that stand for a path on the command line."""
 
 
@@ -42,13 +29,13 @@ def keys() -> dict[str, Key]:
 
 
 def is_whole(path: str) -> bool:
-    """Whether the key counts something."""
+    """True if the key counts something."""
     key = keys().get(path)
     return key is not None and key.about is not None and key.about.whole
 
 
 def scatter_at(path: str) -> Quantity | None:
-    """What a number that scatters may be; None when the path is none of it."""
+    """Unit and bounds of a number that scatters; None when the path is none of it."""
     return scattering(path, Spec)
 
 
@@ -59,7 +46,7 @@ def path_of(name: str) -> str | None:
     ('control_unit.gain', 'friction_group.driving_pairs', None)
     """
     name = name.strip()
-    return names().get(plain(name)) if len(name) <= 100 else None
+    return names().get(name) if len(name) <= 100 else None
 
 
 @cache
@@ -70,7 +57,8 @@ def names() -> dict[str, str]:
     tables = Spec.model_fields
     for pairs in ([(key.symbol, key.path) for key in of_clutch], [(_last(key.path), key.path) for key in of_clutch]):
         times = Counter(name for name, _ in pairs)
-        paths |= {plain(name): path for name, path in pairs if name and times[name] == 1 and name not in tables}
+        of_one = ((name, path) for name, path in pairs if name and times[name] == 1 and name not in tables)
+        paths |= {spelled: path for name, path in of_one for spelled in (latin(name), name)}
     return paths | ALIASES | {path: path for path in keys()}
 
 
@@ -79,7 +67,7 @@ def elsewhere(name: str) -> str:
     paths = [path for path in keys() if _last(path) == name]
     if not paths and (path := path_of(name)):
         paths = [path]
-    return say("; did you mean {paths}?", paths=joined(paths, say(" or "))) if paths else ""
+    return say("; did you mean {paths}?", paths=say(" or ").join(paths)) if paths else ""
 
 
 def _last(path: str) -> str:

@@ -180,10 +180,8 @@ def _of_csv(source: Source) -> list[float]:
         if not re.fullmatch(r"\d{1,300}(\.\d+)?", cell, re.ASCII):
             raise AfmcalcError(
                 "{label}: line {line}: {cell!r} is no diameter in mm, such as 6.35",
-                label=source,
-                line=lines.index(cell) + 1,
-                cell=cell,
-            )
+                label=source, line=lines.index(cell) + 1, cell=cell,
+            )  # fmt: skip
     return [_diameter(float(cell), source) for cell in cells]
 
 
@@ -204,7 +202,7 @@ def _diameter(item: object, label: str) -> float:
 
 
 def ball_designation(diameter: float) -> str | None:
-    """What a ball is ordered as, but for its grade; None of a size that is no standard one."""
+    """Designation of a ball, but for its grade; None of a size that is no standard one."""
     # inch sizes to three decimals, in specs as in lists of balls: 11.1125 is 11.112, 20.6375 is 20.638
     sizes = (float(Decimal(f"{size * 1e3:.9g}").quantize(Decimal("0.001"))) for size in diameters())
     size = next((size for size in sizes if abs(diameter * 1e3 - size) < 1e-3), None)

@@ -12,7 +12,7 @@ from .fields import Broken
 from .lists import own_lists
 from .models import Spec
 from .problems import given_at, problems_in
-from .removed import moved_in
+from .removed import OLD, moved_in
 from .rules import Table, given_in
 from .source import Source
 
@@ -27,18 +27,15 @@ def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -
 def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] = ()) -> M:
     """Validate plain data, read from where ``label`` says; ``broken`` are rules that its text breaks.
 
-    Raises:
-        SpecError: every problem found.
+    Raises SpecError: every problem found.
     """
     problems = [Problem(path, given_at(path, data), message) for path, message in broken]
     more = 0
     label = label if isinstance(label, Source) else Source(label)
     named = data.get("catalogues")
-    if moved := moved_in(data, given_in(data)):
-        problems += [
-            Problem(path, None, say("is now {place}, in a spec with [search]", place=place))
-            for path, place in moved.items()
-        ]
+    if not OLD.isdisjoint(data) and (moved := moved_in(given_in(data))):
+        told = ((path, say("is now {place}, in a spec with [search]", place=place)) for path, place in moved.items())
+        problems += [Problem(path, None, message) for path, message in told]
         raise SpecError(label, problems)
     label.lists = own_lists(named) if named else Lists()
     try:

@@ -1,4 +1,4 @@
-"""What a clutch is, and what stands around it: the pydantic models of a spec (contract, Spec). SI inside."""
+"""Models of a spec (pydantic): the clutch, and what stands around it. SI inside."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -135,10 +135,8 @@ class FrictionRange(RuledBlock):
             worst = self.lining
             message = say(
                 "excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max",
-                name=worst.name,
-                low=worst.friction_min,
-                high=worst.friction_max,
-            )
+                name=worst.name, low=worst.friction_min, high=worst.friction_max,
+            )  # fmt: skip
             yield from ((name, message) for name in ("min", "mean", "max") if getattr(self, name) is not None)
         elif low is not None and high is not None and low > high:
             yield "max", say("must not be below min ({low:g})", low=low)
@@ -204,7 +202,7 @@ class Friction(FrictionRange):
 
     @property
     def unlike(self) -> bool:
-        """Whether the two groups have materials of their own."""
+        """True if the two groups have materials of their own."""
         return self.driving is not None
 
     @property
@@ -244,7 +242,7 @@ SNAPS = 1.4
 SHEAR_MODULUS = 81.5e9
 """Of patented drawn wire (EN 13906-1), Pa."""
 ROUNDED = 0.005
-"""How far a stiffness written to three figures may be off, relative."""
+"""Relative deviation of a stiffness written to three figures."""
 
 
 def _bigger(name: str, value: float | None, other: str, least: float | None) -> Iterable[Broken]:
@@ -319,7 +317,7 @@ class CoilSprings(RuledBlock):
 
 
 class _Spring(RuledBlock):
-    """What both springs may say of the part."""
+    """Keys of the part that both springs share."""
 
     room: Room | None = None
     disc: DiscStack | None = None
@@ -341,7 +339,7 @@ class _Spring(RuledBlock):
 
     @property
     def part(self) -> DiscStack | CoilSprings | None:
-        """What it is made of, if that is known."""
+        """Part that it is made of, if that is known."""
         return self.disc or self.coil
 
 
@@ -425,7 +423,7 @@ class Motor(Block):
 
 
 class Event(Block):
-    """What makes the clutch slip, at t = 0."""
+    """Event at t = 0 that makes the clutch slip."""
 
     kind: EventKind = required(
         "what happens to the tool; stop: it is stopped in stop_time; load: its load rises to torque within rise_time"
@@ -559,7 +557,7 @@ def bore_of(source: Any) -> Any:
 
 
 def around_the_shaft(source: Any) -> Iterable[Broken]:
-    """What is around the shaft of a spec is wider."""
+    """Parts around the shaft of a spec are wider than it."""
     if (shaft := source.shaft) is None:
         return
     if (bore := source.envelope and source.envelope.bore) is not None and bore < shaft.diameter:
@@ -570,7 +568,7 @@ def around_the_shaft(source: Any) -> Iterable[Broken]:
 
 
 class Required(RuledBlock):
-    """What a clutch is to hold; each key is a row of ``check`` and of the report, and what ``design`` searches by."""
+    """Requirements; each key is a row of ``check`` and of the report, and a constraint of ``design``."""
 
     nominal_torque: Torque | None = key("nominal torque of the clutch, at least", "T_н")
     machine_torque: Torque | None = key(
@@ -616,7 +614,7 @@ SheetForm = Literal["calculation", "report"]
 
 
 class TitleBlock(Block):
-    """What stands in the title block of a report or a drawing; each is text."""
+    """Entries of the title block of a report or a drawing; each is text."""
 
     project: Entry | None = key("project the clutch belongs to")
     drawing: Entry | None = key("number of the drawing")
@@ -633,7 +631,7 @@ class TitleBlock(Block):
 
 
 class ShopNotes(Block):
-    """What a shop needs beside the dimensions of a drawing; each is text, for the title block and the notes."""
+    """Notes of a drawing for the shop, beside its dimensions; each is text."""
 
     tolerance: Entry | None = key("limit deviations of the dimensions that show none, such as ±0.02 mm")
     roughness: Entry | None = key("roughness of the pocket walls, such as Ra 0.8")
@@ -723,7 +721,7 @@ class Spec(Block):
 
     @property
     def label(self) -> Source:
-        """What errors call it: the file it was read from, and the like."""
+        """Name in errors: the file it was read from, and the like."""
         return self._origin.label
 
     def refused(self, path: str, message: str, given: str | None = None) -> SpecError:

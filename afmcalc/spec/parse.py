@@ -1,19 +1,21 @@
 """From a file to plain data: bytes, text, TOML or JSON, within stated limits; the examples that ship."""
 
 import json
+import os
 import re
 import sys
 import tomllib
+from contextlib import suppress
 from os import PathLike
 from pathlib import Path
 
-from ..errors import AfmcalcError, FileError, Problem, SpecError, reason
-from ..messages import did_you_mean, say
+from ..errors import AfmcalcError, FileError, Place, Problem, SpecError, reason
+from ..messages import deferred, did_you_mean, say, translate
 from .source import Source
 
-_STANDARD_INPUT, BUILT_IN = say("standard input"), say("built-in default")
+_STANDARD_INPUT = deferred("standard input")
 PREFIX = "example:"
-"""What makes the name of an example a source."""
+"""Prefix that makes the name of an example a source."""
 
 
 def _folder() -> Path:
@@ -51,27 +53,28 @@ MOST_ITEMS = 100_000
 """Items in all lists."""
 DEEPEST = 32
 """Tables and lists inside each other, and parts of a dotted key."""
-TOO_DEEP = say("is nested more than {most} levels deep", most=DEEPEST)
 MOST_BITS = 1024
 """Of a whole number: what a real one can hold."""
 _LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){{{DEEPEST}}}"""
 
 
+def too_deep() -> str:
+    """Refusal of what is nested too deep."""
+    return say("is nested more than {most} levels deep", most=DEEPEST)
+
+
 def text_of(source: str | PathLike[str] | None) -> Source:
     """Return the text of a spec as given, with what to call it in messages.
 
-    Raises:
-        FileError: it cannot be read.
-        SpecError: it is no text, or too long for a spec.
+    Raises FileError: it cannot be read; SpecError: it is no text, or too long for a spec.
     """
     return decoded(*bytes_of(source))
 
 
 def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
     """Return what is in the file of a spec, and what to call it in messages; the errors are those of ``text_of``."""
-    if source is None:
-        return example_text("default").encode(), BUILT_IN
-    label = _STANDARD_INPUT if source == "-" else str(source)
+    source = f"{PREFIX}default" if source is None else source
+    label = translate(_STANDARD_INPUT) if source == "-" else str(source)
     if label.startswith(PREFIX):
         return example_text(label.removeprefix(PREFIX)).encode(), label
     try:
@@ -80,6 +83,9 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
         else:
             with open(source, "rb") as file:
                 raw = file.read(LONGEST + 1)
+    except FileNotFoundError as error:
+        hint = _nearest(label)
+        raise FileError("{label}: cannot be read: {why}{hint}", label=label, why=reason(error), hint=hint) from None
     except (OSError, ValueError) as error:
         why = reason(error) if isinstance(error, OSError) else error
         raise FileError("{label}: cannot be read: {why}", label=label, why=why) from None
@@ -88,43 +94,36 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
     return raw, label
 
 
+def _nearest(path: str) -> str:
+    """Return a hint at the nearest file name in the folder of a path."""
+    folder, name = os.path.split(path)
+    with suppress(OSError):
+        return did_you_mean(name, os.listdir(folder or "."))
+    return ""
+
+
 def decoded(raw: bytes, label: str) -> Source:
     """Return the text of a file: UTF-8, or UTF-16 with its mark, as PowerShell writes; else a ``SpecError``."""
+    if raw.startswith(b"%PDF"):
+        raise _refused(label, say("is a PDF; a spec is a text in TOML or JSON"))
     wide = raw.startswith((b"\xff\xfe", b"\xfe\xff"))
     try:
         return Source(label, raw.decode("utf-16" if wide else "utf-8-sig"))
     except UnicodeDecodeError as error:
-        if wide:
-            raise _refused(label, say("is not UTF-16 text (byte {byte})", byte=error.start)) from None
-        line, byte = raw.count(b"\n", 0, error.start) + 1, error.start
-        if text := _of_russian_windows(raw):
-            message = say(
-                "is not UTF-8 text but seems to be Windows-1251 (cp1251), in which line {line} reads {text!r:.80}: "
-                "save it as UTF-8 (in Notepad: Save as, encoding UTF-8; elsewhere: iconv -f cp1251 -t utf-8)",
-                line=line,
-                text=text.split("\n")[line - 1].strip(),
-            )
-        else:
-            message = say("is not UTF-8 text (line {line}, byte {byte}): save it as UTF-8", line=line, byte=byte)
-        raise _refused(label, message) from None
-
-
-_RUSSIAN = re.compile("[\x00-\x7f\xa0А-Яа-яЁё«»„“”–—…№°·±§]*")
-
-
-def _of_russian_windows(raw: bytes) -> str:
-    """Return the text in the encoding of Russian Windows where it reads as Russian, else nothing.
-
-    Small letters prevail, since those of KOI8-R are capital there; in other languages two letters beyond ASCII rarely
-    stand side by side.
-    """
-    text = raw.decode("cp1251", "replace")
-    small, capital = (len(re.findall(letters, text)) for letters in ("[а-яё]", "[А-ЯЁ]"))
-    return text if small > capital and re.search("[А-Яа-яЁё][а-яё]", text) and _RUSSIAN.fullmatch(text) else ""
+        line = raw.count(b"\n", 0, error.start) + 1
+        raise _refused(label, say("is not UTF-8 text (line {line}): save it as UTF-8", line=line)) from None
 
 
 def _refused(label: str, message: str, path: str = "") -> SpecError:
     return SpecError(label, [Problem(path, None, message)])
+
+
+def _at_line(source: Source, number: int, message: str) -> SpecError:
+    """Return the error of a parser with the line it names, 0: the last."""
+    lines = source.text.rstrip().split("\n")
+    number = number or len(lines)
+    text = lines[number - 1] if number <= len(lines) else ""
+    return SpecError(source, [Problem("", None, message, Place(number, text))])
 
 
 def parse(source: Source) -> dict[str, object]:
@@ -134,13 +133,13 @@ def parse(source: Source) -> dict[str, object]:
     try:
         data = _json_of(source) if is_json(source) else toml_of(source)
     except RecursionError:
-        raise _refused(source, TOO_DEEP) from None
+        raise _refused(source, too_deep()) from None
     check_size(data, source)
     return data
 
 
 def is_json(source: Source) -> bool:
-    """Whether a text is meant as JSON."""
+    """True if a text is meant as JSON."""
     return source.text.lstrip()[:1] == "{" or source.endswith(".json")
 
 
@@ -154,9 +153,11 @@ def toml_of(source: Source) -> dict[str, object]:
     try:
         return tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as error:
-        from .syntax import toml_problem
-
-        raise SpecError(source, [toml_problem(source.text, error)]) from None
+        line = re.search(r"at line (\d+)", str(error))
+        bare = str(error).startswith(("Invalid value", "Expected newline"))
+        hint = say('; text, a decimal comma and a unit stand in quotes: "2,5 kN"') if bare else ""
+        message = say("is not valid TOML: {why}{hint}", why=error, hint=hint)
+        raise _at_line(source, int(line[1]) if line else 0, message) from None
     except ValueError:
         raise _refused(source, say("is not valid TOML: a number has too many digits")) from None
 
@@ -176,9 +177,7 @@ def _json_of(source: Source) -> dict[str, object]:
     try:
         data = json.loads(source.text, object_pairs_hook=unique)
     except json.JSONDecodeError as error:
-        from .syntax import json_problem
-
-        raise SpecError(source, [json_problem(source.text, error)]) from None
+        raise _at_line(source, error.lineno, say("is not valid JSON: {why}", why=error.msg)) from None
     except AfmcalcError:
         raise
     except ValueError:
@@ -200,12 +199,14 @@ def check_size(data: object, label: str) -> None:
     while left:
         path, depth, value = left.pop()
         if depth > DEEPEST:
-            raise _refused(label, TOO_DEEP)
+            raise _refused(label, too_deep())
         if isinstance(value, dict):
             if (keys := keys + len(value)) > MOST_KEYS:
                 raise _refused(label, say("has more than {most:,} keys", most=MOST_KEYS))
             if any(len(key) > LONGEST_TEXT for key in value):
                 raise _refused(label, say("a key has more than {most:,} characters", most=LONGEST_TEXT), path)
+            if any(map(_has_surrogate, value)):
+                raise _refused(label, say("holds a lone surrogate, which is no character"), path)
             left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
         elif isinstance(value, list):
             if (items := items + len(value)) > MOST_ITEMS:
@@ -213,5 +214,12 @@ def check_size(data: object, label: str) -> None:
             left += [(path, depth + 1, inner) for inner in value]
         elif isinstance(value, str) and len(value) > LONGEST_TEXT:
             raise _refused(label, say("has more than {most:,} characters", most=LONGEST_TEXT), path)
+        elif isinstance(value, str) and _has_surrogate(value):
+            raise _refused(label, say("holds a lone surrogate, which is no character"), path)
         elif isinstance(value, int) and value.bit_length() > MOST_BITS:
             raise _refused(label, say("is beyond the range of numbers"), path)
+
+
+def _has_surrogate(text: str) -> bool:
+    """True if a text cannot be written as UTF-8: JSON spells halves of characters, a shell hands on bytes."""
+    return re.search("[\ud800-\udfff]", text) is not None

@@ -1,4 +1,4 @@
-"""What is wrong with plain data, said for people: path, value as written, what is allowed."""
+"""Problems of plain data, in sentences for people: path, value as written, what is allowed."""
 
 import json
 import math
@@ -32,7 +32,7 @@ def _problem(detail: ErrorDetails, data: Table, model: type[BaseModel]) -> Probl
     location = tuple(map(str, detail["loc"]))
     path = ".".join(location)
     given = given_at(path, data)
-    return Problem(path, given, _message(detail, location, given, model), detail["type"] == "extra_forbidden")
+    return Problem(path, given, _message(detail, location, given, model))
 
 
 def given_at(path: str, data: object) -> str | None:

@@ -8,41 +8,24 @@ from decimal import Decimal
 from functools import cache
 
 from ..findings import Finding, finding
-from ..messages import Text, did_you_mean, joined, localized, say, term
+from ..messages import deferred, did_you_mean, filled, say, translate
 from ..units import BASES, ZEROS, UnknownUnitError, product, words
 
 EXAMPLES = {
-    "N": ("a force", "2 kN"),
-    "m": ("a length", "100 mm"),
-    "N*m": ("a torque", "200 N*m"),
-    "N/m": ("a stiffness", "20 N/mm"),
-    "1/m": ("a slope of the gain", "18.75 1/m"),
-    "rad": ("an angle", "30 deg"),
-    "Pa": ("a pressure or stress", "400 MPa"),
-    "m^3": ("a section modulus", "15 cm^3"),
-    "rad/s": ("a speed of rotation", "1430 rpm"),
-    "W": ("a power", "11 kW"),
-    "m/s": ("a speed", "0.3 m/s"),
-    "s": ("a time", "10 ms"),
-    "kg": ("a mass", "2 kg"),
-    "kg*m^2": ("a moment of inertia", "8 kg*m^2"),
-    "N*m/rad": ("a torsional stiffness", "8 kN*m/rad"),
-    "kg/m^3": ("a density", "7850 kg/m^3"),
-    "K abs": ("a temperature", "20 degC"),
-    "J/kg/K": ("a specific heat", "480 J/kg/K"),
-    "W/m/K": ("a thermal conductivity", "50 W/m/K"),
-    "W/K": ("a cooling per kelvin", "2.5 W/K"),
-    "J/m^2": ("a work per area", "1 J/mm^2"),
-    "m^3/J": ("a wear per energy", "2e-5 mm^3/J"),
+    "N": ("a force", "2 kN"), "m": ("a length", "100 mm"), "N*m": ("a torque", "200 N*m"),
+    "N/m": ("a stiffness", "20 N/mm"), "1/m": ("a slope of the gain", "18.75 1/m"), "rad": ("an angle", "30 deg"),
+    "Pa": ("a pressure or stress", "400 MPa"), "m^3": ("a section modulus", "15 cm^3"),
+    "rad/s": ("a speed of rotation", "1430 rpm"), "W": ("a power", "11 kW"), "m/s": ("a speed", "0.3 m/s"),
+    "s": ("a time", "10 ms"), "kg": ("a mass", "2 kg"), "kg*m^2": ("a moment of inertia", "8 kg*m^2"),
+    "N*m/rad": ("a torsional stiffness", "8 kN*m/rad"), "kg/m^3": ("a density", "7850 kg/m^3"),
+    "K abs": ("a temperature", "20 degC"), "J/kg/K": ("a specific heat", "480 J/kg/K"),
+    "W/m/K": ("a thermal conductivity", "50 W/m/K"), "W/K": ("a cooling per kelvin", "2.5 W/K"),
+    "J/m^2": ("a work per area", "1 J/mm^2"), "m^3/J": ("a wear per energy", "2e-5 mm^3/J"),
     "1": ("a plain number", "0.3"),
-}
+}  # fmt: skip
 """SI unit of a field → the quantity, and an example of a value."""
 
-_FOREIGN = {
-    "J": say("an energy"),
-    "m^2": say("an area"),
-    "K": say("a temperature difference"),
-}
+_FOREIGN = {"J": deferred("an energy"), "m^2": deferred("an area"), "K": deferred("a temperature difference")}
 """SI unit of a dimension that no field has → name of the quantity."""
 
 _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН", "мм", "см", "МПа", "мс", "кг")
@@ -52,12 +35,10 @@ _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН"
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 """A number as it is read."""
 
-_CYRILLIC = str.maketrans("ABEKMHOPCTXacekmop", "АВЕКМНОРСТХасекмор")
-
 
 def wrong(template: str, unit: str, **values: object) -> ValueError:
     """Return an error about a field of the SI unit ``unit``; it fills ``kind`` and ``allowed`` of the template."""
-    return ValueError(Text(template, {"kind": term(EXAMPLES[unit][0]), "allowed": allowed(unit), **values}))
+    return ValueError(filled(template, {"kind": translate(EXAMPLES[unit][0]), "allowed": allowed(unit), **values}))
 
 
 @cache
@@ -69,11 +50,6 @@ def factor(text: str, unit: str) -> Decimal:
     try:
         given = product(text)
     except UnknownUnitError as error:
-        meant = text.translate(_CYRILLIC)  # of letters of two alphabets, or of the wrong one
-        if _fits(meant, unit):
-            latin = product(meant).latin
-            hint = say("; write {latin!r}, or {meant!r} in Cyrillic letters alone", latin=latin, meant=meant)
-            raise ValueError(say("unknown unit {text!r}{hint}", text=text, hint=hint)) from None
         (word,) = error.args
         near = did_you_mean(word, [name for name in (*_COMMON, *words()) if _fits(text.replace(word, name), unit)])
         raise wrong("unknown unit {names!r}{hint}; {allowed}", unit, names=word, hint=near) from None
@@ -84,18 +60,18 @@ def factor(text: str, unit: str) -> Decimal:
     if unit == "rad/s" and given == product("1/min")._replace(latin=given.latin):
         return product("rpm").factor  # a speed of rotation in 1/min is one of revolutions; in 1/s it could be either
     kinds = {si: kind for si, (kind, _) in EXAMPLES.items() if si not in ("1", "K abs")} | _FOREIGN
-    other = next((term(kind) for si, kind in kinds.items() if product(si).exponents == given.exponents), None)
+    other = next((translate(kind) for si, kind in kinds.items() if product(si).exponents == given.exponents), None)
     if other is None:
         powers = [(base, power) for base, power in zip(BASES, given.exponents, strict=True) if power]
-        bases = ((term(base, "unit"), power) for base, power in powers)
+        bases = ((translate(base, "unit"), power) for base, power in powers)
         raised = [base if power == 1 else say("{base}^{power}", base=base, power=power) for base, power in bases]
-        dimension = joined(raised, "*") if raised else "1"
+        dimension = "*".join(raised) if raised else "1"
         other = say("of dimension {dimension}", dimension=dimension)
     raise wrong("{text} is {other}, not {kind}; {allowed}", unit, text=text, other=other)
 
 
 def _fits(text: str, unit: str) -> bool:
-    """Whether a text is a unit of the dimension of ``unit``."""
+    """True if a text is a unit of the dimension of ``unit``."""
     try:
         return product(text).exponents == product(unit).exponents
     except ValueError:
@@ -106,31 +82,23 @@ def allowed(unit: str) -> str:
     """Say what may stand in a field of the SI unit ``unit``."""
     kind, example = EXAMPLES[unit]
     if unit == "1":
-        return say("give {kind} such as {example}", kind=term(kind), example=example)
+        return say("give {kind} such as {example}", kind=translate(kind), example=example)
     return say(
         'give {kind}: a number in SI ({unit}) or a string with a unit such as "{example}"',
-        kind=term(kind),
-        unit=term(unit, "unit"),
-        example=example,
-    )
+        kind=translate(kind), unit=translate(unit, "unit"), example=example,
+    )  # fmt: skip
 
 
 _LONGEST = 100
 """Largest number of characters of a text that is read as a quantity."""
 _QUANTITY = re.compile(rf"\s*({NUMBER})(.*)", re.DOTALL)
-_GROUPED = re.compile(r"\s*([+-]?\d(?:[\d ,.]*?\d)??)(?:\s+(1\s*/.*)|\s*([^\d\s,.].*)?)", re.DOTALL)
-"""A number that may have groups and a comma, and its unit, which may be ``1/m``."""
-
-_DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+\s*[^\d\s,.].*)", re.DOTALL)
-_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}(?!\d)")
-"""A number whose comma may separate thousands."""
+_COMMA = re.compile(r"\s*([+-]?)(\d+),(\d+)(?![\d.,])(.*)", re.DOTALL)
+"""A number with one comma: sign, digits before and after it, the unit."""
 
 _RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
-    "N": (lambda force: 0 < force < 20, "kN", math.inf),
-    "m": (lambda length: length >= 0.5, "mm", 10.0),
-    "rad/s": (lambda speed: speed > 1000, "rpm", math.inf),
-    "W": (lambda power: 0 < power < 500, "kW", math.inf),
-}
+    "N": (lambda force: 0 < force < 20, "kN", math.inf), "m": (lambda length: length >= 0.5, "mm", 10.0),
+    "rad/s": (lambda speed: speed > 1000, "rpm", math.inf), "W": (lambda power: 0 < power < 500, "kW", math.inf),
+}  # fmt: skip
 """SI unit → whether a number is rarely meant in it, the unit that may be meant, the largest number meant in SI."""
 
 
@@ -179,15 +147,31 @@ def parse_quantity(value: object, unit: str) -> float:
     return number
 
 
+def with_point(text: str) -> str:
+    """Return the text of one number with a point for its decimal comma.
+
+    Raises:
+        ValueError: the comma may separate thousands.
+
+    >>> with_point("2,5 kN"), with_point("0,125"), with_point("2 kN")
+    ('2.5 kN', '0.125', '2 kN')
+    """
+    if (match := _COMMA.fullmatch(text)) is None:
+        return text
+    sign, whole, decimals, unit = match.groups()
+    if len(decimals) == 3 and 0 < int(whole) < 1000:
+        point, grouped = f"{sign}{whole}.{decimals}{unit}", f"{sign}{whole}{decimals}{unit}"
+        raise ValueError(say("{text}: {point} or {grouped}?", text=text.strip(), point=point, grouped=grouped))
+    return f"{sign}{whole}.{decimals}{unit}"
+
+
 def _parse_text(text: str, unit: str) -> float:
-    if (comma := _DECIMAL_COMMA.fullmatch(text)) and localized("0.5") == "0,5" and not _THOUSANDS.match(text.strip()):
-        text = f"{comma[1]}.{comma[2]}"
-    match = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
+    match = _QUANTITY.fullmatch(with_point(text)) if len(text) <= _LONGEST else None
     if match is None:
         raise wrong("cannot be read as a number with a unit; {allowed}", unit)
     number, written = match[1], match[2].strip()
-    if unread := unread_number(text):
-        raise ValueError(unread)
+    if not written and unit == "1":
+        return float(number)
     if not written:
         raise wrong("has no unit; {allowed}", unit)
     if unit == "1":
@@ -209,33 +193,3 @@ def whole_number(value: object) -> int:
     if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
         raise ValueError(say("must be a whole number"))
     return int(value)
-
-
-def unread_number(text: str, *, quoted: bool = False) -> str | None:
-    """Say how a number with a decimal comma or with its digits in groups is to be written; None when it has neither.
-
-    >>> unread_number("0,5 mm"), unread_number("2 000")
-    ('a decimal comma is not read: write 0.5 mm', 'spaces in a number are not read: write 2000')
-    """
-    match = _GROUPED.fullmatch(text)
-    if match is None or not set(match[1]) & set(", "):
-        return None
-
-    unit = (match[2] or match[3] or "").strip()
-
-    def written(number: str) -> str:
-        whole = f"{number} {unit}".strip()
-        return f'"{whole}"' if quoted and unit else whole
-
-    number = match[1].replace(" ", "")
-    if "," not in number:
-        return say("spaces in a number are not read: write {number}", number=written(number))
-    if "." in number or number.count(",") > 1:
-        if number.count(",") == 1 and number.rfind(",") > number.rfind("."):
-            number = number.replace(".", "").replace(",", ".")
-        return say("a number has no commas: write {number}", number=written(number.replace(",", "")))
-    point = written(number.replace(",", "."))
-    if _THOUSANDS.fullmatch(number):
-        grouped = written(number.replace(",", ""))
-        return say("a comma is not read: write {grouped} or {point}, whichever is meant", grouped=grouped, point=point)
-    return say("a decimal comma is not read: write {point}", point=point)

@@ -7,11 +7,10 @@ from copy import deepcopy
 from os import PathLike
 
 from .edit import Overrides, apply_overrides
-from .fields import Broken
-from .keys import keys
+from .fields import Broken, keys_below
 from .make import make_spec
 from .models import Spec
-from .parse import BUILT_IN, is_json, parse, text_of
+from .parse import PREFIX, is_json, parse, text_of
 from .quantity import asked_unit
 from .rules import given_in
 from .source import Source
@@ -22,7 +21,7 @@ def read_spec(source: str | PathLike[str] | Mapping[str, object] | None = None, 
 
     Args:
         source: path of a TOML or JSON file, ``"-"`` for standard input, ``"example:NAME"`` for a file that ships,
-            None for the built-in base clutch; or plain data of the same structure.
+            None for ``example:default``; or plain data of the same structure.
             JSON printed by any command counts: its ``spec`` block is taken.
         overrides: ``"path=value"`` strings applied before validation, an empty value removes the key; or path → value,
             None removes the key. A name or a symbol stands for its path.
@@ -53,10 +52,10 @@ def data_of(source: Source, overrides: Overrides) -> tuple[dict[str, object], So
     what programs write, in SI: there only an override may be meant otherwise.
     """
     data = parse(source)
-    _locate(data, source.name)
-    changed = apply_overrides(data, overrides)
+    _locate(data, source)
+    changed = apply_overrides(data, overrides) if overrides else {}
     _locate(data, "")
-    in_si, known = is_json(source), keys()
+    in_si, known = is_json(source), keys_below(Spec)
     questions, broken = [], []
     for path, value in given_in(data).items():
         # center and ends of what scatters are in the unit of its key
@@ -67,7 +66,7 @@ def data_of(source: Source, overrides: Overrides) -> tuple[dict[str, object], So
                 questions += [asked_unit(number, key.unit, path) for number in numbers if not isinstance(number, str)]
             except ValueError as error:
                 broken.append((path, str(error)))
-    by = "--set" if source.name is BUILT_IN else ""
+    by = "--set" if source.startswith(PREFIX) else ""
     return data, Source(source, source.text, dict.fromkeys(changed, by), filter(None, questions)), broken
 
 

@@ -2,57 +2,48 @@
 
 from collections.abc import Iterable, Mapping
 
-from ..messages import say
+from ..messages import deferred, say, translate
 
-_PROFILED = say("one sleeve has the curved wall, the other seats the ball; leave the key out")
-_WEIGHT = say("the weight of a pack with a vertical axis is not calculated; leave the key out")
+_PROFILED = deferred("one sleeve has the curved wall, the other seats the ball; leave the key out")
+_WEIGHT = deferred("the weight of a pack with a vertical axis is not calculated; leave the key out")
 
 REMOVED: Mapping[str, str] = {
     "control_unit.profiled": _PROFILED,
-    "control_unit.wall_friction": say("cams that slide are not calculated, balls roll; leave the key out"),
-    "fatigue.load_low": say("every slip swings the load from 0 to T(f); leave the key out"),
-    "friction.unknown": say("of a list of materials the worst counts; leave the key out"),
+    "control_unit.wall_friction": deferred("cams that slide are not calculated, balls roll; leave the key out"),
+    "fatigue.load_low": deferred("every slip swings the load from 0 to T(f); leave the key out"),
+    "friction.unknown": deferred("of a list of materials the worst counts; leave the key out"),
     "friction_group.discs_mass": _WEIGHT,
     "friction_group.pressure_disc_mass": _WEIGHT,
     "friction_group.vertical_axis": _WEIGHT,
-    "tolerance.method": say("every sample is random, of tolerance.samples clutches; leave the key out"),
+    "tolerance.method": deferred("every sample is random, of tolerance.samples clutches; leave the key out"),
 }
 """Path of a key of a spec → what to do instead."""
 
 _UNIT = ("balls", "face_gap", "edge_clearance", "hub_diameter", "key_friction", "pocket", "contact")
 _PACK = ("pairs", "driving_pairs", "mean_radius", "inner_radius", "outer_radius")
 _BALLS = ("gain", "wall_angle", "ball_circle_radius")
-_FACES = say("friction_group.inner_radius and friction_group.outer_radius")
+_FACES = deferred("friction_group.inner_radius and friction_group.outer_radius")
 
 MOVED: Mapping[str, str] = {
-    "variants": "search.variant",
-    "springs": "search.springs",
-    "wanted.nominal_torque": "adjustment.nominal_torque",
-    "wanted.method": "adjustment.method",
-    "wanted.margin": "adjustment.margin",
+    "variants": "search.variant", "springs": "search.springs", "wanted.nominal_torque": "adjustment.nominal_torque",
+    "wanted.method": "adjustment.method", "wanted.margin": "adjustment.margin",
     "limits.contact_force": "control_unit.allowable_contact_force",
-    "limits.gain_limit": say("no key: the limit of the gain is always held"),
-    "fixed.face_width": _FACES,
-    "fixed.closing_room": "closing_spring.room",
-    "fixed.control_room": "control_spring.room",
+    "limits.gain_limit": deferred("no key: the limit of the gain is always held"), "fixed.face_width": _FACES,
+    "fixed.closing_room": "closing_spring.room", "fixed.control_room": "control_spring.room",
     **{f"fixed.{name}": f"control_unit.{name}" for name in _UNIT},
     **{f"search.{name}": f"search.friction_group.{name}" for name in _PACK},
     **{f"search.{name}": f"search.control_unit.{name}" for name in _BALLS},
-    "search.closing_force": "requirements.closing_force",
-    "search.closing_forces": "search.closing_spring.force",
+    "search.closing_force": "requirements.closing_force", "search.closing_forces": "search.closing_spring.force",
     "search.closing_stiffness": "search.closing_spring.stiffness",
-    "search.control_stiffness": "search.control_spring.stiffness",
-    "search.ball_diameters": "catalogues.balls",
-}
+    "search.control_stiffness": "search.control_spring.stiffness", "search.ball_diameters": "catalogues.balls",
+}  # fmt: skip
 """Key of a requirements file before 0.4 → where it is in a spec; others of wanted and limits are requirements."""
-_OLD = frozenset(("wanted", "limits", "fixed", "variants"))
-"""What only a requirements file has."""
+OLD = frozenset(("wanted", "limits", "fixed", "variants"))
+"""Tables that only a requirements file has."""
 
 
-def moved_in(data: Mapping[str, object], given: Iterable[str]) -> dict[str, str]:
-    """Keys of a requirements file among those ``given``, each with its new place; empty for a spec."""
-    if _OLD.isdisjoint(data):
-        return {}
+def moved_in(given: Iterable[str]) -> dict[str, str]:
+    """Keys of a requirements file among those ``given``, each with its new place."""
     places = {}
     for path in given:
         table, _, name = path.partition(".")
@@ -69,4 +60,4 @@ def instead_of(path: str) -> str:
     # the name method alone is that of adjustment.method
     found = (hint for key, hint in REMOVED.items() if name == key or (key.endswith(f".{name}") and name != "method"))
     hint = next(found, "")
-    return say(" since 0.4: {instead}", instead=hint) if hint else ""
+    return say(" since 0.4: {instead}", instead=translate(hint)) if hint else ""

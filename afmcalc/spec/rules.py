@@ -3,12 +3,15 @@
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple, TypeAlias, TypeGuard
 
-from ..messages import say, say_many
+from ..messages import deferred, filled, say, say_many
 from ..variants import VARIANTS
 from .fields import Broken
 
 Table: TypeAlias = Mapping[str, object]
 """A table of a spec as it was written."""
+
+
+_BESIDE = deferred("required beside {other}")
 
 
 class KeyRule(NamedTuple):
@@ -18,6 +21,12 @@ class KeyRule(NamedTuple):
     given: tuple[str, ...]
     absent: tuple[str, ...]
     message: str
+    """Template, which may name the first of ``given`` but the key as ``{other}``."""
+
+    def said(self) -> str:
+        """Message in the language of the user."""
+        other = next((path.rstrip(".") for path in self.given if path != self.key), "")
+        return filled(self.message, {"other": other})
 
 
 def _wrong(key: str, message: str, *beside: str) -> KeyRule:
@@ -25,28 +34,25 @@ def _wrong(key: str, message: str, *beside: str) -> KeyRule:
 
 
 def _wanted(key: str, *beside: str, unless: tuple[str, ...] = (), message: str = "") -> KeyRule:
-    return KeyRule(key, beside, (key, *unless), message or _beside(beside[0]))
+    return KeyRule(key, beside, (key, *unless), message or _BESIDE)
 
 
-def _beside(path: str) -> str:
-    return say("required beside {other}", other=path.rstrip("."))
-
-
-_ONE_FRICTION = say("give friction for all pairs or per group (friction.driving, friction.driven), not both")
-_RANGE = say("required (or give material instead of min and max)")
-_RADII = say("required (or give inner_radius and outer_radius)")
-_WALL = say("required (or give wall_angle and ball_circle_radius)")
-_BOTH_FORCES = say("required beside control_spring.force: both forces as made")
-_ONE_RADIUS = say("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius")
-_ONE_MOTOR = say("excludes drive.motor: give a constant torque, or the motor's curve")
-BY_PLATE = say("excludes [machine], whose plate gives it")
+_ONE_FRICTION = deferred("give friction for all pairs or per group (friction.driving, friction.driven), not both")
+_RANGE = deferred("required (or give material instead of min and max)")
+_RADII = deferred("required (or give inner_radius and outer_radius)")
+_WALL = deferred("required (or give wall_angle and ball_circle_radius)")
+_BOTH_FORCES = deferred("required beside control_spring.force: both forces as made")
+_ONE_RADIUS = deferred("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius")
+_ONE_MOTOR = deferred("excludes drive.motor: give a constant torque, or the motor's curve")
+BY_PLATE = deferred("excludes [machine], whose plate gives it")
+_ONE_SLOPE = deferred("excludes control_unit.pocket: give the slope, or the pocket that it follows from")
 _MODULUS = "fatigue.polar_section_modulus"
 _GROUPS = ("friction.driving", "friction.driven")
 _MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "inner", "outer"))
 _GAIN, _ANGLE, _CIRCLE = "control_unit.gain", "control_unit.wall_angle", "control_unit.ball_circle_radius"
 _SLOPE, _POCKET = "control_unit.gain_slope", "control_unit.pocket"
 _HUB = "control_unit.hub_diameter"
-_ENVELOPE = say("required beside [envelope]: both radii of the faces, instead of mean_radius")
+_ENVELOPE = deferred("required beside [envelope]: both radii of the faces, instead of mean_radius")
 _FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
 
 _RULES = (
@@ -66,26 +72,28 @@ _RULES = (
     _wanted(_OUTER, _INNER, unless=(_MEAN,)),
     _wanted(_INNER, _OUTER, unless=(_MEAN,)),
     _wanted(_MEAN, "friction_group.", unless=(_INNER, _OUTER), message=_RADII),
-    _wrong(_ANGLE, say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"), _GAIN),
+    _wrong(_ANGLE, deferred("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"), _GAIN),
     _wanted(_CIRCLE, _ANGLE, unless=(_GAIN,)),
     _wanted(_GAIN, "control_unit.", unless=(_ANGLE,), message=_WALL),
-    _wrong(_SLOPE, say("excludes control_unit.pocket: give the slope, or the pocket that it follows from"), _POCKET),
-    _wanted(_FORCE, unless=(_TORQUE,), message=say("required (or give adjustment.nominal_torque, which sets it)")),
+    _wrong(
+        _SLOPE, deferred("excludes control_unit.pocket: give the slope, or the pocket that it follows from"), _POCKET
+    ),
+    _wanted(_FORCE, unless=(_TORQUE,), message=deferred("required (or give adjustment.nominal_torque, which sets it)")),
     _wanted(_FORCE, "control_spring.force", _TORQUE, message=_BOTH_FORCES),
     _wrong("drive.motor_torque", _ONE_MOTOR, "drive.motor"),
     *(_wanted(f"drive.{key}", "drive.event.") for key in ("motor_inertia", "shaft_stiffness")),
     _wanted("drive.driven_inertia", "drive.event.", unless=("envelope.",)),
     *(_wanted(key, "envelope.", message=_ENVELOPE) for key in (_INNER, _OUTER)),
     _wanted("envelope.hub_diameter", "envelope.", unless=(_HUB,)),
-    _wrong("envelope.hub_diameter", say("excludes {other}: it is the same hub", other=_HUB), _HUB),
+    _wrong("envelope.hub_diameter", deferred("excludes {other}: it is the same hub"), _HUB),
     _wanted("drive.speed", "drive.event.", unless=("drive.motor",)),
     _wrong("requirements.machine_torque", BY_PLATE, "machine."),
-    _wrong(_MODULUS, say("excludes [shaft], whose diameter gives it"), "shaft."),
-    _wanted(_MODULUS, "fatigue.", unless=("shaft.",), message=say("required (or give shaft.diameter)")),
+    _wrong(_MODULUS, deferred("excludes [shaft], whose diameter gives it"), "shaft."),
+    _wanted(_MODULUS, "fatigue.", unless=("shaft.",), message=deferred("required (or give shaft.diameter)")),
     *(
         _wrong(
             f"tolerance.fields.{spring}.stiffness",
-            say("has no effect beside {spring}.disc", spring=spring),
+            deferred("has no effect beside {other}"),
             f"{spring}.disc",
         )
         for spring in ("closing_spring", "control_spring")
@@ -104,7 +112,7 @@ def broken_rules(data: Table) -> list[Broken]:
 
 def _broken(given: Table, rules: Iterable[KeyRule]) -> list[Broken]:
     keys = given.keys()
-    wrong = ((rule.key, rule.message) for rule in rules if keys >= set(rule.given) and keys.isdisjoint(rule.absent))
+    wrong = ((rule.key, rule.said()) for rule in rules if keys >= set(rule.given) and keys.isdisjoint(rule.absent))
     return list(dict.fromkeys(wrong))
 
 
@@ -122,7 +130,7 @@ def given_in(data: Table, prefix: str = "") -> dict[str, object]:
 def _static_friction(given: Table) -> Iterator[Broken]:
     ratio = given.get("friction.static_ratio")
     if isinstance(ratio, int | float) and ratio > 1 and "friction.stribeck_speed" not in given:
-        yield "friction.stribeck_speed", _beside("friction.static_ratio")
+        yield "friction.stribeck_speed", filled(_BESIDE, {"other": "friction.static_ratio"})
 
 
 def _special_keys() -> dict[str, tuple[str, ...]]:
@@ -180,10 +188,8 @@ def _pairs(given: Table) -> Iterator[Broken]:
         )
         message = say(
             "a {variant} clutch needs at least {least}: {bypass} and 1 driven",
-            variant=variant.name,
-            least=least,
-            bypass=bypass,
-        )
+            variant=variant.name, least=least, bypass=bypass,
+        )  # fmt: skip
         yield "friction_group.pairs", message
 
 
@@ -196,9 +202,9 @@ def _event(given: Table, *, travels: bool) -> Iterator[Broken]:
         return
     kind = given.get("drive.event.kind")
     if kind == "load" and "drive.tool_inertia" not in given:
-        yield "drive.tool_inertia", _beside("drive.event")
+        yield "drive.tool_inertia", filled(_BESIDE, {"other": "drive.event"})
     if travels and given.keys().isdisjoint(("drive.hub_inertia", "envelope.")):
-        yield "drive.hub_inertia", _beside("drive.event")
+        yield "drive.hub_inertia", filled(_BESIDE, {"other": "drive.event"})
     if kind == "stop" and "drive.tool_inertia" in given:
         yield "drive.tool_inertia", say("only with an event of kind load: a stopped tool moves as it is told")
     for other, keys in _OF_EVENT.items():

@@ -4,6 +4,8 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
+from pydantic import BaseModel
+
 from .edit import replaced, value_at
 from .keys import keys
 from .models import Spec, resolved
@@ -13,7 +15,7 @@ from .write import to_toml, value_as_written, written
 
 
 def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, folder: str = "") -> str:
-    """Return the text of ``spec`` with other values of some keys, and without its search.
+    """Return the text of ``spec`` with other values of some keys.
 
     What was read as TOML keeps comments, order and the units of what stays; any other text is written anew.
 
@@ -30,7 +32,7 @@ def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, folder: str = "
 
     document = tomlkit.parse(source.text)
     overridden = {path: value_at(changed, path) for path in source.overridden}
-    gone = dict.fromkeys([*replaced(spec, changes), "search"])
+    gone = dict.fromkeys(replaced(spec, changes))
     listed = spec.catalogues.model_dump(exclude_none=True) if spec.catalogues else {}
     lists = {f"catalogues.{name}": os.path.relpath(file, folder or ".") for name, file in listed.items()}
     values = {**overridden, **gone, **changes, **lists}
@@ -59,6 +61,8 @@ def _put(document: Any, path: str, value: Any) -> None:
 
 def in_units(value: Any, path: str) -> Any:
     """Return the value of a key as a file has it: with its unit."""
+    if isinstance(value, BaseModel):
+        value = value.model_dump(exclude_none=True)
     if isinstance(value, Mapping):
         return written(value, path)
     key = keys().get(path)

@@ -36,11 +36,7 @@ def flat(table: Table, prefix: str = "") -> Iterator[tuple[str, object]]:
 
 
 def axes_of(given: Table, spec: type[BaseModel]) -> Axes:
-    """Read a [search] table: numbers in SI.
-
-    Raises:
-        ValidationError: every problem found.
-    """
+    """Read a [search] table: numbers in SI. Raises ValidationError: every problem found."""
     axes, broken = Axes(), list[Broken]()
     known = {path: key for path, key in keys_below(spec).items() if not path.startswith(_NOT_VARIED)}
     for path, value in flat(given):

@@ -1,23 +1,15 @@
-"""Where a spec was read from, and where in its text each key stands."""
+"""The text that a spec was read from, and the line of each key in it."""
 
-import json
 import re
-from collections import deque
 from collections.abc import Iterable, Mapping
-from functools import cached_property
-from itertools import count
-from typing import NamedTuple
 
 from ..errors import Label, Place
 from ..findings import Finding
 from .catalogues import Lists
 
-_SEARCHED = 1 << 20
-"""Characters of a text in which places are looked for."""
-
 
 class Source(Label):
-    """What a text is called in messages; carries the text, so that an error can show the line."""
+    """Name of a text in messages; carries the text, so that an error can show the line."""
 
     text: str
     overridden: Mapping[str, str]
@@ -32,7 +24,6 @@ class Source(Label):
     ) -> "Source":
         """Name a text."""
         source = str.__new__(cls, label)
-        source.name = label.name if isinstance(label, Source) else label
         source.text, source.overridden, source.findings = text, dict(overridden or {}), tuple(findings)
         return source
 
@@ -40,144 +31,50 @@ class Source(Label):
         """The same text, with other values at some paths."""
         gone = dict.fromkeys(paths, "")
         findings = (finding for finding in self.findings if finding.path not in gone)
-        return Source(self.name, self.text, {**self.overridden, **gone}, findings)
-
-    @cached_property
-    def _spans(self) -> "dict[str, Span]":
-        try:
-            return spans(self.text) if len(self.text) <= _SEARCHED else {}
-        except RecursionError:
-            return {}
+        return Source(self, self.text, {**self.overridden, **gone}, findings)
 
     def origin(self, path: str) -> str:
-        """What gave the value at a dotted path: the text, or an option of the command line."""
-        return next((by for gone, by in self.overridden.items() if f"{path}.".startswith(f"{gone}.")), "") or self.name
+        """Origin of the value at a dotted path: the text, or an option of the command line."""
+        return next((by for gone, by in self.overridden.items() if f"{path}.".startswith(f"{gone}.")), "") or self
 
-    def place(self, path: str, *, key: bool = False) -> Place | None:
-        """Where the value at a dotted path stands, or its ``key``; of a missing one, the table that lacks it."""
+    def place(self, path: str) -> Place | None:
+        """Line of the key at a dotted path; of a missing one, that of the table that lacks it."""
         if not path or any(f"{path}.".startswith(f"{gone}.") for gone in self.overridden):
             return None
-        outside = ["spec"] if "spec" in self._spans else []
-        wanted = path
-        while wanted:
-            if span := self._spans.get(".".join([*outside, wanted])):
-                if key or wanted != path:
-                    return place_at(self.text, span.key, span.name_end)
-                return place_at(self.text, span.value, span.end)
-            wanted = wanted.rpartition(".")[0]
-        return None
+        lines = self.text.split("\n")
+        number = _json_line(self.text, path) if self.text.lstrip()[:1] == "{" else _toml_line(lines, path)
+        return Place(number, lines[number - 1]) if number else None
 
 
-def place_at(text: str, start: int, end: int) -> Place:
-    """Place of a stretch of a text, as far as its first line goes."""
-    begin = text.rfind("\n", 0, start) + 1
-    over = text.find("\n", start)
-    line = text[begin : over if over >= 0 else len(text)].removesuffix("\r")
-    column = min(start - begin, len(line))
-    return Place(text.count("\n", 0, start) + 1, column + 1, min(end - start, len(line) - column), line)
+_KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
 
 
-class Span(NamedTuple):
-    """Where a key and its value begin and end; the head of a table stands for both."""
-
-    key: int
-    name_end: int
-    value: int
-    end: int
-
-
-_TOKEN = r"""(?xs)
-    (?P<blank>[ \t\r]+|\#[^\n]*)
-    |(?P<line>\n)
-    |(?P<text>\"{3}(?:\\.|[^\\])*?\"{3,5}|'{3}.*?'{3,5}|"(?:\\.|[^"\\\n])*"|'[^'\n]*')
-    |(?P<sign>[][{}=:,.])
-    |(?P<bare>[^][{}=:,.\s\#"']+)"""
-
-
-def spans(text: str) -> dict[str, Span]:
-    """Where every key stands in valid TOML or JSON, by dotted path; items of a list by their number."""
-    return _Reader(text).document()
-
-
-class _Reader:
-    """Takes the tokens of a text one by one. JSON is read as an inline table of TOML with colons."""
-
-    def __init__(self, text: str) -> None:
-        self.tokens = deque(token for token in re.finditer(_TOKEN, text) if token.lastgroup != "blank")
-        self.end = 0
-        """Of the token that was taken last."""
-        self.spans: dict[str, Span] = {}
-
-    def next(self) -> str:
-        return self.tokens[0].group() if self.tokens else ""
-
-    def take(self) -> re.Match[str]:
-        token = self.tokens.popleft()
-        self.end = token.end()
-        return token
-
-    def skip(self, *signs: str) -> None:
-        while self.next() in signs:
-            self.take()
-
-    def document(self) -> dict[str, Span]:
-        table = ""
-        while self.tokens:
-            match self.next():
-                case "\n":
-                    self.take()
-                case "{":
-                    self.value("")
-                case "[":
-                    start = self.tokens[0].start()
-                    self.skip("[")
-                    table = self.key("")
-                    self.skip("]")
-                    self.spans[table] = Span(start, self.end, start, self.end)
-                case _:
-                    self.pair(table)
-        return self.spans
-
-    def key(self, table: str) -> str:
-        parts = [table] if table else []
-        while True:
-            token = self.take()
-            parts.append(_unquoted(token.group()) if token.lastgroup == "text" else token.group())
-            if self.next() != ".":
-                return ".".join(parts)
-            self.take()
-
-    def pair(self, table: str) -> None:
-        start = self.tokens[0].start()
-        path = self.key(table)
-        end = self.end
-        self.skip("\n", "=", ":")
-        self.spans[path] = Span(start, end, *self.value(path))
-
-    def value(self, path: str) -> tuple[int, int]:
-        """Step over a value; where it begins and ends."""
-        start = self.tokens[0].start()
-        if (opening := self.next()) in ("[", "{"):
-            self.take()
-            self.skip("\n", ",")
-            for number in count():
-                if self.next() in ("]", "}"):
-                    break
-                if opening == "{":
-                    self.pair(path)
-                else:
-                    item = self.value(f"{path}.{number}")
-                    self.spans[f"{path}.{number}"] = Span(*item, *item)
-                self.skip("\n", ",")
-            self.take()
+def _toml_line(lines: Iterable[str], path: str) -> int:
+    """Line of ``key =`` under its ``[table]``, else of the innermost table or key around it; 0: there is none."""
+    best, number, table = "", 0, ""
+    for at, line in enumerate(lines, start=1):
+        if line.lstrip()[:1] == "[" and (head := line.split("#")[0].strip()).endswith("]"):
+            name = table = _bare(head.strip("[]"))
+        elif match := _KEY.match(line):
+            name = f"{table}.{_bare(match[1])}" if table else _bare(match[1])
         else:
-            while self.next() not in ("", "\n", ",", "]", "}"):
-                self.take()
-        return start, self.end
+            continue
+        if f"{path}.".startswith(f"{name}.") and len(name) > len(best):
+            best, number = name, at
+    return number
 
 
-def _unquoted(text: str) -> str:
-    try:
-        return str(json.loads(text, strict=False))
-    except ValueError:
-        return text[1:-1]
+def _bare(key: str) -> str:
+    return re.sub(r"""["'\s]""", "", key)
+
+
+def _json_line(text: str, path: str) -> int:
+    """Line of the last key of a path that is found, each behind the one before it; 0: none is."""
+    spec = re.search(r'"spec"\s*:', text)
+    at, found = spec.end() if spec else 0, 0
+    for name in path.split("."):
+        match = re.compile(rf'"{re.escape(name)}"\s*:').search(text, at)
+        if match is None:
+            break
+        at, found = match.end(), text.count("\n", 0, match.start()) + 1
+    return found

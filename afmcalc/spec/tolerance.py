@@ -53,7 +53,7 @@ class Distribution(Block):
 
 
 class Tolerance(Block):
-    """What scatters, and how it is calculated."""
+    """Fields that scatter, and the method of the calculation."""
 
     setting: Setting = key(
         "how the springs of a sample are set; as-made: for the nominal clutch, and held; each-adjusted: on the bench",
@@ -110,7 +110,7 @@ def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
 
 
 def scattering(path: str, spec: type[BaseModel]) -> Quantity | None:
-    """What a number that scatters may be; None when nothing that may scatter is at the path."""
+    """Unit and bounds of a number that scatters; None when nothing that may scatter is at the path."""
     key = keys_below(spec).get("friction.min" if path in FRICTION else path)
     about = key.about if key else None
     return None if about is None or about.whole or path.startswith(_NOT_OF_THE_CLUTCH) else about

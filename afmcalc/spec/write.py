@@ -5,10 +5,9 @@ from collections.abc import Mapping
 from decimal import Decimal
 from typing import Any
 
-from ..messages import named, translate
+from ..messages import named, native, translate
 from ..units import ENGINEER, ZEROS, product
 from .keys import keys, scatter_at
-from .parse import example_text
 from .quantity import parse_quantity
 
 WRITTEN = ("N", "m", "N*m", "N/m", "rad", "Pa", "m^3", "rad/s", "K abs", "W")
@@ -37,7 +36,7 @@ def to_toml(data: Mapping[str, object], about: str = "") -> str:
         if line.startswith("["):
             table = line.strip("[]") + "."
         key = keys().get(table + line.partition(" = ")[0])
-        words = [key.symbol, re.split(r"; | \(", key.description)[0]] if key else []
+        words = [native(key.symbol or ""), re.split(r"; | \(", key.description)[0]] if key else []
         text = ", ".join(filter(None, words))
         lines.append(f"{line:<{_COMMENT - 1}} # {text}" if text else line)
     return "\n".join(lines) + "\n"
@@ -85,18 +84,6 @@ def _quantity(value: float, unit: str) -> str:
     if float(plain) == value and parse_quantity(f"{text} {written}", unit) != value:
         return f"{plain} {unit.removesuffix(' abs')}"
     return f"{text} {written}"
-
-
-_DRIVE = r"(?ms)^\[drive\].*?(?=^(?:# )?\[(?!drive)|\Z)"
-"""The blocks of a drive, up to the block that follows."""
-
-
-def in_a_drive(text: str, *, hub: bool) -> str:
-    """Return an example of a clutch with the drive of the example that has one; with its inertia if the hub moves."""
-    drive = re.findall(_DRIVE, example_text("drive"))[0]
-    if hub:
-        drive = re.sub(r"(?m)^# (hub_inertia = \S+ \S+)", r"\1  ", drive)
-    return re.sub(_DRIVE, lambda match: drive, text, count=1)
 
 
 def comment(line: str) -> str:

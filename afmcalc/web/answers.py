@@ -1,9 +1,8 @@
-"""What a page is shown: fragments of HTML, from the functions that the commands ask."""
+"""Answers to the page: fragments of HTML, from the functions that the commands ask."""
 
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
@@ -21,28 +20,28 @@ from ..analysis.registry import ANALYSES
 from ..analysis.sweep import parse_axis
 from ..engines import build
 from ..errors import AfmcalcError, CalculationError
-from ..messages import localized, spoken, told, translate
+from ..messages import localized, native, say, translate
 from ..render.document import Column, document
 from ..render.layout import TextTable, blocks, cells, ranked
 from ..render.plot import sheet_of
-from ..render.plot.chart import Sheet
+from ..render.plot.chart import Chart, Line, Sheet
 from ..render.plot.figure import inline_svg
 from ..render.report import Subject, render
 from ..render.report.chapters import chapters
-from ..render.report.markup import drawing
-from ..render.report.page import template
+from ..render.report.html import drawing
 from ..render.report.title import text_as_given, title_block
-from ..render.report.words import FORMS
 from ..render.units import display_unit
 from ..result import Result
 from ..spec import Spec, make_spec, resolved, to_toml
 from ..spec.parse import parse
 from ..spec.source import Source
 from ..spec.write import written
+from .curve import curve
+from .filled import template
 from .form import Base, State, editable, refusal
 
 Job = Mapping[str, Any]
-"""What is asked: its ``name``, the state ``pinned``, ``options`` of a tab, number of the ``first`` base to make."""
+"""Question: its ``name``, the state ``pinned``, ``options`` of a tab, number of the ``first`` base to make."""
 Answer = dict[str, Any]
 _MOST = 20
 """Clutches of a front that are shown, each to be loaded."""
@@ -59,25 +58,27 @@ def answer(state: State, job: Job) -> Answer:
 
 def fragment(name: str, *arguments: object) -> str:
     """Fill a macro of the page."""
-    return str(getattr(template("parts.html", Path(__file__).parent).module, name)(*arguments))
+    return str(getattr(template("parts.html").module, name)(*arguments))
 
 
 def _live(state: State, job: Job) -> Answer:
     """Show a clutch after each change; its numbers beside those of the pinned one."""
     answers, pinned = Answers(build(state.spec)), job["pinned"]
     checked, findings = check_at_once(answers)
-    before, inputs = None, []
+    before, inputs, curves = None, [], list[Line]()
     if pinned:
         old, new = pinned.texts, state.texts
         inputs = [
             (path, translate(key.description), old.get(path, ""), new.get(path, "")) for path, key in editable().items()
         ]
         with suppress(AfmcalcError):
-            before = Answers(build(pinned.spec)).ask("torque")[0]
+            then = Answers(build(pinned.spec))
+            before = then.ask("torque")[0]
+            curves = sheet_of("torque", gathered("torque", Request([then]))).panels[0].lines
     fragments = {
         "verdict": fragment("verdict", checked, ranked(findings)),
         "section": _figure("section", answers, 1),
-        "torque": _figure("torque", answers, 2),
+        "torque": _figure("torque", answers, 2, curves),
         "numbers": fragment("numbers", *_numbers(answers.ask("torque")[0], before)),
         "compare": fragment("compare", [each for each in inputs if each[2] != each[3]]) if pinned else "",
     }
@@ -107,17 +108,20 @@ def _numbers(result: Result, pinned: Result | None) -> tuple[list[Quantity], lis
     return singles, [row(column, [".min", ".mean", ".max"]) for column in now.triples if not column.hidden]
 
 
-def _figure(name: str, answers: Answers, number: int) -> str:
+def _figure(name: str, answers: Answers, number: int, pinned: Sequence[Line] = ()) -> str:
     try:
         sheet = sheet_of(name, gathered(name, Request([answers])))
     except CalculationError as error:
         return fragment("answer", [], [], [], [str(error)])
-    return fragment("figure", sheet.title, *_drawn(sheet, number))
+    return fragment("figure", sheet.title, *_drawn(sheet, number, pinned))
 
 
-def _drawn(sheet: Sheet, number: int) -> tuple[Markup, str]:
-    """Draw a sheet as part of a page, with its caption; ``number`` is that of no other drawing of the page."""
-    return drawing(inline_svg(sheet), sheet.title, number), sheet.below
+def _drawn(sheet: Sheet, number: int, pinned: Sequence[Line] = ()) -> tuple[Markup, str]:
+    """Return a sheet as part of a page, with its caption; ``number`` is that of no other drawing of the page."""
+    if isinstance(sheet.panels[0], Chart):
+        charts = (fragment("curve", sheet.title, curve(chart, pinned)) for chart in sheet.panels)
+        return Markup("").join(map(Markup, charts)), sheet.below
+    return Markup(drawing(inline_svg(sheet), native(sheet.title), number)), sheet.below  # noqa: S704
 
 
 def _analysed(state: State, job: Job) -> Answer:
@@ -147,8 +151,7 @@ def _report(state: State, job: Job) -> Answer:
         page = render(Subject(told_of, given, title, base.digest, spec.label, state.overrides, __version__))
         html = fragment("report", page)
     else:
-        lined = FORMS.get(spoken(), FORMS["en"]).lined
-        html = fragment("explanation", [chapter for chapter in chapters(told_of) if chapter.blocks], lined)
+        html = fragment("explanation", [chapter for chapter in chapters(told_of) if chapter.steps])
     return {"html": html, "command": state.command("report", "--output", "report.html")}
 
 
@@ -169,7 +172,7 @@ def search_of(spec: Spec) -> str:
 
 def _design(state: State, job: Job) -> Answer:
     """Search around a clutch; each clutch of the front that is shown is a base to go on from."""
-    source = Source(told("search"), job["options"].get("requirements", ""))
+    source = Source(say("search"), job["options"].get("requirements", ""))
     try:
         given = parse(source)
         if others := given.keys() - {"objectives", "requirements", "search"}:
@@ -180,7 +183,7 @@ def _design(state: State, job: Job) -> Answer:
         return refusal(error, "requirements")
     front = shown(result, None, _MOST)
     bases = [
-        Base(told("number {pick} of the front", pick=row.number), to_toml(resolved(candidate(spec, row.changes))), "-")
+        Base(say("number {pick} of the front", pick=row.number), to_toml(resolved(candidate(spec, row.changes))), "-")
         for row in front.front
     ]
     numbers = [job["first"] + number for number in range(len(bases))]
@@ -188,7 +191,7 @@ def _design(state: State, job: Job) -> Answer:
     table = next((each for each in tables if each.source and each.source.path == "front"), none)
     notes = [line for line in (table.legend, table.meanings) if line]
     if len(result.front) > len(front.front):
-        notes.append(told("{top} of {count} shown; --top {count} shows all", top=_MOST, count=len(result.front)))
+        notes.append(say("{top} of {count} shown; --top {count} shows all", top=_MOST, count=len(result.front)))
     number = 2 + list(_ANSWERS).index("design")
     drawn = len({*result.objectives}) > 1 and result.front
     figures = [_drawn(sheet_of("pareto", ParetoFigure(spec.name, result)), number)] if drawn else []

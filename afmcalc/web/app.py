@@ -18,8 +18,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from .. import __version__
 from ..errors import AfmcalcError, unexpected
 from ..messages import named, spoken
-from ..render.report.page import template
-from ..spec import resolved
+from .filled import template
 from .form import Base, State, form_of, refusal
 from .worker import Worker
 
@@ -83,7 +82,7 @@ class Gate:
 
 
 class Page:
-    """What is served: one clutch and those that a design gave, changed by forms; it keeps nothing else."""
+    """State of the server: one clutch and those that a design gave, changed by forms; it keeps nothing else."""
 
     def __init__(self, base: Base, requirements: str, units: str, target: str, save: Callable[[Any], Any]) -> None:
         """Serve a clutch, and a search around it; ``target``: what ``save`` writes, if anything."""
@@ -117,7 +116,7 @@ class Page:
         asked = request.query_params.get("base", "0")
         number = int(asked) if asked.isdecimal() and len(asked) < 9 else -1
         state = State(self._base(number))
-        page = template("page.html", HERE).render(
+        page = template("page.html").render(
             language=spoken(), version=__version__, name=named(state.spec.name), source=state.base.label,
             target=self._target, groups=form_of(state), base=number, requirements=self._requirements,
             swept="C" if state.spec.control_unit else "f_max",
@@ -169,13 +168,13 @@ class Page:
     async def _write(self, request: Request) -> Response:
         state = self._state(await _body(request))
         try:
-            return _json(dict(zip(("saved", "message"), self._save(resolved(state.spec)), strict=True)))
+            return _json(dict(zip(("saved", "message"), self._save(state.spec), strict=True)))
         except AfmcalcError as error:
             return _json(refusal(error))
 
     async def _form(self, request: Request) -> Response:
         number = (await _body(request)).get("base")
-        macros: Any = template("parts.html", HERE).module
+        macros: Any = template("parts.html").module
         return _json({"html": str(macros.form(form_of(State(self._base(number))), number)), "base": number})
 
 

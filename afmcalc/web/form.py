@@ -1,4 +1,4 @@
-"""What a page starts from, what its form says, as ``--set`` on a command line would, and the form itself."""
+"""Form of the page: the base it starts from, its state as ``--set`` would give it, and its fields."""
 
 import math
 import re
@@ -10,14 +10,14 @@ from types import UnionType
 from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
 
 from ..errors import AfmcalcError, SpecError
-from ..messages import term, translate
+from ..messages import translate
 from ..render.units import display, display_unit
 from ..spec import Spec
 from ..spec.catalogues import friction_materials
 from ..spec.edit import as_override
 from ..spec.fields import Key, Quantity, block_at
 from ..spec.keys import keys
-from ..spec.parse import BUILT_IN
+from ..spec.parse import PREFIX
 from ..spec.read import data_of, spec_of
 from ..spec.rules import given_in
 from ..spec.source import Source
@@ -42,11 +42,11 @@ class Base(NamedTuple):
     @property
     def source(self) -> Source:
         """Its text, as a spec is read from it."""
-        return Source(BUILT_IN if self.argument is None else term(self.label), self.text)
+        return Source(f"{PREFIX}default" if self.argument is None else self.label, self.text)
 
 
 class State(NamedTuple):
-    """What a form says: texts of the keys that are not as in its base, empty of those taken out."""
+    """State of a form: texts of the keys that are not as in its base, empty of those taken out."""
 
     base: Base
     fields: Mapping[str, str] = {}
@@ -70,7 +70,7 @@ class State(NamedTuple):
 
     @property
     def texts(self) -> dict[str, str]:
-        """What the form shows of each key that is given."""
+        """Text that the form shows of each key that is given."""
         texts = _texts(*self.base[:3], tuple(self.base.overrides))
         return {path: text for path, text in {**texts, **self.fields}.items() if text.strip()}
 
@@ -125,7 +125,7 @@ def refusal(error: AfmcalcError, option: str = "") -> dict[str, Any]:
     if not isinstance(error, SpecError):
         return {"errors": {}, "problems": str(error).split("\n")}
     known = {*editable(), *(table.removesuffix(".") for table in _tables(editable()))}
-    sentences = [(problem.path, translate(term(str(problem)))) for problem in error.problems]
+    sentences = [(problem.path, str(problem)) for problem in error.problems]
     errors = {path: sentence for path, sentence in sentences[::-1] if path in known}  # of each the first
     problems = [sentence for path, sentence in sentences if path not in known]
     return {"errors": dict(reversed(errors.items())), "problems": problems}

@@ -39,9 +39,58 @@ function put(place, html) {
     frame.src = find("a[download]", place).href = URL.createObjectURL(new Blob([frame.dataset.page], { type: "text/html;charset=utf-8" }));
     frame.removeAttribute("data-page");
   }
+  all("[data-chart]", place).forEach(draw);
   for (const [id, was] of open) { const one = document.getElementById(id); if (one) one.open = was; }
   all(".scroll", place).forEach((one, index) => { one.scrollLeft = scrolled[index] ?? 0; });
   reachable();
+}
+
+/** Round numbers within the ends of an axis: powers of ten, or steps of 1, 2 or 5 times one. */
+function ticks({ ends: [low, high], log }) {
+  if (log) return Array.from({ length: 40 }, (_, at) => 10 ** (Math.ceil(Math.log10(low)) + at)).filter((one) => one <= high);
+  if (!(high > low)) return [low];
+  const power = 10 ** Math.floor(Math.log10((high - low) / 6));
+  const step = [1, 2, 5, 10].map((one) => one * power).find((one) => one * 6 >= high - low);
+  const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+  return Array.from({ length: last - first + 1 }, (_, at) => (first + at) * step);
+}
+
+/** Draw a chart into its SVG. */
+function draw(svg) {
+  const { x, y, areas, guides, lines } = JSON.parse(svg.dataset.chart), [left, right, top, base] = [60, 750, 8, 276];
+  const scale = ({ ends, log }, from, to) => {
+    const of = log ? Math.log10 : Number, [low, high] = ends.map(of);
+    return (value) => Math.round(10 * (from + (to - from) * (high > low ? (of(value) - low) / (high - low) : .5))) / 10;
+  };
+  const across = scale(x, left, right), up = scale(y, base, top);
+  const add = (name, attributes, text = "", inside = svg) => {
+    const one = document.createElementNS("http://www.w3.org/2000/svg", name);
+    for (const [key, value] of Object.entries(attributes)) one.setAttribute(key, value);
+    one.textContent = text;
+    return inside.appendChild(one);
+  };
+  const path = (xs, ys) => {
+    let pen = "M";
+    return xs.map((one, at) => {
+      if (one === null || ys[at] === null) { pen = "M"; return ""; }
+      const place = `${pen}${across(one)} ${up(ys[at])}`;
+      pen = "L";
+      return place;
+    }).join("");
+  };
+  const digits = (value) => value.toLocaleString(document.documentElement.lang, { maximumSignificantDigits: 4, notation: value >= 1e6 ? "scientific" : "standard" });
+  for (const one of ticks(x)) { add("path", { class: "grid", d: `M${across(one)} ${base}V${top}` }); add("text", { x: across(one), y: 294, "text-anchor": "middle" }, digits(one)); }
+  for (const one of ticks(y)) { add("path", { class: "grid", d: `M${left} ${up(one)}H${right}` }); add("text", { x: left - 6, y: up(one) + 4, "text-anchor": "end" }, digits(one)); }
+  for (const { x: xs, low, high } of areas) add("path", { class: "area", d: `${path(xs, high)}${path([...xs].reverse(), [...low].reverse()).replace("M", "L")}Z` });
+  for (const { across: level, at, dash } of guides) add("path", { class: "guide", "stroke-dasharray": dash, d: level ? `M${left} ${up(at)}H${right}` : `M${across(at)} ${base}V${top}` });
+  for (const { x: xs, y: ys, colour, dash, points, filled, paler, names } of lines) {
+    if (!points) { add("path", { stroke: colour, "stroke-dasharray": dash, class: paler ? "paler" : "", d: path(xs, ys) }); continue; }
+    xs.forEach((one, at) => {
+      if (one === null || ys[at] === null) return;
+      const circle = add("circle", { stroke: colour, color: colour, class: filled ? "filled" : "", cx: across(one), cy: up(ys[at]), r: 4 });
+      if (names[at]) add("title", {}, names[at], circle);
+    });
+  }
 }
 
 /** What scrolls sideways can be reached, and scrolled, with the keyboard. */

@@ -16,7 +16,7 @@ from contextlib import suppress
 from typing import Any, TextIO
 
 from ..errors import unexpected
-from ..messages import ENGLISH, language, speaking, spoken, told, translate
+from ..messages import language, say, speaking, spoken
 from ..progress import Bar
 from ..render.units import shown_in
 from ..spec.parse import example_text
@@ -71,7 +71,7 @@ class Worker:
         The process is ended where it takes too long, or whoever listens stops.
         """
         turn = self._turn = self._turn + 1
-        superseded = told("a newer change has taken the place of this one")
+        superseded = say("a newer change has taken the place of this one")
         if self._newest and self._busy:
             self.end()
         async with self._lock:
@@ -82,7 +82,7 @@ class Worker:
                 yield _problem(superseded)
                 return
             self._busy, answered, clock = True, False, asyncio.get_running_loop().time
-            end, why = clock() + self._limit, told("the calculation ended without an answer: out of memory?")
+            end, why = clock() + self._limit, say("the calculation ended without an answer: out of memory?")
             assert process.stdin
             assert process.stdout
             try:
@@ -92,7 +92,7 @@ class Worker:
                     answered = "progress" not in said
                     yield said
             except TimeoutError:
-                why = told("the calculation takes longer than {limit:g} s: it was ended", limit=self._limit)
+                why = say("the calculation takes longer than {limit:g} s: it was ended", limit=self._limit)
             finally:
                 self._busy = False
                 if not answered and process is self._process:
@@ -106,15 +106,16 @@ def _problem(sentence: str) -> dict[str, Any]:
 
 
 class _Progress(Bar):
-    """Writes how far a calculation is, not too often."""
+    """Progress of a calculation, written not too often."""
 
     out: TextIO
+    last = 0.0
 
     def advance(self, work: str, done: int, total: int) -> None:
         """Write it."""
-        if time.monotonic() - self._shown >= 0.1:
-            self._shown = time.monotonic()
-            _write(self.out, {"progress": done / total if total else None, "text": translate(work)})
+        if time.monotonic() - self.last >= 0.1:
+            self.last = time.monotonic()
+            _write(self.out, {"progress": done / total if total else None, "text": work})
 
 
 def main(language_name: str, units: str) -> None:
@@ -130,14 +131,17 @@ def main(language_name: str, units: str) -> None:
     sys.stdout = sys.stderr  # what a library prints is no answer
     warnings.simplefilter("error", RuntimeWarning)
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
-    spoken_here = ENGLISH if language_name == ENGLISH.name else language(language_name)
-    with speaking(spoken_here), shown_in(units), suppress(BrokenPipeError):  # whoever has gone wants no answer
+    with (
+        speaking(language(language_name)),
+        shown_in(units),
+        suppress(BrokenPipeError),
+    ):  # whoever has gone wants no answer
         answer(State(Base("", example_text("default"), None)), {"name": "live", "pinned": None})
         _write(out, {})  # warm
         for line in sys.stdin.buffer:
             job, began = json.loads(line), time.perf_counter()
             state, pinned = (each and State(Base(*each[0]), each[1]) for each in (job["state"], job["pinned"]))
-            progress = _Progress(quiet=True, agreed=True)
+            progress = _Progress(quiet=True)
             progress.out = out
             with progress:
                 try:

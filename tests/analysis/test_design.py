@@ -151,12 +151,12 @@ def passing(one, springs):
 
 
 def with_springs(clutch, kind):
-    from afmcalc.analysis.springs import part_of, ranked
+    from afmcalc.analysis.springs import ranked
     from afmcalc.engines.parts import spring_demands
 
     (demand,) = spring_demands(clutch._engine)
     for option in ranked(demand, kind, 5):
-        part = part_of(option, clutch._engine.spec.lists.discs).model_dump(exclude_none=True)
+        part = option.made.model_dump(exclude_none=True)
         yield clutch.with_({f"closing_spring.{option.kind}": part, "closing_spring.stiffness": option.stiffness})
 
 
@@ -345,6 +345,7 @@ REFUSED = {
     "search.control_unit.gain=[]": "must not be an empty list",
     "search.friction_group.outer_radius=[0.01]": "must be greater than friction_group.inner_radius",
     'objectives=["accuracy"]': "no quantity 'accuracy' of these clutches",
+    'objectives=["friction_slips"]': "no quantity 'friction_slips' of these clutches",
     "search=": "required by design",
 }  # fmt: skip
 

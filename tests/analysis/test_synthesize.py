@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from strategies import indirect_specs
 
 from afmcalc.analysis.check import check
-from afmcalc.analysis.synthesize import synthesize
+from afmcalc.analysis.synthesize import pocket
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.lists import diameters
@@ -24,7 +24,7 @@ def codes(findings):
 @given(indirect_specs(), st.floats(0, 0.01), st.floats(0, 0.01))
 def test_the_next_standard_ball_not_smaller(spec, gap, clearance):
     unit = spec.control_unit.model_copy(update={"face_gap": gap, "edge_clearance": clearance})
-    result, findings = synthesize(build(spec.model_copy(update={"control_unit": unit})))
+    result, findings = pocket(build(spec.model_copy(update={"control_unit": unit})))
     sizes = diameters()
     wanted = 2 * result.ball_radius
     if result.ball_diameter_standard is None:
@@ -70,7 +70,7 @@ def test_small_balls_are_judged_by_hertz_unless_a_force_is_given(given, judged):
     assert all(each.grade == ("fail" if hertz else "pass") for hertz, each in rows.items())
     assert ("contact-assumed" in codes(found)) == ("contact" not in given)
     assert True not in rows or rows[True].limit == pytest.approx(187, abs=0.5)
-    result, _ = synthesize(own)
+    result, _ = pocket(own)
     assert result.contact_pressure == pytest.approx(6.1e9, rel=5e-3)
     assert result.contact_utilisation == max(each.utilisation for each in rows.values())
     for most, passed in ((6.0e9, False), (6.2e9, True)):
@@ -84,7 +84,7 @@ def test_small_balls_are_judged_by_hertz_unless_a_force_is_given(given, judged):
 def test_the_pocket_is_as_it_was_laid_out(spec, gap, clearance):
     """Ball at the origin, faces at ±s/2: the wall from mouth to apex touches the ball, the floor lies under it."""
     unit = spec.control_unit.model_copy(update={"face_gap": gap, "edge_clearance": clearance})
-    found, _ = synthesize(build(spec.model_copy(update={"control_unit": unit})))
+    found, _ = pocket(build(spec.model_copy(update={"control_unit": unit})))
     mouth, apex = np.array([gap / 2, found.pocket_width / 2]), np.array([gap / 2 + found.pocket_depth, 0.0])
     wall = (apex - mouth) / np.linalg.norm(apex - mouth)
     touching = mouth - wall * (mouth @ wall)
@@ -100,9 +100,11 @@ def test_the_pocket_is_as_it_was_laid_out(spec, gap, clearance):
 
 def test_the_completed_spec_is_the_same_clutch(afmcalc, tmp_path):
     target, own = tmp_path / "completed.toml", tmp_path / "balls.toml"
-    assert afmcalc("synthesize", S21, "--output", target).code == 0
+    assert afmcalc("pocket", S21, "--save", target).code == 0
     assert read_spec(target).control_unit.gain is None
     before, after = (afmcalc("torque", path, "--json").json["result"]["torque"] for path in (S21, target))
     assert after == pytest.approx(before)
     own.write_text('diameters = [30, "60 mm", 200]')
-    assert afmcalc("synthesize", "--balls", own, "--json").json["result"]["ball_diameter_standard"] == 0.03
+    assert (
+        afmcalc("pocket", "--set", f"catalogues.balls={own}", "--json").json["result"]["ball_diameter_standard"] == 0.03
+    )

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
-from afmcalc.analysis.synthesize import synthesize
+from afmcalc.analysis.synthesize import pocket
 from afmcalc.analysis.wall import CHORD, Wall
 from afmcalc.engines import build
 from afmcalc.equations import control_unit, curved_wall
@@ -98,21 +98,21 @@ def test_the_path_turns_the_sleeves_as_far_as_the_law():
     clutch = constant_torque()
     ratio = 0.5
     turned = ratio * (clutch.gain * 3e-3 + clutch.gain_slope * 3e-3**2 / 2)
-    found, _ = synthesize(clutch)
+    found, _ = pocket(clutch)
     wall = Wall(math.tan(found.wall_angle), clutch.gain_slope * ratio, 2e-3, found.ball_diameter / 2)
     assert wall.at(3e-3).path_around == pytest.approx(turned)
 
 
 def test_what_cannot_be_cut_says_what_would():
     clutch = constant_torque(gain=1.0, allowable_contact_force=5e3)
-    found, findings = synthesize(clutch)
+    found, findings = pocket(clutch)
     hint, refusal = sorted(
         (each for each in findings if each.code == "wall-undercut"), key=lambda each: each.level == "error"
     )
     assert (refusal.level, hint.level) == ("error", "info")
     assert found.wall is None
     gain = float(f"{hint.value:.4g}")
-    again, after = synthesize(constant_torque(gain=gain, allowable_contact_force=5e3))
+    again, after = pocket(constant_torque(gain=gain, allowable_contact_force=5e3))
     assert again.wall is not None
     assert not any(each.level == "error" for each in after)
 
@@ -152,7 +152,7 @@ def test_the_contact_on_a_curved_wall_is_on_the_safe_side(ratio, ball):
 
 def test_the_contact_where_it_is_used_most():
     clutch = constant_torque(allowable_contact_force=None, contact=STEEL)
-    found, findings = synthesize(clutch)
+    found, findings = pocket(clutch)
     assert found.contact_basis == "hertz-ball-on-curved-wall"
     used, forces = [], []
     for friction in np.linspace(0.1, 0.8, 200):

@@ -24,12 +24,12 @@ CALCULATING = ["-c", "import numpy, scipy.integrate"]
 STARTING = ["-c", "import typer, rich.table, pydantic, numpy"]
 PROGRAM = ["-m", "afmcalc"]
 EVERY = (
-    *("torque", "accuracy", "accuracy --sweep C", "adjust", "overload", "synthesize", "life", "effects", "layout"),
-    *("check", "simulate", "heat", "springs", "tolerance", "solve accuracy_factor=2", "explain check"),
+    *("torque", "accuracy", "accuracy --sweep C", "adjust", "overload", "pocket", "life", "effects", "layout"),
+    *("check", "simulate", "springs", "tolerance", "solve accuracy_factor=2", "explain check"),
     *("compare --variants", "plot torque -o torque.svg", "report -o report.html", "report -o report.pdf"),
 )
 """Commands about a clutch; ``design`` is asked of the examples that search."""
-ALONE = ("reproduce", "handbook -o handbook.html", "equations", "materials", "examples", "--help")
+ALONE = ("papers --claims", "handbook -o handbook.html", "papers", "list materials", "list examples", "--help")
 WAIT = 300.0
 """A command is ended after this time, s."""
 

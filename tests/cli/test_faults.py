@@ -1,4 +1,4 @@
-"""Full disks, readers that leave, closed streams, Ctrl-C, folders that are gone, browsers that fail: never a traceback."""
+"""Full disks, readers that leave, closed streams, Ctrl-C, folders that are gone: never a traceback."""
 
 import contextlib
 import errno
@@ -13,10 +13,6 @@ from unittest.mock import Mock
 
 import pytest
 from conftest import CONFIGS, ROOT, slow
-
-from afmcalc.cli import signals
-from afmcalc.errors import AfmcalcError
-from afmcalc.render.report.sheets import print_pdf
 
 SPEC = CONFIGS / "default.toml"
 PROGRAM = f"{sys.executable} -m afmcalc"
@@ -40,7 +36,7 @@ mkdir gone; cd gone; rmdir ../gone; afmcalc torque {spec} -o x.json
 afmcalc torque {spec} -o y.json >&- 2>&-
 """
 FULL = "error: standard output: cannot be written: No space left on device"
-ENDS = [(3, FULL), (0, ""), (0, ""), (1, ""), (3, "error: standard output: cannot be written: it is closed")]
+ENDS = [(3, FULL), (1, ""), (0, ""), (1, ""), (3, "error: standard output: cannot be written: it is closed")]
 ENDS += [(3, "error: x.json: cannot be written: the working directory {}/gone does not exist any more"), (0, "")]
 
 
@@ -55,7 +51,7 @@ def test_streams_that_are_full_closed_or_left(tmp_path):
 
 
 AIMED = """
-    import atexit, os, signal, sys
+    import os, signal, sys
     signal.signal(signal.SIGINT, signal.default_int_handler)  # a background job would ignore it
     def strike(*ignored): signal.raise_signal(signal.SIGINT)
     {aim}
@@ -72,10 +68,6 @@ ON_IMPORT = """
 MOMENTS = {
     **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.main", "matplotlib")},
     "before a file is replaced": "replace = os.replace; os.replace = lambda *names: (strike(), replace(*names))",
-    "after a file is replaced": "replace = os.replace; os.replace = lambda *names: (replace(*names), strike())",
-    "while a destructor runs": f"{textwrap.dedent(ON_IMPORT).format('pydantic').replace('strike()', 'kept.clear()')}"
-    "class Lost: __del__ = strike\nkept = [Lost()]",
-    "at the end": "atexit.register(strike)",
 }  # fmt: skip
 
 
@@ -89,29 +81,7 @@ def test_ctrl_c_at_any_moment(moment, tmp_path):
         [sys.executable, "-c", code, *command, str(SPEC), "-o", str(target)],
         capture_output=True, text=True, env=ENVIRONMENT, check=False,
     )  # fmt: skip
-    assert run.returncode == (0 if moment == "at the end" else 130)
-    written = moment in ("before a file is replaced", "after a file is replaced", "at the end")
-    assert run.stderr == (f"note: wrote {target}\n" if written and run.returncode else "")
-    assert os.listdir(tmp_path) == (["x.json"] if written else [])
-    assert not written or json.loads(target.read_text())["result"]
-
-
-SCRIPT = "#!/bin/bash\nfor each; do case $each in --print-to-pdf=*) file=${each#*=};; esac; done"
-END = "%%PDF-1.4 %%%%EOF"
-FAILING = (f'printf "{END}" >"$file"; exit 1', 'printf "%%PDF-1.4 ..." >"$file"', 'echo "<html>" >"$file"', "true")
-
-
-@pytest.mark.tool
-def test_a_pdf_is_whole_or_none(tmp_path, undrawn, afmcalc, monkeypatch):
-    browser = tmp_path / "browser"
-    monkeypatch.setenv("AFMCALC_BROWSER", str(browser))
-    for prints in FAILING:
-        browser.write_text(f"{SCRIPT}\n{prints}\n")
-        browser.chmod(0o755)
-        with pytest.raises(AfmcalcError, match="did not print a whole PDF"):
-            print_pdf(str(browser), "<html></html>")
-    assert afmcalc("report", SPEC, "--pdf", "-o", tmp_path / "x.html").code == 2
-    assert os.listdir(tmp_path) == ["browser"]
+    assert (run.returncode, run.stderr, os.listdir(tmp_path)) == (130, "", [])
 
 
 def test_a_fault_of_our_own_is_said_and_never_a_failed_check(afmcalc, monkeypatch):
@@ -129,7 +99,7 @@ def test_a_fault_of_our_own_is_said_and_never_a_failed_check(afmcalc, monkeypatc
     assert "Traceback" in afmcalc("check", SPEC).err
 
 
-WRITE = {"x.toml": ["init", "--force", "-o"], "x.json": ["torque", SPEC, "--force", "-o"]}
+WRITE = {"x.toml": ["init", "--force"], "x.json": ["torque", SPEC, "--force", "-o"]}
 FAULTS = {"full": 3, "no memory": 2, "Ctrl-C": 130}
 
 
@@ -167,22 +137,10 @@ def struck(fault, at):
         sys.setprofile(None)
 
 
-@pytest.fixture
-def signals_watched():
-    before = {number: signal.getsignal(number) for number in signals._SIGNALS}
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # a background job would ignore it
-    hook = sys.unraisablehook
-    signals.watch()
-    yield
-    sys.unraisablehook = hook
-    for number, handler in before.items():
-        signal.signal(number, handler)
-
-
 @pytest.mark.parametrize("old", [b"old", None])
 @pytest.mark.parametrize("name", ["x.toml", *slow("x.json")])
 @pytest.mark.parametrize("fault", FAULTS)
-def test_a_fault_at_any_write(name, fault, old, afmcalc, tmp_path, signals_watched, monkeypatch):
+def test_a_fault_at_any_write(name, fault, old, afmcalc, tmp_path, monkeypatch):
     """At every call that writes: old (or nothing) or new, whole, and nothing beside it; the exit code says what it was."""
     target = tmp_path / name
     monkeypatch.setattr("afmcalc.cli.main.drop_output", lambda: None)  # of this process
@@ -194,7 +152,6 @@ def test_a_fault_at_any_write(name, fault, old, afmcalc, tmp_path, signals_watch
             (tmp_path / each).write_bytes(old or b"")
             if not old:
                 (tmp_path / each).unlink()
-        signals.unreported.clear()
         with struck(fault, at) as count:
             run = afmcalc(*command)
         if count[0] < at:

@@ -1,10 +1,10 @@
 """Files that commands write: none that is read, none that exists unless --force is given, the format of its name."""
 
 import contextlib
+import difflib
 import os
 import shlex
 import stat
-import sys
 import threading
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
@@ -44,7 +44,6 @@ def test_a_file_that_exists_is_replaced_by_force_alone(name, line, undrawn, afmc
 def test_of_two_files_neither_is_lost(line, names, afmcalc, tmp_path, monkeypatch):
     """None is written where one exists; nor where they are one, by name, by a link to nothing, or a hard link."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("AFMCALC_BROWSER", sys.executable)
     arguments, (first, second) = shlex.split(line), names
 
     def refused(said, *given):
@@ -88,9 +87,9 @@ def test_of_many_threads_that_write_one_file_one_does(tmp_path):
 def test_nothing_is_written_over_what_is_read(line, afmcalc, tmp_path, monkeypatch):
     """By none of its names; nor is a report printed over it."""
     command = line.partition(" ")[0]
-    ending = {"plot": ".svg", "synthesize": ".toml"}.get(command, "")
+    ending = {"plot": ".svg", "pocket": ".dxf"}.get(command, "")
     target, symbolic, hard = (tmp_path / f"{name}{ending}" for name in ("in", "symbolic", "hard"))
-    before = b"diameters = [20]\n" if command == "synthesize" else SPEC.read_bytes()
+    before = SPEC.read_bytes()
     target.write_bytes(before)
     symbolic.symlink_to(target)
     os.link(target, hard)
@@ -101,7 +100,6 @@ def test_nothing_is_written_over_what_is_read(line, afmcalc, tmp_path, monkeypat
         assert "is read itself" in run.err
     assert target.read_bytes() == before
     if command == "report":
-        monkeypatch.setenv("AFMCALC_BROWSER", sys.executable)
         target.rename(tmp_path / "x.pdf")
         assert afmcalc("report", tmp_path / "x.pdf", "-o", tmp_path / "x.html", "--pdf", "--force").code == 2
         assert (tmp_path / "x.pdf").read_bytes() == before
@@ -128,7 +126,7 @@ def test_what_cannot_be_written_leaves_nothing(afmcalc, tmp_path):
 
 NAMED = {"json": "json", "CSV": "csv", "md": "markdown", "txt": "table", "dat": "table"}
 CONTRADICTING = {
-    "x.csv": [["torque", "--json"], ["synthesize"]], "x.json": [["torque", "--format", "table"], ["plot", "torque"]],
+    "x.csv": [["torque", "--json"]], "x.json": [["torque", "--format", "table"], ["plot", "torque"]],
     "x.pdf": [["torque"]], "x.toml": [["torque"]], "x.md": [["report"]],
 }  # fmt: skip
 
@@ -145,3 +143,19 @@ def test_the_name_says_the_format(afmcalc, answered, tmp_path):
             assert (run.code, run.out) == (2, "")
             assert f"--output {tmp_path / name}" in run.err
     assert os.listdir(tmp_path) == []
+
+
+@pytest.mark.parametrize(("line", "changed"), [
+    ("solve accuracy_factor=1.9 {} --for C --save new.toml", {"gain"}),
+    ("pocket {} --save new.toml", {"gain", "wall_angle", "ball_diameter"}),
+    ("simulate {} --set drive.event.duration=0.005 --save new.toml", {"dynamic_factor", "duration"}),
+])  # fmt: skip
+def test_a_spec_that_is_saved_differs_in_the_changed_lines_alone(line, changed, afmcalc, tmp_path, monkeypatch):
+    """Comments, order, units and what was not given stay."""
+    monkeypatch.chdir(tmp_path)
+    old = (CONFIGS / "drive.toml").read_text(encoding="utf-8").replace("\n[drive]", "\n# bought elsewhere\n[drive]")
+    (tmp_path / "old.toml").write_text(old, encoding="utf-8")
+    assert afmcalc(*line.format("old.toml").split()).code == 0
+    new = (tmp_path / "new.toml").read_text(encoding="utf-8")
+    lines = [text for text in difflib.ndiff(old.splitlines(), new.splitlines()) if text[0] in "+-"]
+    assert {text[2:].split(" ")[0] for text in lines} == changed

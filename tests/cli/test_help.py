@@ -17,30 +17,60 @@ from afmcalc.cli.main import COMMANDS
 
 def examples(command):
     """Command lines of a help, without what they are for."""
-    called = getattr(import_module(f"afmcalc.cli.{COMMANDS[command]}"), command) if command else main._afmcalc
+    name = "list_" if command == "list" else command
+    called = getattr(import_module(f"afmcalc.cli.{COMMANDS[command]}"), name) if command else main._afmcalc
     lines = (line.strip().partition("  ")[0] for line in called.__doc__.splitlines())
-    return [line for line in lines if line.startswith("afmcalc ")]
+    return [line for line in lines if line.startswith("afmcalc ") and ": " not in line]
 
 
-@pytest.mark.parametrize("command", ["", "torque", *slow(*(each for each in COMMANDS if each != "torque"))])
-def test_examples_are_whole_on_any_terminal(command, afmcalc, monkeypatch):
-    for width in (60, 120):
-        monkeypatch.setenv("COLUMNS", str(width))
-        monkeypatch.setenv("TERMINAL_WIDTH", str(width))
-        shown = afmcalc(*filter(None, [command]), "--help").out
-        assert max(map(len, shown.split("\n"))) <= width
-        joined = re.sub(r" \\\n +", " ", shown)
-        assert examples(command)
-        assert not [example for example in examples(command) if example not in joined]
-        assert all(line.count('"') % 2 == 0 for line in shown.splitlines() if line.startswith("  afmcalc "))
-    assert command or set(COMMANDS) <= set(re.findall(r"^  (\S+)", shown, re.MULTILINE))
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_help_is_short_and_leaves_common_options_out(command, afmcalc, monkeypatch):
+    """At most 45 lines of 100 columns; examples whole; every own option, no common one."""
+    monkeypatch.setenv("COLUMNS", "100")
+    shown = afmcalc(command, "--help").out
+    assert shown == afmcalc("help", command).out
+    assert len(shown.splitlines()) <= 45
+    assert max(map(len, shown.splitlines())) <= 100
+    assert examples(command)
+    assert not [example for example in examples(command) if example not in shown]
+    assert "  --json" not in shown
+    assert shown.endswith("afmcalc help options\n")
 
 
-NEEDS = dict.fromkeys(("heat", "simulate", "effects"), "drive") | {"layout": "envelope"}
+def test_the_panels_hold_every_command_and_topics_the_rest(afmcalc):
+    shown = afmcalc("--help").out
+    assert set(COMMANDS) <= set(re.findall(r"^  (\S+)", shown, re.MULTILINE))
+    assert [heading for heading in main.PANELS if f"\n{heading}:\n" not in shown] == []
+    for topic, named in {
+        "options": "--set PATH=VALUE",
+        "keys": "control_unit.gain",
+        "quantities": "peak_torque",
+    }.items():
+        assert named in afmcalc("help", topic).out
+    assert afmcalc("help").out == shown
+    wrong = afmcalc("help", "keyz")
+    assert (wrong.code, "did you mean 'keys'" in wrong.err) == (2, True)
+
+
+@pytest.mark.parametrize("name", main.FORMER)
+def test_a_former_command_names_the_one_in_its_place(name, afmcalc):
+    run = afmcalc(name, "example:default")
+    assert (run.code, run.out, run.err) == (2, "", f"error: {name} is now: afmcalc {main.FORMER[name]}\n")
+    assert main.FORMER[name].split()[0] in COMMANDS
+
+
+@pytest.mark.parametrize("name", main.FORMER_OPTIONS)
+def test_a_former_option_names_what_is_in_its_place(name, afmcalc):
+    run = afmcalc("torque", name)
+    assert (run.code, run.out) == (2, "")
+    assert run.err.endswith(f"error: {name} is no option any more; instead: {main.FORMER_OPTIONS[name]}\n")
+
+
+NEEDS = dict.fromkeys(("simulate", "effects"), "drive") | {"layout": "envelope"}
 NEEDS |= {"tolerance": "tolerance", "plot": "tolerance"}
 """What stands for clutch.toml in the examples of a command, where it takes more than the default one."""
 SLOW = (
-    "plot", "tolerance", "solve", "springs", "design", "equations", "simulate", "report", "heat", "check", "effects",
+    "plot", "tolerance", "solve", "springs", "design", "papers", "simulate", "report", "check", "effects",
     "compare",
 )  # fmt: skip
 OWN = [each for each in COMMANDS if each not in ("serve", "handbook")]
@@ -59,8 +89,6 @@ def test_every_example_of_a_help_runs(command, undrawn, afmcalc, tmp_path, monke
         for name, config in there.items():
             text = (CONFIGS / f"{config}.toml").read_text(encoding="utf-8")
             (folder / f"{name}.toml").write_text(text.replace("[drive.event]", '[drive.event]\nduration = "20 ms"'))
-        heading = "name,description,condition,friction_min,friction_max,source"
-        (folder / "own.csv").write_text(f"{heading}\nX,pad,dry,0.2,0.3,test\n")
         out = ""
         for part in example.partition(" > ")[0].partition(" && ")[0].split(" | "):
             run = afmcalc(*shlex.split(part)[1:], stdin=out)

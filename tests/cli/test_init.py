@@ -1,4 +1,4 @@
-"""Files to start from: every kind and variant, examples by name, three machines from the plate to the drawing."""
+"""Files to start from: every kind, examples by name, three machines from the plate to the drawing."""
 
 import json
 import re
@@ -6,52 +6,57 @@ import shlex
 import tomllib
 
 import pytest
-from conftest import CONFIGS, PICKED, slow
+from conftest import CONFIGS, PICKED
 
 from afmcalc.analysis.handbook import chapter_texts
-from afmcalc.cli.specs import _EXAMPLES, _KINDS
+from afmcalc.cli.specs import _COMMAND
 from afmcalc.errors import SpecError
+from afmcalc.messages import latin
 from afmcalc.spec import make_spec, read_spec
-from afmcalc.variants import VARIANTS
 
 LIGHT = ["--set", "drive.motor_inertia=0.2", "--set", "drive.event.duration=0.03"]
 SEARCHED = ["--set", "search.friction_group.pairs=8", "--set", "search.control_unit.gain=[0.8, 0.9]"]
-QUICK = {"requirements": SEARCHED, "machine": SEARCHED}
+QUICK = {"machine": SEARCHED}
 QUICK["tolerance"] = ["--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"]
 
 
-@pytest.mark.parametrize("kind", _KINDS)
+@pytest.mark.parametrize("kind", _COMMAND)
 def test_every_kind_is_calculated_as_the_note_says(kind, afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     run = afmcalc("init", "--kind", kind, "a.toml", "--schema")
     beside, *_ = tmp_path.glob("*.schema.json")
-    told = f"note: wrote a.toml, {beside.name}; calculate it with: afmcalc {_KINDS[kind]} a.toml\n"
+    told = f"note: wrote a.toml, {beside.name}; calculate it with: afmcalc {_COMMAND[kind]} a.toml\n"
     assert (run.code, run.out, run.err) == (0, "", told)
     first, text = (tmp_path / "a.toml").read_text(encoding="utf-8").split("\n", 1)
     assert first == f"#:schema ./{beside.name}"
     schema = json.loads(beside.read_text(encoding="utf-8"))
     assert set(tomllib.loads(text)) <= set(schema["properties"])
-    assert afmcalc(_KINDS[kind], "a.toml", *(LIGHT if kind == "drive" else QUICK.get(kind, []))).code == 0
+    assert afmcalc(_COMMAND[kind], "a.toml", *(LIGHT if kind == "drive" else QUICK.get(kind, []))).code == 0
 
 
-@pytest.mark.parametrize("variant", ["indirect", *slow(*(each for each in _EXAMPLES if each != "indirect"))])
-def test_every_variant_alone_and_in_a_drive(variant, afmcalc):
-    """The clutch is the variant's own, the drive that of the example; an indirect one has an inertia of its hub."""
-    alone = afmcalc("init", "-", "--variant", variant).out
-    assert tomllib.loads(alone)["variant"] == (variant if variant in VARIANTS else "differentiated")
-    assert afmcalc("torque", "-", stdin=alone).code == 0
-    text = afmcalc("init", "-", "--kind", "drive", "--variant", variant).out
-    spec, alone = tomllib.loads(text), tomllib.loads(alone)
-    assert spec["friction_group"]["pairs"] == alone["friction_group"]["pairs"]
-    assert spec["variant"] == alone["variant"]
-    assert spec["drive"]["event"]["kind"] == "stop"
-    assert ("hub_inertia" in spec["drive"]) == ("# hub_inertia" not in text) == (spec["variant"] == "indirect")
-    checked = afmcalc("check", "-", *LIGHT, "--json", stdin=text)
-    assert (checked.code, checked.json["result"]["errors"]) == (0, 0)
+def test_a_schema_that_stands_beside_is_not_overwritten(afmcalc, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "afmcalc.schema.json").write_text("{}", encoding="utf-8")
+    run = afmcalc("init", "a.toml", "--schema")
+    assert (run.code, [each.name for each in tmp_path.iterdir()]) == (2, ["afmcalc.schema.json"])
+    assert run.err.startswith("error: afmcalc.schema.json: exists already")
+
+
+def test_a_machine_is_the_template_and_an_example_can_be_copied(afmcalc, answered, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert afmcalc("init").err == "note: wrote clutch.toml; calculate it with: afmcalc design clutch.toml\n"
+    assert (tmp_path / "clutch.toml").read_text(encoding="utf-8") == answered("init", "-", "--kind", "machine").out
+    run = afmcalc("init", "own.toml", "--from", "indirect")
+    assert run.err == "note: wrote own.toml; calculate it with: afmcalc check own.toml\n"
+    text = (CONFIGS / "indirect.toml").read_text(encoding="utf-8")
+    assert answered("list", "examples", "indirect").out == text
+    assert (tmp_path / "own.toml").read_text(encoding="utf-8") == latin(text)
+    wrong = afmcalc("init", "x.toml", "--from", "indirekt")
+    assert (wrong.code, "did you mean 'indirect'" in wrong.err) == (2, True)
 
 
 def test_examples_are_sources_by_name(answered):
-    rows = answered("examples", "--json").json["result"]["examples"]
+    rows = answered("list", "examples", "--json").json["result"]["examples"]
     assert [row["name"] for row in rows] == sorted(path.stem for path in CONFIGS.glob("*.toml"))
     for row in rows:
         assert read_spec(f"example:{row['name']}") == read_spec(CONFIGS / f"{row['name']}.toml")
@@ -59,10 +64,7 @@ def test_examples_are_sources_by_name(answered):
 
 HEAD, OPTIONAL = r"(# )?\[[\w.]+\](?! and)", r"# (\[[\w.]+\](?! and)|[\w.\"]+ = )"
 """The head of a block, and what stands before a key or block that is there to be taken up."""
-STARTS = [
-    *([*kind, "--variant", each] for each in _EXAMPLES for kind in ([], ["--kind", "drive"])),
-    *(["--kind", each] for each in _KINDS),
-]
+STARTS = [["--kind", each] for each in _COMMAND]
 
 
 def taken_up(text):
@@ -93,7 +95,7 @@ def test_every_key_that_is_commented_out_can_be_taken_up(answered):
     for text in texts:
         for line, other in taken_up(text):
             asked.setdefault((tomllib.loads(text).get("variant"), line), tomllib.loads(other))
-    assert len(asked) > 80
+    assert len(asked) > 60
     taken = 0
     for (variant, line), data in asked.items():
         try:

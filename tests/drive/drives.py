@@ -3,10 +3,11 @@
 from dataclasses import replace
 from typing import Any
 
+from afmcalc.drive.cases import Case
+from afmcalc.drive.integrator import Event, step_of, stepped
+from afmcalc.drive.motion import Motion
 from afmcalc.drive.pack import DirectPack, Sleeve
-from afmcalc.drive.plant import Plant
 from afmcalc.drive.train import Engine, Train
-from afmcalc.drive.trip import Trip, trip
 from afmcalc.engines import Clutch, build
 from afmcalc.engines.quantities import Quantities
 from afmcalc.engines.selection import laws_for
@@ -60,33 +61,21 @@ TRAIN = Train(
 )  # fmt: skip
 
 
-def plant(sliding: float, *, pack: dict[str, Any] | None = None, **changes: Any) -> Plant:
+def case(sliding: float, *, pack: dict[str, Any] | None = None, **changes: Any) -> Case:
     """An ordinary clutch that slides at a torque (one pair, R = 0.1 m, f = 0.5), in a drive with changes."""
     own = DirectPack(sliding / 0.05, 0.1, 1.0, 0.0, 0.0, 0.5, 0.5)
-    return Plant(replace(TRAIN, **changes), replace(own, **(pack or {})))
+    return Case(replace(TRAIN, **changes), replace(own, **(pack or {})), None)
 
 
-class Begun(Plant):
-    """A drive that begins in a state of its own."""
-
-    state: tuple[float, ...]
-
-    def start(self) -> list[float]:
-        return list(self.state)
-
-
-def begun(own: Plant, *state: float) -> Begun:
-    """The same drive, begun elsewhere: v, ω_2, φ of the shaft, ω_3, of an indirect clutch w and φ of the balls, and N."""
-    found = Begun(own.train, own.pack)
-    at_stop = () if own.pack.travels else (0.0, 0.0)
-    object.__setattr__(found, "state", (*state[:-1], *at_stop, state[-1]))
-    return found
-
-
-def run(own: Plant, horizon: float, *, recorded: bool = False) -> Trip:
-    """Simulate; the energy must close, whatever is asked."""
-    found = trip(own, horizon, recorded=recorded)
-    assert found.residual < 1e-6
+def run(own: Case, end: float, *, finer: float = 1.0, full: bool = True, **state: float) -> Event:
+    """Simulate from a state of its own, in steps so many times finer; the energy must close, whatever is asked."""
+    motion = Motion(own.train, own.pack, float(step_of(own.train, own.pack)) / finer)
+    vars(motion).update(state)
+    motion.motor = motion.before = motion.driven + motion.rate + motion.slip
+    motion.twisting = motion.driven - motion.tool
+    motion.torque = motion.elastic + own.train.damping * motion.twisting
+    found = stepped(motion, end, full=full)
+    assert found.residual < 1e-3
     return found
 
 
@@ -114,7 +103,7 @@ SLEEVE = Sleeve(springs(), friction=0.3)
 """With T_н = 200 N·m at f 0.1: F_п2 3300 N."""
 
 
-def indirect(friction: float = 0.3, *, law: dict[str, Any] | None = None, mass: float = 0.0, **changes: Any) -> Plant:  # fmt: skip
+def indirect(friction: float = 0.3, *, law: dict[str, Any] | None = None, mass: float = 0.0, **changes: Any) -> Case:
     """An indirect clutch (P5) in a drive with changes."""
     own = replace(SLEEVE, law=springs(**(law or {})), friction=friction, mass=mass)
-    return Plant(replace(TRAIN, hub_inertia=0.02, **changes), own)
+    return Case(replace(TRAIN, hub_inertia=0.02, **changes), own, None)

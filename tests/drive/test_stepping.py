@@ -1,15 +1,14 @@
-"""Time stepping against located events: random drives of all kinds, and how the error falls with the step."""
+"""Steps: many drives and one alike, random drives of all kinds, how the error falls with the step, hostile cases."""
 
 from dataclasses import fields, is_dataclass, replace
 
 import numpy as np
 import pytest
-from drives import SLEEVE, TRAIN, run, springs
+from drives import SLEEVE, TRAIN, case, indirect, run, springs
 
-from afmcalc.drive.lanes import march
+from afmcalc.drive.integrator import simulate, stepped
+from afmcalc.drive.motion import Motion
 from afmcalc.drive.pack import DirectPack, Sleeve
-from afmcalc.drive.peaks import step_of
-from afmcalc.drive.plant import plant_of
 from afmcalc.drive.train import Engine
 from afmcalc.engines.quantities import Quantities
 
@@ -62,32 +61,55 @@ def part(whole, place: int | slice):
     return replace(whole, **{each.name: part(getattr(whole, each.name), place) for each in fields(whole)})
 
 
-@pytest.mark.parametrize("count", [1, pytest.param(EACH, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("kind", ["stop", "load"])
-@pytest.mark.parametrize("variant", VARIANTS)
-def test_random_drives(variant, kind, count):
-    """Peak and heat within 0.2 %, at the step of sweeps and tolerances; of heat above a thousandth of the energy."""
-    # of ten families this one has most of what was once wrong: swings between the walls, a key that holds for a moment
-    rng = np.random.default_rng([5, VARIANTS.index(variant) * 2 + (kind == "load")])
-    train, pack = (part(each, slice(count)) for each in random_drives(variant, kind, rng))
-    plants = [plant_of(part(train, number), part(pack, number)) for number in range(count)]
-    exact = [run(plant, END) for plant in plants]
-    times = np.array([each.time for each in exact])
-    steps = int(np.ceil(np.max(times / step_of(train, pack))))
-    found = march(train, pack, times / steps, steps)
-    heats, energies = np.array([each.heat for each in exact]), np.array([own.stored(own.start()) for own in plants])
-    assert found.peak == pytest.approx([each.peak for each in exact], rel=2e-3)
-    assert np.all(np.abs(found.heat - heats) <= 2e-3 * np.maximum(heats, 1e-3 * energies))
+@pytest.mark.parametrize("variant", ["conventional", "all-driving"])
+def test_a_sweep_has_the_answers_of_its_rows(variant, kind):
+    a_sweep_is_its_rows(variant, kind)
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("kind", ["stop", "load"])
+@pytest.mark.parametrize("variant", ["differentiated", "indirect"])
+def test_a_sweep_of_motors_has_the_answers_of_its_rows(variant, kind):
+    a_sweep_is_its_rows(variant, kind)
+
+
+def a_sweep_is_its_rows(variant, kind):
+    """Many drives at once, of which some need finer steps, give what each alone gives, and in finer steps alike."""
+    rng = np.random.default_rng([5, VARIANTS.index(variant) * 2 + (kind == "load")])
+    train, pack = random_drives(variant, kind, rng)
+    found = simulate(train, pack, END)
+    for number in range(EACH):
+        own, clutch = part(train, number), part(pack, number)
+        alone = simulate(own, clutch, END)
+        for name in ("peak", "peak_clutch", "heat", "slip_time", "key_heat", "travel_max"):
+            assert getattr(found, name)[number] == pytest.approx(getattr(alone, name), rel=1e-9), name
+        finer = stepped(Motion(own, clutch, alone.rows[1].time / 4), END)
+        assert alone.peak == pytest.approx(finer.peak, rel=2e-3)
+        assert alone.heat == pytest.approx(finer.heat, rel=5e-3, abs=1e-3 * Motion(own, clutch, 1e-6).stored)
+        assert alone.residual < 1e-3
+
+
 def test_the_error_falls_with_the_step():
     """Of the second order while it slips all along, and at least of the first over every switch."""
     pack = DirectPack(3000.0, 0.1, 0.0, 8.0, 0.5, 0.4, 0.4, 1.2, 0.1 / 0.3)
     for own, hub in ((pack, 0.0), (replace(SLEEVE, friction=0.4), 0.02)):
         train = replace(TRAIN, hub_inertia=hub, damping=1.0)
-        exact = run(plant_of(train, own), 0.05)
-        found = {steps: march(train, own, np.array([0.05 / steps]), steps) for steps in (400, 1600)}
-        coarse, fine = (abs(each.heat[0] / exact.heat - 1) for each in found.values())
-        assert fine < min(coarse * 4**-0.9, 1e-4)
-        assert found[1600].peak[0] == pytest.approx(exact.peak, rel=1e-4)
+        heats = [stepped(Motion(train, own, 0.05 / steps), 0.05).heat for steps in (512, 2048, 16384)]
+        coarse, fine = (abs(heat / heats[-1] - 1) for heat in heats[:-1])
+        assert fine < min(coarse * 4**-0.8, 1e-4)
+
+
+def test_a_key_free_of_friction_swings_on_for_the_duration():
+    """Nothing damps the balls: they rattle to the end, which is no error, and their energy closes."""
+    own = indirect(0.4, law={"key_friction": 0.0}, motor_inertia=0.4)
+    found = simulate(own.train, own.pack, 0.5, full=True)
+    assert found.time == pytest.approx(0.5)
+    assert found.key_heat == 0
+    assert found.residual < 1e-3
+
+
+def test_friction_of_nothing_is_no_traceback():
+    found = run(case(1e-300, time=0.0), 0.1)
+    assert found.peak < 500
+    assert not found.stuck

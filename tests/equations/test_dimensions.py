@@ -16,9 +16,9 @@ OWN = sorted(name for name in equations() if name.partition(".")[0] in MODULES)
 OTHERS = {
     "m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3", "m^2": "inch**2", "1/m": "1/inch",
     "s": "minute", "kg": "pound", "rad/s": "rpm", "kg*m^2": "pound*foot**2", "kg/m^3": "g/cm**3", "K": "millikelvin",
-    "J": "foot*lbf", "J/kg/K": "cal/g/K", "W/m/K": "cal/s/cm/K", "W/K": "cal/s/K", "m^3/J": "mm**3/cal",
+    "J": "foot*lbf", "J/kg/K": "cal/g/K", "W/K": "cal/s/K", "m^3/J": "mm**3/cal",
     "m/s": "km/hour", "m/s^2": "cm/minute**2", "N/s": "kgf/minute", "rad": "deg", "rad/s^2": "rpm/minute", "N*m/rad": "kgf*cm/deg",
-    "N*m*s/rad": "kgf*cm*minute/deg", "W/m^2": "cal/s/inch**2", "W": "kgf*cm/minute", "1/s^0.5": "1/minute**0.5", "W*s^0.5/m^2/K": "cal/s**0.5/cm**2/K",
+    "N*m*s/rad": "kgf*cm*minute/deg", "W/m^2": "cal/s/inch**2", "W": "kgf*cm/minute",
 }  # fmt: skip
 """SI unit → another of the same dimension."""
 

@@ -153,11 +153,11 @@ OWN: dict[str, Any] = {
     "plot": st.sampled_from([*PLOTS]).map(lambda each: [each]),
 }  # fmt: skip
 """Arguments of a command beside those of all; where they stand first they are positional."""
-_NEEDED = {"design": "requirements", "tolerance": "tolerance", "simulate": "drive", "heat": "drive", "effects": "drive"}
+_NEEDED = {"design": "requirements", "tolerance": "tolerance", "simulate": "drive", "effects": "drive"}
 """Command → the only example it can be asked about."""
-LONG = ("simulate", "heat", "effects", "springs", "design")
+LONG = ("simulate", "effects", "springs", "design")
 """Commands that integrate and search."""
-ASKED = [*(name for name in ANALYSES if name not in ("equations", "reproduce", "materials", *LONG)), "plot"]
+ASKED = [*(name for name in ANALYSES if name in COMMANDS and name not in ("papers", *LONG)), "plot"]
 
 
 @st.composite
@@ -177,9 +177,9 @@ WORDS = st.one_of(
     st.sampled_from([str(CONFIGS / f"{name}.toml") for name in ("default", "indirect", "materials")]),
     st.one_of(TEXTS, SETS, SWEEPS, TARGETS, NUMBERS.map(str)),
 )  # fmt: skip
-_SLOW = {"report", "reproduce", "handbook", "serve", *LONG}
+_SLOW = {"report", "papers", "handbook", "serve", *LONG}
 """Slow whatever is asked of them, and little of that: what they show others show too; serve goes on (tests/web)."""
-_WRITE = {"init", "-o", "--output", "--force"}
+_WRITE = {"init", "-o", "--output", "--save", "--force"}
 """Would leave files; tests/cli/test_files.py and test_faults.py look at those."""
 
 

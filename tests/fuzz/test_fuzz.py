@@ -18,7 +18,7 @@ LASTING = {"handbook": 60, **dict.fromkeys(LONG, 60)}
 """Command → how many times as long it may take: an event with few steps is a second of two processors."""
 MEBIBYTES = 500
 CONTROL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
-PURE = ("torque", "accuracy", "adjust", "overload", "synthesize", "life", "check", "tolerance")
+PURE = ("torque", "accuracy", "adjust", "overload", "pocket", "life", "check", "tolerance")
 
 
 class Stuck(BaseException):
@@ -37,7 +37,7 @@ def at_most(seconds):
 
 
 def judge(run: Run, case, afmcalc) -> None:
-    assert run.code in ((0, 1, 2, 3) if case.arguments[:1] in (["check"], ["reproduce"]) else (0, 2, 3)), run.err
+    assert run.code in ((0, 1, 2, 3) if case.arguments[:1] in (["check"],) else (0, 2, 3)), run.err
     assert "Traceback" not in run.err
     assert not re.search("Warning|Input should|pydantic", run.err)
     assert not CONTROL.search(run.out + run.err)
@@ -83,7 +83,7 @@ def nothing_breaks_it(afmcalc, cases, many: int) -> None:
 @pytest.fixture(autouse=True)
 def _fewer_steps(monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
-    monkeypatch.setattr("afmcalc.drive.trip.MOST_STEPS", 2000)  # the same refusal, sooner
+    monkeypatch.setattr("afmcalc.drive.integrator.MOST_STEPS", 2000)  # the same refusal, sooner
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -95,7 +95,7 @@ def _libraries(afmcalc):
 
 @pytest.mark.parametrize("command", ASKED)
 def test_a_command_about_any_spec(command, afmcalc):
-    nothing_breaks_it(afmcalc, calculations(command), 3)
+    nothing_breaks_it(afmcalc, calculations(command), 2 if command == "plot" else 3)
 
 
 def test_any_command_line(afmcalc):

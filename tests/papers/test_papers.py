@@ -10,18 +10,20 @@ import pytest
 from sources import DATA
 
 from afmcalc.papers import FIGURES
-from afmcalc.papers.claims import claims, reproduce
+from afmcalc.papers.claims import claims, recorded_claims
 
 
 @pytest.fixture(scope="module")
 def rows():
-    return {row.id: row for row in reproduce([])[0].rows}
+    return {row.id: row for row in claims([])[0].rows}
 
 
 def test_every_row_and_its_verdict(rows):
-    result, findings = reproduce([])
+    result, findings = claims([])
     assert list(rows) == [f"P{k}" for k in range(1, 38)]
-    assert {key: row.verdict for key, row in rows.items()} == {entry["id"]: entry["verdict"] for entry in claims()}
+    assert {key: row.verdict for key, row in rows.items()} == {
+        entry["id"]: entry["verdict"] for entry in recorded_claims()
+    }
     assert result.as_expected
     assert findings == []
 
@@ -39,14 +41,16 @@ def test_by_hand(line, answered):
 
 
 def test_the_command(afmcalc, monkeypatch):
-    result = afmcalc("reproduce", "--paper", "S22", "--figure", "S22-3", "--json").json["result"]
+    result = afmcalc("papers", "--claims", "--paper", "S22", "--figure", "S22-3", "--json").json["result"]
     lowest = min((point for point in result["points"] if point["curve"] == "1"), key=lambda point: point["y"])
     assert (lowest["x"], lowest["y"]) == (pytest.approx(1.25, abs=0.02), pytest.approx(4.5, abs=0.02))
-    curves = {row["figure"].replace(" fig. ", "-") for row in afmcalc("reproduce", "--json").json["result"]["curves"]}
+    curves = {
+        row["figure"].replace(" fig. ", "-") for row in afmcalc("papers", "--claims", "--json").json["result"]["curves"]
+    }
     assert curves == set(FIGURES)
-    assert len(afmcalc("reproduce", "--paper", "S19", "--json").json["result"]["rows"]) == 8
-    assert [afmcalc("reproduce", *wrong).code for wrong in (["--paper", "X"], ["--figure", "X-1"])] == [2, 2]
-    entry = next(entry for entry in claims() if entry["id"] == "P9")
+    assert len(afmcalc("papers", "--claims", "--paper", "S19", "--json").json["result"]["rows"]) == 8
+    assert [afmcalc("papers", "--claims", *wrong).code for wrong in (["--paper", "X"], ["--figure", "X-1"])] == [2, 2]
+    entry = next(entry for entry in recorded_claims() if entry["id"] == "P9")
     monkeypatch.setitem(entry, "verdict", "not reproduced")
-    run = afmcalc("reproduce", "--paper", "S22", "--json")
+    run = afmcalc("papers", "--claims", "--paper", "S22", "--json")
     assert (run.code, [each["code"] for each in run.json["findings"]]) == (0, ["unexpected-verdict"])

@@ -52,12 +52,12 @@ def test_nothing_rests_on_a_withdrawn_misprint():
 
 
 def test_the_command_counts_90_of_90(afmcalc):
-    told = afmcalc("equations", "--json").json["result"]
+    told = afmcalc("papers", "--json").json["result"]
     assert (told["numbered"], told["accounted"]) == (90, 90)
-    (only,) = afmcalc("equations", "--id", "S21 (15)", "--json").json["result"]["formulas"]
+    (only,) = afmcalc("papers", "--id", "S21 (15)", "--json").json["result"]["formulas"]
     assert only["misprint"] == "M9"
     assert (ROOT / only["proof"].partition("::")[0]).is_file()
-    assert len(afmcalc("equations", "--misprints", "--json").json["result"]["misprints"]) == len(misprints())
-    refused = [afmcalc("equations", *given) for given in (["--paper", "S20"], ["--id", "S21 (99)"])]
+    assert len(afmcalc("papers", "--misprints", "--json").json["result"]["misprints"]) == len(misprints())
+    refused = [afmcalc("papers", *given) for given in (["--paper", "S20"], ["--id", "S21 (99)"])]
     assert [run.code for run in refused] == [2, 2]
     assert "did you mean" in refused[1].err

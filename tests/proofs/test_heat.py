@@ -1,13 +1,12 @@
 """Heat and wear of a trip, and what the torque law neglects (handbook, chapters 9, 10, 13)."""
 
-import pytest
 import sympy as sp
 from proofs.symbols import *
 
 from afmcalc.equations import effects, heat, indirect, pressure
 
 J, M, w0, tau = positive("J_1 M_1 omega_0 tau")
-b, k, rho, c, m, A = positive("b k rho c m A")
+k, rho, c, m, A = positive("k rho c m A")
 mu, fn, rs = positive("mu f_next r_s")
 SPEED = sp.Function("omega")
 
@@ -20,7 +19,7 @@ def slip_until_the_motor_stands():
     stop = heat.run_down_time(J, w0, T_n, M)
     yield "it stands", speed.subs(t, stop)
     total = sp.integrate(T_n * speed, (t, 0, stop))
-    yield "Q = ∫ T ω dt", heat.run_down_energy(J, w0, T_n, M) - total
+    yield "Q = ∫ T ω dt", heat.slip_energy(T_n, w0, 0, stop) - total
     turned = sp.integrate(speed, (t, 0, stop))
     yield "kinetic energy and motor work = Q", J * w0**2 / 2 + M * turned - total
     part = sp.integrate(T_n * speed.subs(t, tau), (tau, 0, t))
@@ -51,29 +50,6 @@ def temperature_of_the_discs():
     yield "the limit again after every trip", left + rise - headroom
     depth = heat.heated_depth(m, rho, z, A)
     yield "z A l ρ = m", z * A * depth * rho - m
-    diffusivity = k / (rho * c)
-    yield "Fo = a t/l²", heat.fourier_number(k, rho, c, t, depth) - diffusivity * t / depth**2
-
-
-@pytest.mark.slow
-def rise_of_a_heated_face():
-    """A layer heated on its face, under the Laplace transform: the equation of heat, nothing through its far side."""
-    depth, place = positive("l x")
-    root, moment, far = positive("q t s")
-    spread = sp.nsimplify(heat.effusivity(k, rho, c))
-    yield "b² = k ρ c", spread**2 - k * rho * c
-    # q = √p; the rise at the face is 1
-    bent = root * sp.sqrt(rho * c / k)
-    inside = sp.cosh(bent * place) / sp.cosh(bent * depth)
-    yield "equation of heat, p ρ c Θ = k Θ''", k * sp.diff(inside, place, 2) - root**2 * rho * c * inside
-    yield "none through the far side", sp.diff(inside, place).subs(place, 0)
-    through = sp.sinh(bent * depth) / sp.cosh(bent * depth)
-    into = k * sp.diff(inside, place).subs(place, depth)
-    yield "Y = flux/rise at the face", heat.face_admittance(spread, root, through) - into
-    yield "Fo(1/p) of its depth", heat.fourier_number(k, rho, c, 1 / root**2, depth) - 1 / (bent * depth) ** 2
-    # endlessly deep: the transform of 2 √(t/π)/b is 1/(p b √p)
-    rise = sp.integrate(2 * sp.sqrt(moment / sp.pi) / b * sp.exp(-far * moment), (moment, 0, sp.oo))
-    yield "Carslaw & Jaeger 2.9 (7)", rise - 1 / (far * heat.face_admittance(b, sp.sqrt(far), sp.Integer(1)))
 
 
 def wear_of_a_lining():

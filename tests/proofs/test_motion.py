@@ -67,11 +67,17 @@ def run_down():
     v = v0 + drive.slip_acceleration(M, J1, T, L, J2) * time
     end = solved(v, time)
     yield "V5: time", heat.run_down_time(reduced, v0, T, free) - end
-    yield "V5: heat", heat.run_down_energy(reduced, v0, T, free) - sp.integrate(T * v, (time, 0, end))
+    yield (
+        "V5: heat",
+        heat.slip_energy(T, v0, 0, heat.run_down_time(reduced, v0, T, free)) - sp.integrate(T * v, (time, 0, end)),
+    )
     blocked = v0 + (M - T) / J1 * time
     end = solved(blocked, time)
     yield "V1: time", heat.run_down_time(J1, v0, T, M) - end
-    yield "V1: heat", heat.run_down_energy(J1, v0, T, M) - sp.integrate(T * blocked, (time, 0, end))
+    yield (
+        "V1: heat",
+        heat.slip_energy(T, v0, 0, heat.run_down_time(J1, v0, T, M)) - sp.integrate(T * blocked, (time, 0, end)),
+    )
 
 
 def lag_between_expected_and_potential():

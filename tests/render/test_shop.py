@@ -1,4 +1,4 @@
-"""Drawings for the shop: the DXF read back, its contours held against the wall by distance; SVG and CSV alike."""
+"""Drawings for the shop: the DXF read back, its contours held against the wall by distance; SVG alike."""
 
 import functools
 import io
@@ -14,11 +14,12 @@ from conftest import CONFIGS
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.section import section
 from afmcalc.analysis.shop import shop_drawing
-from afmcalc.analysis.synthesize import synthesize
+from afmcalc.analysis.synthesize import pocket as designed
 from afmcalc.analysis.wall import CHORD, wall_of
 from afmcalc.engines import build
-from afmcalc.render.dxf import pocket as dxf
-from afmcalc.render.shop import LAYERS, svg
+from afmcalc.render.dxf import dxf
+from afmcalc.render.shop import pocket
+from afmcalc.render.svg import svg
 from afmcalc.spec import read_spec
 
 CLUTCHES = {"one": "constant-torque", "straight": "indirect", "direct": "default"}
@@ -28,9 +29,9 @@ CLUTCHES = {"one": "constant-torque", "straight": "indirect", "direct": "default
 def made(kind):
     """Clutch, its control unit as synthesized, the drawing of its pocket, and that drawing as read from DXF."""
     clutch = build(read_spec(f"example:{CLUTCHES[kind]}"))
-    found, _ = synthesize(clutch)
+    found, _ = designed(clutch)
     drawing = shop_drawing(clutch, found)
-    document = ezdxf.read(io.StringIO(dxf(drawing).decode("utf-8")))
+    document = ezdxf.read(io.StringIO(dxf(pocket(drawing)).decode("utf-8")))
     assert not document.audit().has_issues
     return clutch, found, drawing, document
 
@@ -58,7 +59,15 @@ def test_the_contours_are_the_wall(drawn):
     clutch, found, drawing, document = drawn
     assert document.header["$INSUNITS"] == 4
     space = document.modelspace()
-    assert {layer.dxf.name for layer in document.layers} >= set(LAYERS)
+    assert {layer.dxf.name for layer in document.layers} >= {
+        "SLEEVE_1",
+        "SLEEVE_2",
+        "POCKET_1",
+        "POCKET_2",
+        "PATH",
+        "BALL",
+        "DIMENSIONS",
+    }
     (first,) = space.query('LWPOLYLINE[layer=="POCKET_1"]')
     closed = {line.dxf.layer for line in space.query("LWPOLYLINE") if line.closed}
     assert closed == {"SLEEVE_1", "SLEEVE_2", "POCKET_1", "POCKET_2", "FRAME", "TITLE"}
@@ -128,7 +137,7 @@ def test_dimensions_are_those_of_the_spec(drawn):
         text = text.replace("<>", f"{measured[-1]:.9g}")  # older ezdxf leaves what is measured to the reader
         written.append(float(re.sub(f"[Ø*°]|^{unit.balls}×", "", text)))
     assert sorted(measured) == pytest.approx(wanted, rel=1e-6)
-    assert sorted(written) == pytest.approx(wanted, rel=1e-4)
+    assert sorted(written) == pytest.approx(wanted, abs=0.0501), "of no tolerance, to a tenth"
 
 
 def test_every_ball_has_its_pocket_in_the_end_view(drawn):
@@ -143,16 +152,15 @@ def test_every_ball_has_its_pocket_in_the_end_view(drawn):
     assert np.hypot(*places.T) == pytest.approx(pitch.dxf.radius)
     angles = np.sort(np.degrees(np.arctan2(places[:, 1], places[:, 0])) % 360)
     assert np.diff(angles) == pytest.approx(360 / unit.balls)
-    pockets = [line for line in space.query('LWPOLYLINE[layer=="END_VIEW"]') if len(line) == 4]
+    pockets = [line for line in space.query('LWPOLYLINE[layer=="END_VIEW"]') if len(line) > 2]
     assert len(pockets) == len(balls) == unit.balls
-    for pocket in pockets:
-        ends = np.array([point[:2] for point in pocket.get_points()]) - np.array(pitch.dxf.center.vec2)
+    for seat in pockets:
+        ends = np.array([point[:2] for point in seat.get_points()]) - np.array(pitch.dxf.center.vec2)
         along = np.exp(1j * np.arctan2(ends[:, 1], ends[:, 0]))
-        turn = np.abs(np.angle(along[0] / along[3]))
+        turn = np.abs(np.angle(along[0] / along[-1]))
         assert turn == pytest.approx(found.pocket_width / unit.ball_circle_radius)
         assert np.angle(along[0] / along[1]) == pytest.approx(0, abs=1e-12), "the walls run towards the axis"
-        (bulge,) = {point[4] for point in pocket.get_points()} - {0}
-        assert abs(bulge) == pytest.approx(math.tan(turn / 4))
+        assert np.hypot(*ends[1:-1].T) == pytest.approx(drawing.sleeve.pocket_end * 1e3 * scale)
 
 
 SHOP = {"tolerance": "±0.02 mm", "roughness": "Ra 0.8", "hardness": "58…62 HRC", "material": "16MnCr5"}
@@ -160,20 +168,20 @@ SHOP = {"tolerance": "±0.02 mm", "roughness": "Ra 0.8", "hardness": "58…62 HR
 
 def test_what_the_shop_needs_is_on_the_sheet(afmcalc, tmp_path):
     given = [part for name, text in SHOP.items() for part in ("--set", f"drawing.{name}={text}")]
-    given += ["--set", "report.drawing=AFM 01.02", "--set", "report.author=A. Turner"]
+    given += ["--set", "report.drawing=AFM 01.02", "--set", "report.author=A_b Turner"]
     spec = CONFIGS / "envelope.toml"
-    assert afmcalc("plot", "pocket", spec, "-o", tmp_path / "plain.dxf").code == 0
-    assert afmcalc("plot", "pocket", spec, "-o", tmp_path / "x.dxf", *given).code == 0
+    assert afmcalc("pocket", spec, "-o", tmp_path / "plain.dxf").code == 0
+    assert afmcalc("pocket", spec, "-o", tmp_path / "x.dxf", *given).code == 0
     document = ezdxf.readfile(tmp_path / "x.dxf")
     shown, plain = (
         " ".join(text.dxf.text for text in ezdxf.readfile(tmp_path / name).modelspace().query("TEXT"))
         for name in ("x.dxf", "plain.dxf")
     )
-    for text in (*SHOP.values(), "AFM 01.02", "A. Turner"):
+    for text in (*SHOP.values(), "AFM 01.02", "A_b Turner"):
         assert text in shown
         assert text not in plain
     lines = {layer.dxf.name: (layer.dxf.linetype, layer.dxf.lineweight) for layer in document.layers}
-    assert lines["CENTRE"] == ("CENTER2", 25)
+    assert lines["CENTRE"] == ("CENTER2", 18)
     assert lines["POCKET_1"] == lines["END_VIEW"] == ("CONTINUOUS", 50)
     assert {entity.dxf.layer for entity in document.modelspace()} <= set(lines) - {"0"}
 
@@ -181,7 +189,7 @@ def test_what_the_shop_needs_is_on_the_sheet(afmcalc, tmp_path):
 @pytest.mark.parametrize("name", ["default", "envelope"])
 def test_section_in_true_millimetres(name, afmcalc, tmp_path):
     path = tmp_path / "s.dxf"
-    assert afmcalc("plot", "section", CONFIGS / f"{name}.toml", "-o", path).code == 0
+    assert afmcalc("layout", CONFIGS / f"{name}.toml", "-o", path).code == 0
     document = ezdxf.readfile(path)
     assert not document.audit().has_issues
     space = document.modelspace()
@@ -189,31 +197,38 @@ def test_section_in_true_millimetres(name, afmcalc, tmp_path):
     measured = sorted(line.get_measurement() for line in space.query("DIMENSION"))
     assert measured == pytest.approx(sorted((each.high - each.low) * 1e3 for each in wanted))
     shown = [float(re.search(r"([\d.]+) ?\*?$", line.dxf.text)[1]) for line in space.query("DIMENSION")]
-    assert sorted(shown) == pytest.approx(measured, rel=1e-4)
+    assert sorted(shown) == pytest.approx(measured, abs=0.0501)
     assert all(len(whole(line)) > 1 for line in space.query("LWPOLYLINE"))
     assert all(line.closed for line in space.query('LWPOLYLINE[layer=="OUTLINE"]'))
 
 
-def test_svg_is_in_millimetres(drawn):
+def test_svg_has_the_contours_in_true_millimetres(drawn):
     _, found, drawing, _ = drawn
-    root = ElementTree.fromstring(svg(drawing))
+    sheet = pocket(drawing)
+    root = ElementTree.fromstring(svg(sheet))
     name = "{http://www.w3.org/2000/svg}"
-    wide, high = (float(root.get(key).removesuffix("mm")) for key in ("width", "height"))
-    box = [float(part) for part in root.get("viewBox").split()]
-    assert box[2:] == [wide, high], "a unit is a millimetre"
-    assert float(root.find(f".//{name}circle").get("r")) == pytest.approx(found.ball_diameter * 500)
-    own = {each.layer: each for each in drawing.contours}
-    for path in root.iter(f"{name}path"):
-        contour = own[path.get("id")]
-        numbers = np.array(re.findall(r"-?[\d.]+", path.get("d")), float).reshape(-1, 2)
-        assert numbers == pytest.approx(np.array(contour.points) * [1e3, -1e3], abs=1e-6)
-        assert path.get("d").endswith("Z") == contour.closed
-        inside = (numbers >= box[:2]) & (numbers <= np.add(box[:2], box[2:]))
-        assert inside.all()
+    assert (root.get("width"), root.get("height")) == ("420mm", "297mm")
+    groups = {group.get("class"): group for group in root.iter(f"{name}g")}
+    assert float(groups["ball"].find(f"{name}circle").get("r")) == pytest.approx(found.ball_diameter * 500, abs=1e-4)
+    for contour in drawing.contours:
+        path = groups[contour.layer.lower()].find(f"{name}path").get("d")
+        numbers = np.array(re.findall(r"-?[\d.]+", path), float).reshape(-1, 2)
+        assert numbers == pytest.approx(np.array(contour.points) * [1e3, -1e3], abs=1e-4)
+        assert path.endswith("Z") == contour.closed
+
+
+@pytest.mark.parametrize(("tolerance", "written"), [("±0.02 mm", "20.3"), ("±0.002", "20.299"), (None, "20.3")])
+def test_a_calculated_length_is_as_its_tolerance(tolerance, written, afmcalc, tmp_path):
+    """Width of a pocket of the indirect example, 20.2985 mm; the ball as its standard has it."""
+    more = ["--set", f"drawing.tolerance={tolerance}"] if tolerance else []
+    assert afmcalc("pocket", "example:indirect", "-o", tmp_path / "x.dxf", *more).code == 0
+    space = ezdxf.readfile(tmp_path / "x.dxf").modelspace()
+    texts = {round(line.get_measurement(), 4): line.dxf.text for line in space.query("DIMENSION")}
+    assert (texts[20.2985], texts[19.05]) == (written, "Ø19.05")
 
 
 REFUSED = """
-torque -o x.dxf | plot pocket
+plot torque -o x.dxf | .png, .svg, .pdf
 pocket -o x.dxf --set sleeve_depth=7.5mm | 7.5 mm
 pocket -o x.dxf --set balls=16 | pockets
 pocket -o x.dxf --set C=1 | undercut
@@ -224,6 +239,6 @@ def test_what_is_refused(afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for line in REFUSED.strip().splitlines():
         asked, said = line.split(" | ")
-        what, *options = asked.split()
-        run = afmcalc("plot", what, CONFIGS / "constant-torque.toml", *options)
+        what, options = asked.split(" -o ")[0].split(), ["-o", *asked.split(" -o ")[1].split()]
+        run = afmcalc(*what, CONFIGS / "constant-torque.toml", *options)
         assert (run.code, said in run.err, [*tmp_path.iterdir()]) == (2, True, []), run.err

@@ -5,7 +5,6 @@ import re
 import tomllib
 
 import pytest
-import tomli_w
 from conftest import CONFIGS
 from hypothesis import given
 from hypothesis import strategies as st
@@ -18,7 +17,7 @@ from afmcalc.messages import did_you_mean
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import replaced, respecified
 from afmcalc.spec.read import spec_of
-from afmcalc.spec.source import Source, place_at, spans
+from afmcalc.spec.source import Source
 
 BASE = """\
 variant = "differentiated"
@@ -37,22 +36,16 @@ ball_circle_radius = "50 mm"
 """
 
 
-@pytest.mark.parametrize(("old", "new", "column", "width", "says"), REFUSED["line"])
-def test_message_with_place_line_and_caret(old, new, column, width, says, afmcalc):
+@pytest.mark.parametrize(("old", "new", "says"), REFUSED["line"])
+def test_message_with_line(old, new, says, afmcalc):
     text = BASE.replace(old + "\n", new + "\n" if new else "")
     assert text != BASE
-    line = BASE.split("\n").index(old) + 1 + new.count("\n")
-    if column < 0:  # the head of the table that lacks it
-        line, column = BASE.split("\n").index("[friction]") + 1, 1
-    shown = text.split("\n")[line - 1]
+    line = BASE.split("\n").index(old) + 1 + new.count("\n") if new else BASE.split("\n").index("[friction]") + 1
     run = afmcalc("torque", "-", stdin=text)
     assert (run.code, run.out) == (2, "")
-    margin = " " * len(str(line))
-    assert run.err == (
-        f"error: standard input:{line}:{column}: {says}\n"
-        f"  {line} | {shown}\n"
-        f"  {margin} | {' ' * (column - 1)}{'^' * width}\n"
-    )
+    first, shown = run.err.splitlines()
+    assert first.startswith(f"error: standard input:{line}: {says}")
+    assert shown == f"  {line} | {text.splitlines()[line - 1]}"
 
 
 @pytest.mark.parametrize(("given", "says"), REFUSED["json"])
@@ -71,17 +64,17 @@ def test_all_problems_at_once_each_with_its_line(afmcalc):
     text = BASE.replace("0.8", '"high"').replace("pairs = 8", "pairs = 2.5").replace("gain", "gian")
     err = afmcalc("torque", "-", stdin=text).err
     assert afmcalc("torque", "-", stdin=text.replace("\n", "\r\n")).err == err
-    places = re.findall(r"^error: standard input:(\d+):(\d+): ([\w.]+)", err, re.M)
+    places = re.findall(r"^error: standard input:(\d+): ([\w.]+)", err, re.M)
     found = [":".join(place) for place in places]
-    assert found[:2] == ["4:7:friction.max", "6:9:friction_group.pairs"]
-    assert found[2:] == ["12:1:control_unit.gian", "11:1:control_unit.gain"]
+    assert found[:2] == ["4:friction.max", "6:friction_group.pairs"]
+    assert found[2:] == ["12:control_unit.gian", "11:control_unit.gain"]
 
 
 def test_an_override_has_no_line_and_a_calculation_names_one(afmcalc):
-    err = afmcalc("torque", "-", "--set", "gain=0,5", stdin=BASE).err
-    assert err == 'error: standard input: control_unit.gain = "0,5": a decimal comma is not read: write 0.5\n'
-    err = afmcalc("synthesize", "-", stdin=BASE.replace('ball_circle_radius = "50 mm"\n', "")).err
-    assert err.startswith("error: standard input:11:1: control_unit.ball_circle_radius: required by synthesize\n")
+    err = afmcalc("torque", "-", "--set", "gain=0;5", stdin=BASE).err
+    assert err.startswith('error: standard input: control_unit.gain = "0;5": ')
+    err = afmcalc("pocket", "-", stdin=BASE.replace('ball_circle_radius = "50 mm"\n', "")).err
+    assert err.startswith("error: standard input:11: control_unit.ball_circle_radius: required by afmcalc pocket\n")
 
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-8-sig"])
@@ -91,26 +84,32 @@ def test_text_of_windows_is_read(encoding, afmcalc, tmp_path):
         (tmp_path / name).write_bytes(text.replace("\n", "\r\n").encode(encoding))
         assert afmcalc("torque", tmp_path / name).out == afmcalc("torque", "-", stdin=BASE).out
     (tmp_path / "balls.csv").write_bytes("diameter_mm\r\n25\r\n".encode(encoding))
-    assert afmcalc("synthesize", "-", "--balls", tmp_path / "balls.csv", "--json", stdin=BASE).code == 0
+    assert afmcalc("pocket", "-", "--set", f"catalogues.balls={tmp_path / 'balls.csv'}", "--json", stdin=BASE).code == 0
 
 
-OTHER = [("Муфта «А» № 2", "cp1251"), ("муфта", "koi8-r"), ("муфта", "cp866"), ("für groß", "latin-1")]
-
-
-@pytest.mark.parametrize(("name", "encoding"), OTHER)
-def test_other_bytes_say_where_and_how_to_put_it_right(name, encoding, afmcalc, tmp_path):
-    """The encoding of Russian Windows is named, with what is read in it; other bytes are not guessed at."""
-    raw = BASE.encode() + f"name = '{name}'".encode(encoding)
-    line, byte = BASE.count("\n") + 1, next(at for at, value in enumerate(raw) if value > 127)
+@pytest.mark.parametrize(("raw", "says"), [
+    (BASE.encode() + "name = 'Муфта'".encode("cp1251"), "is not UTF-8 text (line 14): save it as UTF-8"),
+    (b"%PDF-1.7 ...", "is a PDF; a spec is a text in TOML or JSON"),
+])  # fmt: skip
+def test_other_bytes_say_what_they_are(raw, says, afmcalc, tmp_path):
     (tmp_path / "a.toml").write_bytes(raw)
     run = afmcalc("torque", tmp_path / "a.toml")
-    assert (run.code, run.out) == (2, "")
-    guessed = f"Windows-1251 (cp1251), in which line {line} reads \"name = '{name}'\": save"
-    assert (guessed if encoding == "cp1251" else f"is not UTF-8 text (line {line}, byte {byte})") in run.err
+    assert (run.code, run.out, run.err) == (2, "", f"error: {tmp_path / 'a.toml'}: {says}\n")
+
+
+def test_a_missing_file_names_the_nearest_and_a_file_alone_the_command(afmcalc, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "clutch.toml").write_text(BASE)
+    run = afmcalc("torque", "cluch.toml")
+    assert (run.code, run.out) == (3, "")
+    assert run.err.endswith("; did you mean 'clutch.toml'?\n")
+    for name in ("clutch.toml", "example:default"):
+        run = afmcalc(name)
+        assert (run.code, run.err) == (2, f"error: {name} is no command; did you mean: afmcalc check {name}\n")
 
 
 def test_a_key_is_named_by_name_symbol_or_path_and_solve_takes_both_orders(answered):
-    for name, target in (("C", "accuracy_factor"), ("gain", "К_т"), ("control_unit.gain", "K_t"), ("С", "K_т")):
+    for name, target in (("C", "accuracy_factor"), ("gain", "K_т"), ("control_unit.gain", "K_T")):
         for words in ((f"{target}=2", "example:default"), ("example:default", f"{target}=2")):
             result = answered("solve", *words, "--for", name, "--json").json["result"]
             assert (result["path"], result["target"]) == ("control_unit.gain", "accuracy_factor")
@@ -125,7 +124,6 @@ def test_what_an_argument_names(line, says, answered):
     run = answered(*(word.replace(r"\n", "\n") for word in line.split()))
     assert (run.code, run.out) == (2, "")
     assert says in run.err
-    assert "Value error" not in run.err
 
 
 @pytest.mark.parametrize("wrong", ["gain = 0,5", 'gain = "x"\nballs = "6"'])
@@ -156,8 +154,7 @@ def test_a_mistyped_file_is_a_spec_or_an_error_at_a_place_that_there_is(file, as
         spec_of(Source("x", text))
     except SpecError as error:
         for place in (problem.place for problem in error.problems if problem.place):
-            assert text.split("\n")[place.line - 1].removesuffix("\r") == place.text
-            assert 1 <= place.column <= len(place.text) + 1
+            assert text.split("\n")[place.line - 1] == place.text
 
 
 def bare(run):
@@ -222,12 +219,9 @@ def test_a_temperature_without_a_unit_asks_for_degrees(afmcalc):
     assert "at least 173.15\n" in afmcalc("torque", "-", stdin=BASE + '[heat]\nambient = "20 K"\n').err
 
 
-def test_letters_are_compared_as_what_they_look_like():
+def test_the_nearest_known_word_is_suggested():
     for word, known, said in REFUSED["meant"]:
         assert did_you_mean(word, known.split()) == said
-    for seen, meant in zip("АВЕКМНОРСТХавекморстх", "ABEKMHOPCTXabekmopctx", strict=True):
-        assert did_you_mean(f"{seen}1", [f"{meant}1"]) == f"; did you mean '{meant}1' (all Latin)?"
-        assert did_you_mean(f"wall_{seen}1", [f"wall_{meant}2"]) == f"; did you mean 'wall_{meant}2'?"
 
 
 def test_a_nominal_torque_takes_the_place_of_both_springs():
@@ -239,55 +233,21 @@ def test_a_nominal_torque_takes_the_place_of_both_springs():
     assert (other.closing_spring.force, other.control_spring.force) == (None, None)
 
 
-KEYS = st.text(st.sampled_from("ab =#[]{}\"',:-\\é\t"), min_size=1, max_size=4)
-"""Without the dot, which parts a path."""
-ONE = st.one_of(st.integers(-99, 99), st.booleans(), st.floats(-9, 9), st.text("ab#\"'\\\n=]},", max_size=5))
-VALUES = st.recursive(ONE, lambda inner: st.lists(inner, max_size=3), max_leaves=4)
-TABLES = st.recursive(VALUES, lambda inner: st.dictionaries(KEYS, inner, max_size=3), max_leaves=8)
-
-
-def leaves(value, path=""):
-    """Every value below by its path, those of lists by number."""
-    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
-    for key, inner in items:
-        own = f"{path}.{key}" if path else str(key)
-        if not isinstance(inner, dict):
-            yield own, inner
-        yield from leaves(inner, own)
-
-
-@given(st.dictionaries(KEYS, TABLES, max_size=4))
-def test_every_value_is_found(data):
-    as_toml, as_json = tomli_w.dumps(data), json.dumps(data, indent=1)
-    for text, read in ((as_toml, lambda part: tomllib.loads(f"x = {part}")["x"]), (as_json, json.loads)):
-        found = spans(text)
-        for path, value in leaves(data):
-            assert read(text[found[path].value : found[path].end]) == value
-
-
-def test_toml_as_people_write_it():
+def test_the_line_of_a_key():
+    """In TOML as people write it and as JSON is indented; of a key that lacks, that of its table."""
     text = """# [no.table]
 a.b = 1 # gain = 2
-'c.d' = \"\"\"
-x = 1 "quoted"
-\"\"\"
+'c.d' = "x"
 [e . "f"]   # head
 g = { h = [1, 2,
   3], i = 'x' }
-[[j]]
-k = 1979-05-27T07:32:00Z
+[j]
+k = 1
 """
-    found = spans(text)
-    assert {path: text[span.value : span.end] for path, span in found.items() if "\n" not in text[span.value : span.end]} == {
-        "a.b": "1", "e.f": '[e . "f"]', "e.f.g.h.0": "1", "e.f.g.h.1": "2", "e.f.g.h.2": "3", "e.f.g.i": "'x'",
-        "j": "[[j]]", "j.k": "1979-05-27T07:32:00Z",
-    }  # fmt: skip
-    assert text[found["c.d"].key : found["c.d"].name_end] == "'c.d'"
-    place = place_at(text, found["e.f.g"].value, found["e.f.g"].end)
-    assert (str(place), place.width, place.text) == ("7:5", 12, "g = { h = [1, 2,")
-
-
-def test_a_long_line_is_cut_around_what_is_meant():
-    text = "a" * 300 + " = 1"
-    line, caret = place_at(text, 303, 304).shown()
-    assert (line[:6], len(line), line[caret.index("^")]) == ("  1 | ", 57, "1")
+    places = {"a.b": 2, "c.d": 3, "e.f": 4, "e.f.x": 4, "e.f.g.i": 5, "j.k": 8, "j.l": 7}
+    for path, line in places.items():
+        place = Source("x", text).place(path)
+        assert (place.line, place.text) == (line, text.split("\n")[line - 1]), path
+    assert Source("x", text).place("z") is None
+    lines = json.dumps({"a": {"k": 1}, "j": {"i": 0, "k": 1}}, indent=1)
+    assert [Source("x", lines).place(path).line for path in ("a.k", "j", "j.k", "j.x")] == [3, 5, 7, 5]

@@ -96,6 +96,14 @@ def test_a_sweep_without_a_range_has_as_many_points_as_one_can_look_at(afmcalc):
     assert all(value == int(value) for value in values)
 
 
+@pytest.mark.parametrize("part", ['"name": "\\ud800"', '"\\udfff": 1', '"tolerance": {"fields": ["\\ud800"]}'])
+def test_half_a_character_is_refused(part, afmcalc):
+    """JSON can spell what no file in UTF-8 holds, its own refusal as JSON included."""
+    run = afmcalc("check", "-", "--json", stdin=f'{{"variant": "conventional", {part}}}')
+    assert (run.code, [each["code"] for each in run.json["findings"]]) == (2, ["bad-spec"])
+    assert "holds a lone surrogate, which is no character" in run.err
+
+
 def test_errors_stay_short():
     """Twenty problems of many, no line too long, wherever the text came from."""
     data = parse(Source("text", DEFAULT)) | {f"key{number}": "x" * 900 for number in range(1500)}
@@ -112,6 +120,6 @@ def test_a_nonsense_number_of_the_environment(number, afmcalc, monkeypatch):
     """As a width it harms no table, as a date it is refused."""
     with pytest.MonkeyPatch.context() as patch:  # pytest -v, which reports right after, would not bear it
         patch.setenv("COLUMNS", number)
-        assert afmcalc("torque").code == 0
+        assert [afmcalc(*line.split()).code for line in ("torque", "help keys")] == [0, 0]
     monkeypatch.setenv("SOURCE_DATE_EPOCH", number)
     assert (afmcalc("report").code, afmcalc("report").out) == (2, "")

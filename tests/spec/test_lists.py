@@ -9,7 +9,7 @@ from sources import READ, REFUSED
 from afmcalc.analysis.clutch_findings import clutch_findings
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError
-from afmcalc.messages import language, speaking, translate
+from afmcalc.messages import language, speaking
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.catalogues import friction_materials, material_named
 from afmcalc.spec.lists import ball_designation, diameters, discs
@@ -58,7 +58,9 @@ def test_what_is_wrong_with_a_row_is_said_in_one_sentence(text, says, tmp_path, 
     with pytest.raises(AfmcalcError, match="own.csv") as told:
         own_materials(path)
     assert says in str(told.value)
-    run = afmcalc("torque", CONFIGS / "default.toml", "--materials", path, "-o", tmp_path / "out.json")
+    run = afmcalc(
+        "torque", CONFIGS / "default.toml", "--set", f"catalogues.materials={path}", "-o", tmp_path / "out.json"
+    )
     assert (run.code, run.out, (tmp_path / "out.json").exists()) == (2, "", False)
     assert "own.csv" in run.err
     assert says in run.err
@@ -145,15 +147,15 @@ def test_paths_are_relative_to_the_file_that_names_them(tmp_path, afmcalc, monke
     named = '[catalogues]\nmaterials = "lists/own.csv"\ndiscs = "lists/discs.csv"\nballs = "lists/balls.csv"\n'
     path = file(tmp_path, "clutch.toml", f"{spec}\n{named}")
     monkeypatch.chdir(tmp_path / "picked")
-    assert afmcalc("synthesize", path, "--json").json["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
-    afmcalc("synthesize", path, "-o", "completed.toml")
+    assert afmcalc("pocket", path, "--json").json["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
+    afmcalc("pocket", path, "--save", "completed.toml")
     assert 'materials = "../lists/own.csv"' in (tmp_path / "picked" / "completed.toml").read_text(encoding="utf-8")
     again = read_spec(tmp_path / "picked" / "completed.toml")
     assert again.friction.range == (0.2, 0.25, 0.3)
     assert again.lists == read_spec(path).lists
     told = afmcalc("torque", path, "--json")
     assert afmcalc("torque", "-", "--json", stdin=told.out).json["result"] == told.json["result"]
-    by_option = afmcalc("synthesize", CONFIGS / "default.toml", "--balls", "../lists/balls.csv", "--json")
+    by_option = afmcalc("pocket", CONFIGS / "default.toml", "--set", "catalogues.balls=../lists/balls.csv", "--json")
     assert by_option.json["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
 
 
@@ -165,7 +167,7 @@ def test_disc_springs_of_ones_own(tmp_path, afmcalc):
     first, second = discs(path)
     assert first[:7] == ("X 50", 0.05, 0.0254, 0.002, None, 0.0034, None)
     assert [first.title, second.title] == ["Пружина 50х25 ТУ 1", "X 60 (Maker's list)"]
-    asked = ("springs", CONFIGS / "default.toml", "--discs", path, "--kind", "disc")
+    asked = ("springs", CONFIGS / "default.toml", "--set", f"catalogues.discs={path}", "--kind", "disc")
     parts = [each["part"] for each in afmcalc(*asked, "--json").json["result"]["closing"]]
     assert {first.title} <= {*parts} <= {first.title, second.title}
     assert afmcalc(*asked, "--pick", parts.index(first.title) + 1, "--save", sprung).code == 0
@@ -227,7 +229,6 @@ def test_what_is_no_list(tmp_path, name, text, says):
 def test_a_standard_ball_is_named_as_it_is_ordered():
     assert ball_designation(0.0251) is None
     for size, name in ((25, "25"), (20.6375, "20.638"), (20.638, "20.638"), (5.55625, "5.556")):
-        named = ball_designation(size / 1000)
-        assert named == f"ball {name} mm, ISO 3290-1"
+        assert ball_designation(size / 1000) == f"ball {name} mm, ISO 3290-1"
         with speaking(language("ru")):
-            assert translate(named) == f"Шарик {name.replace('.', ',')} ГОСТ 3722-2014"
+            assert ball_designation(size / 1000) == f"Шарик {name.replace('.', ',')} ГОСТ 3722-2014"

@@ -1,5 +1,6 @@
 """The page says what the command line says: numbers, sentences, commands; its form has every key but those of files."""
 
+import json
 import random
 import re
 import shlex
@@ -248,10 +249,32 @@ def test_each_tab_answers(sites, undrawn, name):
     assert site.tab(name, {"control_unit.gain": "x"})["errors"].keys() == {"control_unit.gain"}
 
 
+def charts(html):
+    """What the script draws, of each chart of a fragment."""
+    return [json.loads(chart) for chart in tags(html, "data-chart")]
+
+
+def test_the_curve_is_the_plots_with_the_pinned_state_beside_it(sites):
+    """Eight pairs, one of them bypass, C 0.5, 2 kN, 100 mm: F11 (12); of a pinned gain paler beside it."""
+
+    def torque(f, gain):
+        return 200 * 8 * f / (1 + gain * 7 * f)
+
+    _, site = sites("default")
+    (alone,) = charts(site.live({})["fragments"]["torque"])
+    pinned = {"base": 0, "fields": {"control_unit.gain": "0.9"}}
+    (both,) = charts(site.live({}, pinned=pinned)["fragments"]["torque"])
+    assert [line["paler"] for line in both["lines"]] == [False, False, True, True]
+    assert both["lines"][:2] == alone["lines"]
+    for line, gain in ((both["lines"][0], 0.5), (both["lines"][2], 0.9)):
+        assert line["y"] == pytest.approx([torque(x, gain) for x in line["x"]])
+    assert (alone["x"]["ends"], alone["y"]["ends"][0]) == ([0.1, 0.8], 0)
+
+
 def test_a_tab_has_options(sites):
     _, site = sites("default")
     swept = site.tab("accuracy", {}, sweep=" C=0:1:3 ")
-    assert (swept["command"].endswith("--sweep C=0:1:3"), swept["html"].count("<svg")) == (True, 1)
+    assert (swept["command"].endswith("--sweep C=0:1:3"), swept["html"].count("data-chart=")) == (True, 1)
     for name, option, text in (
         ("accuracy", "sweep", "nonsense=1:2"), ("accuracy", "sweep", "C=0:1:2000000000"), ("design", "requirements", "[search"),
     ):  # fmt: skip

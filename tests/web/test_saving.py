@@ -29,7 +29,7 @@ def test_without_permission_nothing_is_written(afmcalc, tmp_path):
     assert [*tmp_path.iterdir()] == [spec]
 
 
-@pytest.mark.parametrize("output", [["--force"], ["-o", "other.toml"], ["-o", "other.json"]])
+@pytest.mark.parametrize("output", [["--force"], ["--save", "other.toml"], ["--save", "other.json"]])
 def test_what_is_saved_is_the_clutch_shown(output, afmcalc, tmp_path, monkeypatch):
     """Twice: what was saved is saved over; a state that is no clutch is not written; what SPEC names is kept."""
     monkeypatch.chdir(tmp_path)
@@ -60,12 +60,12 @@ def test_what_is_saved_is_the_clutch_shown(output, afmcalc, tmp_path, monkeypatc
 
 def test_a_file_made_meanwhile_is_not_replaced(afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    site = Site(afmcalc, spec_in(tmp_path), "-o", "other.toml")
+    site = Site(afmcalc, spec_in(tmp_path), "--save", "other.toml")
     (tmp_path / "other.toml").write_text("mine", encoding="utf-8")
     for _ in range(2):
         assert "--force" in str(site.save(FIELDS)["problems"])
     assert (tmp_path / "other.toml").read_text(encoding="utf-8") == "mine"
-    assert "gone" in str(Site(afmcalc, "clutch.toml", "-o", "gone/other.toml").save(FIELDS)["problems"])
+    assert "gone" in str(Site(afmcalc, "clutch.toml", "--save", "gone/other.toml").save(FIELDS)["problems"])
 
 
 @proc

@@ -17,9 +17,9 @@ from ...equations.catalogue import Equation, equation_of
 from ...equations.terms import CASES, Term, quantity_of, term_of
 from ...errors import AfmcalcError
 from ...findings import Finding
-from ...messages import did_you_mean, joined, say, term
+from ...messages import did_you_mean, native, say, translate
 from ...papers.register import register
-from ...result import Answer, Result, Sentence, described
+from ...result import Answer, Result, described
 from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
@@ -32,7 +32,7 @@ class Step(Result):
     symbol: str = described("symbol")
     symbol_latex: str = described("symbol, LaTeX")
     name: str = described("what it is")
-    at: Sentence | None = described("friction it is for", optional=True)
+    at: str | None = described("friction it is for", optional=True)
     setting: Method | None = described("how the spring is set", optional=True)
     side: str | None = described("side of the clutch that the load is on", optional=True)
     formula: str = described("formula")
@@ -40,7 +40,7 @@ class Step(Result):
     value: float = described("value, SI")
     unit: str = described("SI unit")
     source: str = described("source")
-    print_differs: Sentence | None = described("what the paper prints instead", optional=True)
+    print_differs: str | None = described("what the paper prints instead", optional=True)
     note: str | None = described("note", optional=True)
     function: str = described("equation function that ran")
     formula_latex: str = described("formula, LaTeX")
@@ -57,17 +57,14 @@ class ExplainResult(Answer):
 def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[ExplainResult, list[Finding]]:
     """Run a calculation and explain every law it applied; the findings are those of the calculation.
 
-    Raises:
-        AfmcalcError: no such calculation.
+    Raises AfmcalcError: no such calculation.
     """
     if command not in EXPLAINED:
         hint = did_you_mean(command, EXPLAINED)
         raise AfmcalcError(
             "explain: no calculation {command!r}{hint}; explained are {analyses}",
-            command=command,
-            hint=hint,
-            analyses=", ".join(EXPLAINED),
-        )
+            command=command, hint=hint, analyses=", ".join(EXPLAINED),
+        )  # fmt: skip
     clutch = noting(spec)
     _, findings = ANALYSES[command].function(clutch, **({"model": model} if model else {}))
     steps = [*where_largest(steps_of(clutch))]
@@ -116,7 +113,7 @@ def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
 
 
 def _has_formula(step: NotedStep) -> bool:
-    """Whether a law is a formula; one that compares numbers, as for the friction of the largest torque, is none."""
+    """True if a law is a formula; one that compares numbers, as for the friction of the largest torque, is none."""
     with suppress(TypeError):
         return bool(_formula_text(step))
     return False
@@ -152,18 +149,18 @@ def _equation(step: NotedStep) -> Equation:
 
 
 def _result(step: NotedStep) -> Term:
-    """What a step gives; in some cases it has a name of its own, as K_т,w."""
+    """Term of the result of a step; in some cases it has a name of its own, as K_т,w."""
     own = next((case for case in step.case.split() if not CASES[case]), None)
     return Term(*term_of(f"{step.name}_at_{own}")) if own else _equation(step).result
 
 
 class Circumstance(NamedTuple):
-    """What a value is for."""
+    """Circumstance that a value is for."""
 
     at: str | None = None
     """Friction it is for, such as ``f_max``, whether it falls, and the like."""
     setting: Method | None = None
-    """How the spring is set; None: as it is."""
+    """Setting of the spring; None: as it is."""
     side: str | None = None
     """Side of the clutch that the load is on, where that is the unprotected one."""
 
@@ -173,54 +170,50 @@ _SETTINGS: dict[str, Method] = {"by_min": "min-friction", "by_mean": "mean-frict
 
 def _circumstance(cases: str) -> Circumstance:
     words = [case for case, word in CASES.items() if word and case in cases.split()]
-    at = [term(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
+    at = [translate(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
     setting = next((_SETTINGS[case] for case in words if case in _SETTINGS), None)
-    return Circumstance(joined(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
+    return Circumstance(", ".join(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
 
 
 def _formula_text(step: NotedStep, *, special: bool = True) -> FormulaText:
     """Return the formula of a step and its numbers; ``special``: with the symbols of what stands for its arguments."""
     terms = _equation(step).arguments
-    symbols = {name: own.symbol for name, own in terms.items()}
+    symbols = {name: translate(own.symbol) for name, own in terms.items()}
     if special:
-        symbols |= {name: term_of(one).symbol for name, one in step.arguments.items()}
+        symbols |= {name: translate(term_of(one).symbol) for name, one in step.arguments.items()}
     return FormulaText(step.law, symbols, step.values, {name: own.unit for name, own in terms.items()})
 
 
 def _print_differs(function: str) -> str:
-    """What the papers print in the place of an equation."""
+    """Text that the papers print in the place of an equation."""
     said = [
-        say("{id} prints {printed} ({misprint})", id=term(one.id), printed=term(one.printed), misprint=one.misprint)
+        say(
+            "{id} prints {printed} ({misprint})",
+            id=translate(one.id),
+            printed=translate(one.printed),
+            misprint=one.misprint,
+        )
         for one in register()
         if function in (one.function or "").split() and one.status == "mended" and one.printed
     ]
-    return joined(said, "; ")
+    return "; ".join(said)
 
 
 def _step(step: NotedStep) -> Step:
     equation, formula, case = _equation(step), _formula_text(step), _circumstance(step.case)
     result = _result(step)
     return Step(
-        symbol=result.symbol,
-        symbol_latex=symbol_latex(result.symbol),
-        name=result.meaning or equation.about,
-        at=case.at,
-        setting=case.setting,
-        side=case.side,
-        formula=formula.text(),
-        substituted=formula.text_with_numbers(),
-        value=float(step.value),
-        unit=result.unit,
-        source=equation.source,
-        print_differs=_print_differs(equation.name) or None,
-        function=equation.name,
-        formula_latex=formula.latex(),
+        symbol=native(result.symbol), symbol_latex=symbol_latex(translate(result.symbol)),
+        name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
+        formula=native(formula.text()), substituted=native(formula.text_with_numbers()), value=float(step.value),
+        unit=result.unit, source=translate(equation.source),
+        print_differs=_print_differs(equation.name) or None, function=equation.name, formula_latex=formula.latex(),
         substituted_latex=formula.latex_with_numbers(),
-    )
+    )  # fmt: skip
 
 
 class Meaning(NamedTuple):
-    """What a symbol of a formula stands for."""
+    """Meaning of a symbol of a formula."""
 
     symbol: str
     text: str
@@ -251,13 +244,13 @@ class Derivation(NamedTuple):
     unit: str
     symbol_latex: str
     formula: str
-    """What it equals, LaTeX; empty where an earlier derivation has shown it."""
+    """Formula, LaTeX; empty where an earlier derivation has shown it."""
     where: list[Meaning]
     """Symbols that no formula before has explained so."""
     rows: list[CaseRow]
     source: str
     differs: str
-    """What the paper prints instead."""
+    """Text that the paper prints instead."""
 
 
 _FEW = 4
@@ -277,7 +270,7 @@ def derivations(sections: Mapping[str, Iterable[NotedStep]]) -> dict[str, list[D
 
 
 class _Report:
-    """What a report has shown so far."""
+    """Formulas and meanings that a report has shown so far."""
 
     def __init__(self) -> None:
         self.numbers: dict[str, int] = {}
@@ -300,7 +293,7 @@ class _Report:
             symbol=result.symbol,
             name=result.meaning or equation.about,
             unit=result.unit,
-            symbol_latex=symbol_latex(result.symbol),
+            symbol_latex=symbol_latex(translate(result.symbol)),
             formula=texts[0].latex() if is_new else "",
             where=list(self.meanings_of(steps)),
             rows=[

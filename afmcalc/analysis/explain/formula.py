@@ -61,9 +61,9 @@ class Leaf(Expression):
 
     text: str
     own: bool = False
-    """Whether it is a number of the equation itself."""
+    """True if it is a number of the equation itself."""
     value: float = field(default=math.nan, compare=False)
-    """What it stands for: a law may ask whether there is such a thing."""
+    """Value that it stands for: a law may ask whether there is one."""
 
     def __gt__(self, other: float) -> bool:
         """Compare what it stands for."""
@@ -290,7 +290,7 @@ def _number(value: Any, unit: str, *, latex: bool) -> str:
 
 def symbol_latex(name: str) -> str:
     """Return a symbol of the papers in LaTeX."""
-    if "\\" in name or name[:1].isdigit() or name[:1] == "-":
+    if "\\" in name or (name[:1].isdigit() and "_" not in name) or name[:1] == "-":
         return name
     for letter, command in _GREEK.items():
         name = name.replace(letter, command)
@@ -299,16 +299,9 @@ def symbol_latex(name: str) -> str:
 
 
 _GREEK = {
-    "α": "\\alpha ",
-    "β": "\\beta",
-    "κ": "\\kappa ",
-    "ν": "\\nu",
-    "π": "\\pi ",
-    "τ": "\\tau",
-    "ψ": "\\psi",
-    "Δ": "\\Delta ",
-    "∂": "\\partial ",
-}
+    "α": "\\alpha ", "β": "\\beta", "κ": "\\kappa ", "ν": "\\nu", "π": "\\pi ", "τ": "\\tau", "ψ": "\\psi",
+    "Δ": "\\Delta ", "∂": "\\partial ",
+}  # fmt: skip
 _INDEXED = re.compile(r"((?:\\[a-z]+|[^\W_]|\))(?:\^\{\\prime\})?)_((?:[^\W²]|[.,+])+)")
 """A letter with an index: F_п, ΔT_2, T'_п."""
 _FUNCTION = re.compile(r"\b(sin|cos|tan|ln) ?(?=[\w\\(])")

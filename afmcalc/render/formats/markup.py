@@ -4,11 +4,11 @@ import re
 from collections.abc import Iterable
 from html import escape
 
-from ...messages import printable, told, translate
+from ...messages import native, printable, say, translate
 from ...result import Output
 from ..document import Document, document
 from ..layout import TextTable, blocks, findings_lines, lead, step_lines, title, told_apart, unfolded
-from ..symbols import latex_in_numbers, native, native_latex, value_latex
+from ..symbols import latex_in_numbers, native_latex, value_latex
 from ..units import in_numbers, measured
 
 
@@ -34,15 +34,15 @@ def _steps(laid_out: Document) -> list[str]:
     """Steps of an explanation with their formulas in LaTeX."""
     lines = []
     for step in laid_out.steps:
-        places = [*([in_numbers(translate(step.at))] if step.at else []), *told_apart(step, laid_out.steps)]
+        places = [*([in_numbers(step.at)] if step.at else []), *told_apart(step, laid_out.steps)]
         at = f" ({_escape(', '.join(places))})" if places else ""
         equals = " = ".join(dict.fromkeys(map(latex_in_numbers, (step.formula_latex, step.substituted_latex))))
         lines += [f"### {_escape(native(step.symbol))}{at}: {_escape(translate(step.name))}", ""]
         value = value_latex(measured(step.value, step.unit))
         lines += [f"$${native_latex(step.symbol_latex)} = {equals} = {value}$$", ""]
-        lines += [told("Source: {source}", source=_escape(translate(step.source))), ""]
+        lines += [say("Source: {source}", source=_escape(translate(step.source))), ""]
         if step.print_differs:
-            lines += [told("*Print differs:* {what}", what=_escape(translate(step.print_differs))), ""]
+            lines += [say("*Print differs:* {what}", what=_escape(translate(step.print_differs))), ""]
     return lines
 
 

@@ -1,11 +1,11 @@
-"""What is drawn, as data in SI: a sheet of panels, each with its axes, lines, points and guides."""
+"""Plots as data in SI: a sheet of panels, each with its axes, lines, points and guides."""
 
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from ...messages import RAISED, localized, told, translate
+from ...messages import RAISED, filled, localized, translate
 from ...result import Result, shown_as
 from ..units import converted, headed, measured
 
@@ -45,7 +45,7 @@ class Line(NamedTuple):
     filled: bool = False
     """Filled markers instead of open ones: points that stand out."""
     names: Sequence[str] = ()
-    """Text beside each point, as far as there is room."""
+    """Name of each point; those of the first and the last stand beside them."""
 
 
 class Guide(NamedTuple):
@@ -64,8 +64,7 @@ class Guide(NamedTuple):
 class Dimension(NamedTuple):
     """A dimension line beside the axes, between two values of y."""
 
-    label: Sequence[str]
-    """Its lines."""
+    label: str
     low: float
     high: float
     style: int
@@ -92,35 +91,35 @@ class Chart:
     spans: list[Dimension] = field(default_factory=list)
     areas: list[Area] = field(default_factory=list)
     from_zero: bool = False
-    """Whether the axis of y begins at 0."""
+    """True if the axis of y begins at 0."""
     bounds: tuple[float, float, float, float] | None = None
     """Ends of the axes where they are not the data's: of x, then of y."""
     named: bool = False
-    """Whether the lines are labelled with names of the user's, set as they are."""
+    """True if the lines are labelled with names of the user's, set as they are."""
 
     @property
     def labels(self) -> list[str]:
-        """What the legend says."""
-        entries: list[Any] = [*self.areas, *self.lines, *self.guides]
+        """Entries of the legend."""
+        entries: list[Area | Line | Guide] = [*self.areas, *self.lines, *self.guides]
         return [entry.label for entry in entries if entry.label]
 
 
 @dataclass(frozen=True)
 class Sheet:
-    """What one plot command draws: panels one below the other, title above, caption below."""
+    """Drawing of one plot command: panels one below the other, title above, caption below."""
 
     title: str
-    panels: list[Any]
-    """Each a ``Chart``, or an object with ``paint(axes, theme)`` and ``height``."""
+    panels: Sequence[Any]
+    """Charts, or one ``Drawing``."""
     caption: str = ""
     name: str | None = None
     """Name of the user's (a spec's), beside the title; set as it is."""
     aside: str = ""
-    """What is said below the caption where the drawing stands alone."""
+    """Text below the caption where the drawing stands alone."""
 
     @property
     def below(self) -> str:
-        """What is said below the drawing where it stands alone."""
+        """Text below the drawing where it stands alone."""
         return f"{self.caption} {self.aside}".strip()
 
 
@@ -159,4 +158,4 @@ def stated(symbol: str, value: float, unit: str) -> str:
 
 def guide_at(text: str, symbol: str, value: float, unit: str, *, across: bool = True) -> Guide:
     """Guide at a value, which ``{stated}`` in the text of its label tells."""
-    return Guide(told(text, stated=stated(symbol, value, unit)), value, across)
+    return Guide(filled(text, {"stated": stated(symbol, value, unit)}), value, across)

@@ -3,9 +3,9 @@
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from ...messages import joined, named, term, told, translate
+from ...messages import deferred, named, say, translate
 from ...spec.keys import is_whole
-from ..units import display, measured
+from ..units import display
 from .chart import Area, Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
 if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no other analysis than its own
@@ -37,14 +37,14 @@ def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
     lines = [line_of(curve, name, curve.friction) for name in (*methods, *extra)]
     bands = [sorted((line.y[0] or 0.0, line.y[-1] or 0.0)) for line in lines[:2]]
     spans = [
-        Dimension((f"ΔT_{number + 1} =", measured(high - low, "N*m")), low, high, number)
+        Dimension(stated(f"ΔT_{number + 1}", high - low, "N*m"), low, high, number)
         for number, (low, high) in enumerate(bands)
     ]
-    guide = guide_at(term("clutch's nominal torque {stated}"), "T_н", curve.nominal_torque, "N*m")
-    caption = told(
+    guide = guide_at(deferred("clutch's nominal torque {stated}"), "T_н", curve.nominal_torque, "N*m")
+    caption = say(
         "Both settings for the same nominal torque; margin β_н = {margin:g} in the second. ΔT is the scatter band of "
         "each. The spec sets it by {method}.",
-        margin=curve.margin, method=term(curve.method),
+        margin=curve.margin, method=translate(curve.method),
     )  # fmt: skip
     if curve.friction_driving:
         caption += " " + translate("f_2 moves with f_1.")
@@ -56,7 +56,7 @@ def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
     """K_т over the gain, or over the key asked for; of one clutch also what it is and where its limit lies."""
     y = axis_of(curves[0].series, "accuracy_factor")
     x = ChartAxis(translate(curves[0].about).partition(";")[0], curves[0].symbol, curves[0].unit)
-    title = told("Accuracy factor K_т against {quantity} {symbol}", quantity=x.quantity, symbol=x.symbol).rstrip()
+    title = say("Accuracy factor K_т against {quantity} {symbol}", quantity=x.quantity, symbol=x.symbol).rstrip()
     if len(curves) > 1:
         lines = [
             Line(_called(curve), curve.series.values, curve.series.accuracy_factor, points=is_whole(curve.series.path))
@@ -72,9 +72,9 @@ def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
     guides = []
     if curve.own is not None:
         own, factor = stated(symbol, curve.own, x.unit), stated("K_т", curve.accuracy_factor, "1")
-        guides.append(Guide(told("this clutch: {own}, {factor}", own=own, factor=factor), curve.own, across=False))
+        guides.append(Guide(say("this clutch: {own}, {factor}", own=own, factor=factor), curve.own, across=False))
     if curve.limit is not None:
-        guides.append(guide_at(term("limit of the gain, {stated}"), symbol, curve.limit, "1", across=False))
+        guides.append(guide_at(deferred("limit of the gain, {stated}"), symbol, curve.limit, "1", across=False))
     return Sheet(title, [Chart(x, y, lines, guides=guides)], name=curve.name)
 
 
@@ -94,14 +94,14 @@ def overload(curve: "OverloadCurve") -> Sheet:
         axis_of(curve, "expected_torque", quantity=translate("torque"))._replace(symbol="T"),
         lines,
         translate("Torque at the trip"),
-        guides=[guide_at(term("machine's nominal torque {stated}"), "T_н.маш", curve.machine_torque, "N*m")],
+        guides=[guide_at(deferred("machine's nominal torque {stated}"), "T_н.маш", curve.machine_torque, "N*m")],
         areas=[Area(label, curve.friction, curve.expected_torque, curve.potential_torque)],
         from_zero=True,
     )
     series = curve.accuracy
     gains = {
-        term("this clutch: {stated}"): curve.reduced_gain,
-        term("best by the published T_ср, {stated}"): curve.optimal_reduced_gain,
+        deferred("this clutch: {stated}"): curve.reduced_gain,
+        deferred("best by the published T_ср, {stated}"): curve.optimal_reduced_gain,
     }
     accuracy = Chart(
         ChartAxis(translate("reduced gain"), "zC" if curve.bypass_pairs == 0 else "z_2 C"),
@@ -110,13 +110,13 @@ def overload(curve: "OverloadCurve") -> Sheet:
         translate("Accuracy over the reduced gain"),
         guides=[guide_at(text, "zC", gain, "1", across=False) for text, gain in gains.items()],
     )
-    title = told("Overload with the margin {stated}", stated=stated("β_н", curve.margin, "1"))
+    title = say("Overload with the margin {stated}", stated=stated("β_н", curve.margin, "1"))
     return Sheet(title, [trip, accuracy], caption, curve.name)
 
 
 _METHODS = {
-    "min-friction": term("protected side, set at f_min"),
-    "mean-friction": term("protected side, set at mean f with margin"),
+    "min-friction": deferred("protected side, set at f_min"),
+    "mean-friction": deferred("protected side, set at mean f with margin"),
 }
 
 
@@ -134,7 +134,7 @@ def life(curves: "Sequence[LifeCurve]") -> Sheet:
             if setting.cycles
         ]
         title = translate("Life against the scatter band")
-        guides = [Guide(told("base cycles N_0 = {cycles}", cycles=power(first.base_cycles)), first.base_cycles)]
+        guides = [Guide(say("base cycles N_0 = {cycles}", cycles=power(first.base_cycles)), first.base_cycles)]
     else:
         lines = [Line(_called(curve), curve.series.values, curve.series.protected) for curve in curves]
         title, guides = translate("Life of the protected side against the scatter band"), []
@@ -144,15 +144,15 @@ def life(curves: "Sequence[LifeCurve]") -> Sheet:
         if first.model == "mean-stress"
         else "Where there is no line, fatigue sets no limit."
     )
-    about = told("Model: {model}. T_min as the clutch has it, T_max = T_min + ΔT.", model=term(first.model))
+    about = say("Model: {model}. T_min as the clutch has it, T_max = T_min + ΔT.", model=translate(first.model))
     chart = Chart(x, y, lines, guides=guides, named=not single)
     return Sheet(title, [chart], f"{about} {beyond}", first.name if single else None)
 
 
 _EFFECTS = {
-    "spline-friction": term("discs held in their splines"),
-    "centrifugal": term("balls thrown against conical pockets"),
-    "wear": term("lining worn"),
+    "spline-friction": deferred("discs held in their splines"),
+    "centrifugal": deferred("balls thrown against conical pockets"),
+    "wear": deferred("lining worn"),
 }
 
 
@@ -169,7 +169,7 @@ def effects(curve: "EffectsCurve") -> Sheet:
     return Sheet(translate("What the law neglects"), [Chart(x, y, lines, from_zero=True)], caption, curve.name)
 
 
-SPRINGS = {"closing": term("closing spring"), "control": term("control spring")}
+SPRINGS = {"closing": deferred("closing spring"), "control": deferred("control spring")}
 
 
 def springs(curve: "SpringsCurve") -> Sheet:
@@ -182,7 +182,7 @@ def springs(curve: "SpringsCurve") -> Sheet:
 
 def _spring(spring: "SpringCurve") -> Chart:
     tangent = line_of(spring, "tangent", spring.deflection)
-    label = told("as set: {stated}", stated=stated("F", spring.set_force, "N"))
+    label = say("as set: {stated}", stated=stated("F", spring.set_force, "N"))
     lines = [
         line_of(spring, "force", spring.deflection),
         tangent._replace(y=[force if force >= 0 else None for force in spring.tangent]),
@@ -201,8 +201,8 @@ def _upright(label: str, ends: Iterable[float], style: int) -> list[Guide]:
 
 
 _EVENTS = {
-    "stop": term("At t = 0 the tool is stopped; friction is constant during the event."),
-    "load": term("At t = 0 the load of the tool rises; friction is constant during the event."),
+    "stop": deferred("At t = 0 the tool is stopped; friction is constant during the event."),
+    "load": deferred("At t = 0 the load of the tool rises; friction is constant during the event."),
 }
 
 
@@ -210,7 +210,7 @@ def simulate(figure: "SimulateFigure") -> Sheet:
     """An event of the drive: what the shaft carries at three frictions, who turns how fast, the sleeve's travel."""
     mean = figure.courses[1]
     time, times = axis_of(mean[0], "time"), [row.time for row in mean]
-    load = guide_at(term("load before the event {stated}"), "T_0", figure.load, "N*m")
+    load = guide_at(deferred("load before the event {stated}"), "T_0", figure.load, "N*m")
     torques = _at_frictions(figure, lambda row: row.torque_shaft)
     title = translate("Torque in the shaft")
     panels = [Chart(time, axis_of(mean[0], "torque_shaft"), torques, title, guides=[load])]
@@ -226,7 +226,7 @@ def simulate(figure: "SimulateFigure") -> Sheet:
         panels.append(Chart(time, axis_of(mean[0], "travel"), travels, translate("Travel of the sleeve")))
     peak_torques = (figure.result.peak_torque, figure.result.peak_torque_conventional)
     listed, ordinary = ("; ".join(display(end, "N*m") for _, end in ends) for ends in peak_torques)
-    peaks = told(
+    peaks = say(
         "Peaks in the shaft, N·m: {peaks}; with an ordinary clutch of equal T_н: {ordinary}. Shown until the peak has "
         "passed; the slip may last longer.",
         peaks=listed, ordinary=ordinary,
@@ -237,7 +237,7 @@ def simulate(figure: "SimulateFigure") -> Sheet:
 
 def _at_frictions(figure: "SimulateFigure", value: "Callable[[MomentRow], float | None]") -> list[Line]:
     return [
-        Line(told("at {friction}", friction=friction), [row.time for row in course], [value(row) for row in course])
+        Line(say("at {friction}", friction=friction), [row.time for row in course], [value(row) for row in course])
         for friction, course in zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True)
     ]
 
@@ -250,7 +250,7 @@ def paper(figure: "PaperFigure") -> Sheet:
         labels = [": ".join(filter(None, (curve.number, translate(curve.label)))) for curve in curves]
         lines = zip(labels, curves, strict=True)
         panels.append(Chart(x, y, [Line(label, c.x, c.y, tag=c.number, points=c.points) for label, c in lines]))
-    caption = [translate(figure.inputs), told("Mended: {mended}.", mended=joined(map(term, figure.corrections), "; "))]
+    caption = [translate(figure.inputs), say("Mended: {mended}.", mended="; ".join(map(translate, figure.corrections)))]
     if figure.assumed:
-        caption.append(told("Not printed, assumed here: {assumed}", assumed=term(figure.assumed)))
+        caption.append(say("Not printed, assumed here: {assumed}", assumed=translate(figure.assumed)))
     return Sheet(f"{translate(figure.name)}: {translate(figure.title)}", panels, "\n".join(caption))

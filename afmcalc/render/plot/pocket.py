@@ -1,32 +1,65 @@
 """Section through a ball and its two pockets (A–A of the papers), to scale, with the synthesized ball."""
 
 import math
-from typing import Any, NamedTuple
+from collections.abc import Iterator
+from typing import NamedTuple
 
 from ...analysis.figures import PocketSection
 from ...analysis.synthesize import SynthesisResult
-from ...messages import localized, told, translate
-from ..symbols import mathtext
+from ...messages import localized, say, translate
+from ..drawing import (
+    TEXT,
+    WIDTH,
+    Angle,
+    Circle,
+    Drawing,
+    Inscription,
+    Length,
+    Point,
+    Region,
+    Shape,
+    Stroke,
+    leader,
+    tenths,
+)
 from ..units import display
 from .chart import Sheet, stated
-from .paint import COLOURS, INK, WIDTH
 
-_HATCH = {-1: "///", 1: "\\\\\\"}
+_MM = 1e3
+_HATCH = {-1: 45.0, 1: 135.0}
+_HIGH = 210.0
+"""Largest height on paper, mm."""
 
 
 def pocket(section: PocketSection) -> Sheet:
     """Draw the ball at the stop and, where the sleeve travels, at its largest travel."""
-    synthesis, panels = section.synthesis, [Position(section.synthesis, 0.0)]
+    return Sheet(translate("Ball and pockets, section A–A"), [_drawing(section)], _caption(section), section.name)
+
+
+def _drawing(section: PocketSection) -> Drawing:
+    """Lay out the positions one below the other, to one scale."""
+    synthesis, titles = section.synthesis, [(0.0, "")]
     if travel := synthesis.travel_max:
-        moved = told("at f_max, {stated}", stated=stated("x_max", travel, "m"))
-        panels = [Position(synthesis, 0.0, translate("at the stop, x = 0")), Position(synthesis, travel, moved)]
-    return Sheet(translate("Ball and pockets, section A–A"), panels, _caption(section), section.name)
+        moved = say("at f_max, {stated}", stated=stated("x_max", travel, "m"))
+        titles = [(0.0, translate("at the stop, x = 0")), (travel, moved)]
+    positions = [Position(synthesis, each) for each, _ in titles]
+    back, top = positions[0].back, max(each.top for each in positions)
+    beside, between = 26 * TEXT, 11 * TEXT
+    unit = max(2 * back / (WIDTH - beside), 2 * top / (_HIGH / len(titles) - between))
+    size, high, right = TEXT * unit, 2 * top + between * unit, WIDTH / 2 * unit
+    shapes = list[Shape]()
+    for number, (position, (_, title)) in enumerate(zip(positions, titles, strict=True)):
+        down = number * high
+        shapes += position.shapes(size, down)
+        if title:
+            shapes.append(Inscription(title, (0.5 * size - right, top + 4 * size - down), size))
+    return Drawing(shapes, (-right, high - top - 5.5 * size - len(titles) * high, right, top + 5.5 * size))
 
 
 def _caption(section: PocketSection) -> str:
     synthesis = section.synthesis
     sentences = [
-        told(
+        say(
             "To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch horizontal, "
             "dots: contact. S21 (20), (23), (24): smallest ball {smallest}.",
             circle=stated("r", synthesis.ball_circle_radius, "m"), smallest=stated("r_ш", synthesis.ball_radius, "m"),
@@ -38,33 +71,33 @@ def _caption(section: PocketSection) -> str:
         ),
     ]  # fmt: skip
     if synthesis.contact_force is not None:
-        sentences.append(told("On one ball {force}.", force=stated("F_n", synthesis.contact_force, "N")))
+        sentences.append(say("On one ball {force}.", force=stated("F_n", synthesis.contact_force, "N")))
     if synthesis.web is not None and synthesis.web > 0:
-        sentences.append(told("The web between pockets is {web}.", web=stated("e", synthesis.web, "m")))
+        sentences.append(say("The web between pockets is {web}.", web=stated("e", synthesis.web, "m")))
     elif synthesis.web is not None:
-        sentences.append(told("{pockets} pockets cut into each other.", pockets=section.balls))
+        sentences.append(say("{pockets} pockets cut into each other.", pockets=section.balls))
     if synthesis.wall_angle_max is not None and synthesis.wall is None:
         sentences.append(
             translate("The ball undercuts the curved wall, which cannot be cut: straight walls are drawn.")
         )
     elif synthesis.wall_angle_max is not None:
         angle = synthesis.wall_angle_max
-        sentences.append(told("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=angle))
+        sentences.append(say("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=angle))
     return " ".join(sentences)
 
 
 def _ball(synthesis: SynthesisResult) -> str:
     ball = stated("d_ш", synthesis.ball_diameter, "m")
     if synthesis.ball_diameter_standard is None:
-        return told("Drawn with {ball}, for no standard ball is that large.", ball=ball)
+        return say("Drawn with {ball}, for no standard ball is that large.", ball=ball)
     if synthesis.edge_clearance_standard is None:
-        return told("Drawn with {ball}.", ball=ball)
+        return say("Drawn with {ball}.", ball=ball)
     clearance = stated("y", synthesis.edge_clearance_standard, "m")
-    return told("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)
+    return say("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)
 
 
 class _Side(NamedTuple):
-    """One sleeve where it is."""
+    """One sleeve where it is, mm."""
 
     hand: int
     """-1 of the left one, 1 of the right one."""
@@ -72,145 +105,98 @@ class _Side(NamedTuple):
     """Off the ball's centre."""
     middle: float
     """Of its pocket."""
-    wall: tuple[tuple[float, float], ...]
+    wall: tuple[Point, ...]
     """Its upper wall: depth below the face, distance from the middle."""
     angle: float
     """Where the ball touches."""
     seats: bool
-    """Whether both walls touch it."""
+    """True if both walls touch it."""
 
 
 class Position:
-    """One position of the sleeve, in metres."""
+    """One position of the sleeve, mm."""
 
-    def __init__(self, synthesis: SynthesisResult, travel: float, title: str = "") -> None:
-        """Lay out the section with the sleeve at its stop, or at its largest travel."""
-        self.synthesis, self.travel, self.title = synthesis, travel, title
-        self.radius, self.depth = synthesis.ball_diameter / 2, synthesis.pocket_depth
+    def __init__(self, synthesis: SynthesisResult, travel: float) -> None:
+        """Lay out the section with the sleeve at its stop, or at its largest travel (m)."""
+        self.synthesis, self.travel = synthesis, travel * _MM
+        self.radius, self.depth = synthesis.ball_diameter / 2 * _MM, synthesis.pocket_depth * _MM
         sleeves = 2 if synthesis.wall_angle_max is None else 1  # that the ball moves in: 1 where the other seats it
-        gap, cut, angle = synthesis.face_gap / 2, synthesis.pocket_depth_cut, synthesis.wall_angle
+        gap, cut, angle = synthesis.face_gap / 2 * _MM, synthesis.pocket_depth_cut * _MM, synthesis.wall_angle
         tangent, steepest = math.tan(angle), synthesis.wall_angle_max or angle
         # a sleeve that the ball moves in turns until its walls bear on the ball again
-        turned = synthesis.travel_max / sleeves * (tangent + math.tan(steepest)) / 2
+        turned = synthesis.travel_max * _MM / sleeves * (tangent + math.tan(steepest)) / 2
         # from the face to where the ball touches at the stop
-        curved = [(-(place.wall_axial + gap), place.wall_around) for place in reversed(synthesis.wall or ())]
+        curved = [
+            (-(_MM * place.wall_axial + gap), _MM * place.wall_around) for place in reversed(synthesis.wall or ())
+        ]
 
         def side(hand: int, *, moves: bool) -> _Side:
             wall = (*(moves and curved or [(0.0, self.depth * tangent)]), (cut, (self.depth - cut) * tangent))
             if moves and travel:
-                return _Side(hand, gap + travel / sleeves, turned, wall, steepest, seats=False)
+                return _Side(hand, gap + self.travel / sleeves, turned, wall, steepest, seats=False)
             return _Side(hand, gap, 0.0, wall, angle, seats=True)
 
         self.sides = self.left, self.right = side(-1, moves=sleeves == 2), side(1, moves=True)
-        # the same frame for every position, so that they are drawn to one scale
-        reach = gap + synthesis.travel_max / sleeves + self.depth
-        self.back, self.top = 1.18 * reach, 1.12 * (synthesis.pocket_width / 2 + turned) + 0.12 * reach
-        self.step = max(0.1 * reach, self.top / 16)  # texts one above the other keep apart also where it is narrow
-        self.extent = 2 * (self.back + 3.2 * self.step), 2 * self.top + 5.6 * self.step
+        # the same extent for every position, so that they are drawn to one scale
+        reach = gap + synthesis.travel_max * _MM / sleeves + self.depth
+        self.back, self.top = 1.18 * reach, 1.12 * (synthesis.pocket_width / 2 * _MM + turned) + 0.12 * reach
 
-    @property
-    def height(self) -> float:
-        """Inches that leave the drawing its scale over the width of the sheet."""
-        wide, high = self.extent
-        return min(5.0, (WIDTH - 0.3) * high / wide) + 0.25
-
-    def paint(self, axes: Any) -> None:
-        """Draw into matplotlib's axes."""
-        from matplotlib.patches import Circle
-
-        axes.set_axis_off()
-        axes.set_aspect("equal")
-        (wide, high), top = self.extent, self.top + 3.6 * self.step
-        axes.set_xlim(-wide / 2, wide / 2)
-        axes.set_ylim(top - high, top)
-        if self.title:
-            axes.set_title(mathtext(self.title), fontsize=9.5)
+    def shapes(self, size: float, down: float = 0.0) -> Iterator[Shape]:
+        """Yield what is drawn with texts of a size, its middle ``down`` below the origin."""
         for side in self.sides:
-            self._sleeve(axes, side)
-        axes.add_patch(Circle((0, 0), self.radius, facecolor="none", edgecolor=COLOURS[0], linewidth=2.0))
-        centre: dict[str, Any] = {"color": INK, "linewidth": 0.7, "linestyle": (0, (10, 3, 2, 3))}
-        axes.plot([side.hand * (side.face + self.depth) for side in self.sides], [0, 0], **centre)
-        axes.plot([0, 0], [-self.radius * 1.18, self.radius * 1.18], **centre)
-        self._dimensions(axes)
+            yield from self._sleeve(side, down)
+        yield Circle("balls", (0.0, -down), self.radius)
+        axis = (-self.left.face - self.depth, -down), (self.right.face + self.depth, -down)
+        yield Stroke("centre", axis)
+        yield Stroke("centre", ((0.0, -1.18 * self.radius - down), (0.0, 1.18 * self.radius - down)))
+        yield from self._dimensions(size, down)
 
-    def _sleeve(self, axes: Any, side: _Side) -> None:
-        """One half: the face with its pocket, the back cut off, the walls to their apex, where the ball touches."""
-        from matplotlib.patches import Polygon
-
-        hand, middle = side.hand, side.hand * side.middle
+    def _sleeve(self, side: _Side, down: float) -> Iterator[Shape]:
+        """Yield one half: the face with its pocket, the walls to their apex, where the ball touches."""
+        hand, middle = side.hand, side.hand * side.middle - down
         face, back = hand * side.face, hand * self.back
         upper = [(face + hand * depth, half) for depth, half in side.wall]
         wall = [(x, middle + y) for x, y in (*upper, *((x, -half) for x, half in reversed(upper)))]
-        outline = [(back, self.top), (face, self.top), *wall, (face, -self.top), (back, -self.top)]
-        axes.add_patch(
-            Polygon(outline, closed=True, facecolor="none", edgecolor=INK, hatch=_HATCH[hand], linewidth=1.2)
-        )
+        top, low = self.top - down, -self.top - down
+        outline = (back, top), (face, top), *wall, (face, low), (back, low)
+        yield Region("hatch", (outline,), hatch=_HATCH[hand])
+        yield Stroke("outline", outline)
         (floor, half), apex = upper[-1], face + hand * self.depth
-        walls = [middle + half, middle, middle - half]
-        axes.plot([floor, apex, floor], walls, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+        yield Stroke("assumed", ((floor, middle + half), (apex, middle), (floor, middle - half)))
         along, across = hand * self.radius * math.sin(side.angle), hand * self.radius * math.cos(side.angle)
         # at rest and in a seat both walls of a pocket touch the ball, under way one
         for y in (-across, across) if side.seats else (-across,):
-            axes.plot([along], [y], marker="o", markersize=5, color=COLOURS[1], zorder=4)
+            yield Circle("contact", (along, y - down), 0.04 * self.radius)
 
-    def _dimensions(self, axes: Any) -> None:
-        from matplotlib.patches import Arc
-
-        left, right, cut = self.left, self.right, self.synthesis.pocket_depth_cut
-        corner = right.middle + right.wall[-1][1]
-        self._along(axes, right.face, right.face + cut, self.top + self.step, f"h_c = {_mm(cut)}", corner)
-        apex, text = right.face + self.depth, f"h_1 = {_mm(self.depth)}"
-        self._along(axes, right.face, apex, self.top + 2.6 * self.step, text, right.middle)
-        text = f"{'s + x' if self.travel else 's'} = {_mm(left.face + right.face)}"
-        self._along(axes, -left.face, right.face, -self.top - self.step, text, -self.top)
+    def _dimensions(self, size: float, down: float) -> Iterator[Shape]:
+        left, right, cut = self.left, self.right, self.synthesis.pocket_depth_cut * _MM
+        face, top = right.face, self.top - down
+        corner = face + cut, right.middle + right.wall[-1][1] - down
+        yield Length(f"h_c = {_tenths(cut)}", size, (face, top), corner, top + size)
+        text = f"h_1 = {_tenths(self.depth)}"
+        low = -self.top - down
+        yield Length(text, size, (face, low), (face + self.depth, right.middle - down), low - 1.7 * size)
+        gap = left.face + face
+        text = f"s + x = {_tenths(gap)}" if self.travel else f"s = {display(gap / _MM, 'm')}"
+        yield Length(text, size, (-left.face, low), (face, low), low - 3.7 * size)
         # width of the right pocket's mouth, beside the section
-        x, middle, half = self.back + self.step, right.middle, self.synthesis.pocket_width / 2
-        for y in (middle - half, middle + half):
-            axes.plot([right.face, x + 0.25 * self.step], [y, y], color=INK, linewidth=0.6)
-        _arrow(axes, (x, middle - half), (x, middle + half))
-        axes.text(x + 0.3 * self.step, middle, mathtext(f"b = {_mm(2 * half)}"), ha="left", va="center")
+        half, middle = self.synthesis.pocket_width / 2 * _MM, right.middle - down
+        ends = (face, middle - half), (face, middle + half)
+        yield Length(f"b = {_tenths(2 * half)}", size, *ends, self.back + 2 * size, upright=True)
         reach = self.radius * math.sqrt(0.5)
-        diameter = told("ball d_ш = {diameter}", diameter=_mm(2 * self.radius))
-        at = -left.face - 0.35 * (left.face + self.depth), self.top + self.step
-        _leader(axes, diameter, (-reach, reach), at, "-|>", 0.8)
+        diameter = say("ball d_ш = {diameter}", diameter=display(2 * self.radius / _MM, "m"))
+        yield from leader(diameter, (-reach, reach - down), (-self.back / 2, top + size), size)
         # the wall angle at the apex of the left pocket, between wall and axis
-        angle, size = self.synthesis.wall_angle, 0.9 * self.depth
-        x, y = -left.face - self.depth, -left.middle
-        axes.plot([x, x + size * 0.6], [y, y], color=INK, linewidth=0.7)
-        axes.add_patch(Arc((x, y), size, size, theta1=0, theta2=math.degrees(angle), color=INK, linewidth=0.9))
-        tip = x + size / 2 * math.cos(angle / 2), y + size / 2 * math.sin(angle / 2)
+        angle = self.synthesis.wall_angle
+        x, y = apex = -left.face - self.depth, -left.middle - down
+        wall = x + self.depth, y + self.depth * math.tan(angle)
         text = f"α = {localized(f'{math.degrees(angle):.4g}')}°"
-        _leader(axes, text, tip, (-self.back - 0.2 * self.step, tip[1]), "-", 0.6)
-
-    def _along(self, axes: Any, left: float, right: float, y: float, text: str, start: float) -> None:
-        """Dimension along the axis, with extension lines; arrows from outside where it is too narrow for them."""
-        beyond = math.copysign(0.25 * self.step, y)
-        for x, origin in ((left, math.copysign(self.top, y)), (right, start)):
-            axes.plot([x, x], [origin, y + beyond], color=INK, linewidth=0.6)
-        narrow = right - left < 1.6 * self.step
-        if narrow:
-            for x, outside in ((left, left - 1.2 * self.step), (right, right + 1.2 * self.step)):
-                _arrow(axes, (x, y), (outside, y), "-|>")
-        else:
-            _arrow(axes, (left, y), (right, y))
-        if right - left < 3.2 * self.step:
-            off = 1.4 if narrow else 0.4
-            axes.text(right + off * self.step, y, mathtext(text), ha="left", va="center")
-        else:
-            va = "bottom" if y > 0 else "top"
-            axes.text((left + right) / 2, y + beyond, mathtext(text), ha="center", va=va)
+        yield Stroke("dimensions", (apex, (x + 0.6 * self.depth, y)))
+        yield Angle("", size, apex, (x + self.depth, y), wall, 0.45 * self.depth)
+        turn = angle / 2
+        tip = x + 0.45 * self.depth * math.cos(turn), y + 0.45 * self.depth * math.sin(turn)
+        yield from leader(text, tip, (-self.back - 1.5 * size, tip[1] + 1.5 * size), size)
 
 
-def _leader(axes: Any, text: str, tip: tuple[float, float], at: tuple[float, float], arrow: str, width: float) -> None:
-    """Draw a line from a text to what it is of."""
-    style = {"arrowstyle": arrow, "color": INK, "linewidth": width, "shrinkA": 1, "shrinkB": 0}
-    axes.annotate(mathtext(text), tip, xytext=at, ha="right", va="center", arrowprops=style)
-
-
-def _arrow(axes: Any, tip: tuple[float, float], tail: tuple[float, float], style: str = "<|-|>") -> None:
-    arrow = {"arrowstyle": style, "color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
-    axes.annotate("", tip, tail, arrowprops=arrow)
-
-
-def _mm(value: float) -> str:
-    return display(value, "m")
+def _tenths(length: float) -> str:
+    return tenths(length / _MM)

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 
 from ...analysis.section import Box, ClutchSection, DrawnPart, MainDimension
 from ...findings import finding
-from ...messages import term, told, translate
+from ...messages import say, translate
 from ...spec.keys import keys
 from ...spec.lists import ball_designation
 from .. import drawing as draw
@@ -17,10 +17,12 @@ _HATCH = {"hub": 45.0, "stop ring": 45.0, "thrust disc": 120.0}
 """Angle of the hatch of a part, else 135 degrees: neighbours have another."""
 _INSIDE, _OUTSIDE = ("bore", "hub", "ball_circle"), ("inner_diameter", "outer_diameter", "housing")
 """Diameters with their dimensions to the left and to the right of the section."""
-_LEFT, _BETWEEN, _RIGHT, _ROW = 58.0, 62.0, 6.0, 13.0
-"""Points beside and between the views, and for a row of dimensions or of the part list."""
-_COLUMNS = (0.0, 27.0, 157.0, 191.0, 358.0, 413.0)
-"""Where the columns of the part list begin, points."""
+_GIVEN = (*_INSIDE, "inner_diameter", "outer_diameter", "face_gap")
+"""Dimensions that are a spec's own numbers; others are calculated."""
+_LEFT, _BETWEEN, _RIGHT, _ROW = 20.5, 22.0, 2.0, 4.6
+"""Millimetres on paper beside and between the views, and for a row of dimensions or of the part list."""
+_COLUMNS = (0.0, 9.5, 55.0, 67.0, 126.0, 146.0)
+"""Where the columns of the part list begin, mm on paper."""
 
 
 def section(section: ClutchSection) -> Sheet:
@@ -31,47 +33,47 @@ def section(section: ClutchSection) -> Sheet:
 
 def _drawing(section: ClutchSection) -> draw.Drawing:
     """Lay out both views, the dimensions and the part list."""
-    measures, parts = section.measures, section.parts
+    measures = section.measures
     length, radius = measures["length"].high * _MM, measures["housing"].high * _MM
-    point = (length + 2 * radius) / (draw.PAGE - _LEFT - _BETWEEN - _RIGHT)
-    row, left = _ROW * point, -_LEFT * point
-    shapes = [*_along(section, length), *_from_the_end(section, length + _BETWEEN * point + radius, point)]
+    unit = (length + 2 * radius) / (draw.WIDTH - _LEFT - _BETWEEN - _RIGHT)
+    row, left, size = _ROW * unit, -_LEFT * unit, draw.TEXT * unit
+    shapes = [*_along(section, length), *_from_the_end(section, length + _BETWEEN * unit + radius, size)]
     # above the section from right to left, so that no text crosses a line to what is below
     starts: list[float] = []
     lengths = [each for each in measures.values() if each.low >= 0 and each.key != "length"]
     for each in sorted(lengths, key=lambda each: -each.low):
-        text = draw.text_width(_label(each)) * point
+        text = draw.text_width(_label(each), size)
         end = each.high * _MM + (0.0 if text < (each.high - each.low) * _MM else text + row)
         level = next((level for level, start in enumerate(starts) if end < start), len(starts))
         starts[level : level + 1] = [each.low * _MM - row]
-        shapes.append(_dimension(each, radius + (level + 1) * row))
+        shapes.append(_dimension(each, size, radius + (level + 1) * row))
     for side, step, names in ((0.0, -1.15 * row, _INSIDE), (length, 1.15 * row, _OUTSIDE)):
         diameters = sorted((measures[name] for name in names if name in measures), key=lambda each: each.high)
-        shapes += [_dimension(each, side + place * step) for place, each in enumerate(diameters, 1)]
-    shapes += _numbers(section, length, -radius - 1.8 * row, point)
-    shapes.append(_dimension(measures["length"], -radius - 3.1 * row, -1))
+        shapes += [_dimension(each, size, side + place * step) for place, each in enumerate(diameters, 1)]
+    shapes += _numbers(section, length, -radius - 1.8 * row, size)
+    shapes.append(_dimension(measures["length"], size, -radius - 3.1 * row, -1))
     table, top = _part_list(section), -radius - 4.8 * row
-    for number, cells in enumerate(table):
-        places = ((left + (4 + column) * point, top - number * row) for column in _COLUMNS)
-        shapes += [draw.Inscription(cell, at) for cell, at in zip(cells, places, strict=True) if cell]
-    frame = left, top - (len(table) - 0.4) * row, left + draw.PAGE * point, radius + (len(starts) + 1) * row
-    solids = [(str(part.number)[-1], box) for part in parts.values() for box in _rectangles(part.boxes)]
-    return draw.Drawing(shapes, frame, table, solids)
+    cells = [
+        draw.Inscription(cell, (left + (1.4 + column) * unit, top - number * row), size)
+        for number, row_cells in enumerate(table)
+        for cell, column in zip(row_cells, _COLUMNS, strict=True)
+        if cell
+    ]
+    frame = left, top - (len(table) - 0.4) * row, left + draw.WIDTH * unit, radius + (len(starts) + 1) * row
+    return draw.Drawing([*shapes, *cells], frame, cells=len(cells))
 
 
-def _dimension(measure: MainDimension, line: float, hand: int = 1) -> draw.DimensionLine:
+def _dimension(measure: MainDimension, size: float, line: float, hand: int = 1) -> draw.Length:
     low, high, at, upright = measure.low * _MM, measure.high * _MM, hand * measure.at * _MM, measure.low < 0
     ends = ((at, low), (at, high)) if upright else ((low, at), (high, at))
-    return draw.DimensionLine(measure.key, _label(measure), *ends, line, upright, translate(measure.about))
+    return draw.Length(_label(measure), size, *ends, line, upright, measure.key, measure.about)
 
 
 def _label(measure: MainDimension) -> str:
-    number = f"{'Ø ' if measure.low < 0 else ''}{_mm(measure.high - measure.low)}{' *' if measure.assumed else ''}"
+    given = measure.key in _GIVEN and not measure.assumed
+    length = display(measure.high - measure.low, "m") if given else draw.tenths(measure.high - measure.low)
+    number = f"{'Ø ' if measure.low < 0 else ''}{length}{' *' if measure.assumed else ''}"
     return f"{measure.symbol} = {number}" if measure.symbol else number
-
-
-def _mm(value: float) -> str:
-    return display(value, "m")
 
 
 def _rectangles(boxes: Iterable[Box], hand: int = 1) -> list[draw.Rectangle]:
@@ -142,14 +144,14 @@ def _spring(part: DrawnPart, box: draw.Rectangle) -> Iterator[draw.Shape]:
         yield draw.Stroke(layer, tuple(points))
 
 
-def _from_the_end(section: ClutchSection, middle: float, point: float) -> Iterator[draw.Shape]:
+def _from_the_end(section: ClutchSection, middle: float, size: float) -> Iterator[draw.Shape]:
     """Draw the view along the axis: housing, faces, hub, key, balls on their circle."""
     radii = {name: measure.high * _MM for name, measure in section.measures.items() if measure.low < 0}
     yield draw.Circle("faces", (middle, 0.0), radii["outer_diameter"], hole=radii["inner_diameter"])
     yield from (
         draw.Circle("outline", (middle, 0.0), radii[name]) for name in ("housing", "hub", "bore") if name in radii
     )
-    far = radii["housing"] + 4 * point
+    far = radii["housing"] + 0.4 * size
     yield draw.Stroke("centre", ((middle - far, 0.0), (middle + far, 0.0)))
     yield draw.Stroke("centre", ((middle, -far), (middle, far)))
     if bore := 2 * radii.get("bore", 0.0):  # the key: 0.3 by 0.2 of the bore, about as ISO 773 has it
@@ -157,19 +159,19 @@ def _from_the_end(section: ClutchSection, middle: float, point: float) -> Iterat
             "assumed", (draw.corners((middle - 0.15 * bore, middle + 0.15 * bore, 0.38 * bore, 0.58 * bore)),)
         )
     if balls := section.parts.get("balls"):
-        circle, size = radii["ball_circle"], (balls.row.right - balls.row.left) / 2 * _MM
+        circle, ball = radii["ball_circle"], (balls.row.right - balls.row.left) / 2 * _MM
         yield draw.Circle("centre", (middle, 0.0), circle)
         for number in reversed(range(balls.pieces)):  # the last one is at the top
             angle = math.pi * (0.5 + 2 * number / balls.pieces)
             at = middle + circle * math.cos(angle), circle * math.sin(angle)
-            yield draw.Circle("assumed" if balls.assumed else "balls", at, size)
-        label = f"{balls.pieces} × Ø {_mm(2 * size / _MM)}{' *' if balls.assumed else ''}"
-        corner, wide = (middle + far, 0.93 * radii["housing"]), draw.text_width(label) * point
-        yield draw.Inscription(label, corner, "end")
-        yield draw.Stroke("dimensions", ((at[0], at[1] + size), (corner[0] - wide / 2, corner[1] - 3 * point)))
+            yield draw.Circle("assumed" if balls.assumed else "balls", at, ball)
+        label = f"{balls.pieces} × Ø {display(2 * ball / _MM, 'm')}{' *' if balls.assumed else ''}"
+        corner, wide = (middle + far, 0.93 * radii["housing"]), draw.text_width(label, size)
+        yield draw.Inscription(label, corner, size, "end")
+        yield draw.Stroke("dimensions", ((at[0], at[1] + ball), (corner[0] - wide / 2, corner[1] - 0.3 * size)))
 
 
-def _numbers(section: ClutchSection, length: float, y: float, point: float) -> Iterator[draw.Shape]:
+def _numbers(section: ClutchSection, length: float, y: float, size: float) -> Iterator[draw.Shape]:
     """Number the parts below the section, each with a line to it."""
     places = []
     for part in section.parts.values():
@@ -177,22 +179,22 @@ def _numbers(section: ClutchSection, length: float, y: float, point: float) -> I
         left, right, low, high = max(boxes, key=lambda box: (box[1] - box[0]) * (box[3] - box[2]))
         places.append(((left + right) / 2, (low + high) / 2, part.number))
     # in the middle of equal steps from end to end and on, so that none is on the lines of the whole length
-    within = max(1, min(len(places), int(length / (2 * draw.TEXT * point))))
+    within = max(1, min(len(places), int(length / (2 * size))))
     for place, (x, middle, number) in enumerate(sorted(places), (within - len(places)) // 2):
         at = (place + 0.5) * length / within
-        yield draw.Stroke("dimensions", ((x, middle), (at, y + draw.TEXT * point)))
-        yield draw.Inscription(str(number), (at, y), "middle")
+        yield draw.Stroke("dimensions", ((x, middle), (at, y + size)))
+        yield draw.Inscription(str(number), (at, y), size, "middle")
 
 
 def _part_list(section: ClutchSection) -> list[list[str]]:
     """Write heads, a row for each part, and the mass of all whose mass is known."""
     rows = [[*map(translate, ("Item", "Part", "Count", "Size, mm", "Mass, kg", "Sizes"))]]
     for part in section.parts.values():
-        row, long = part.row, _mm(part.row.right - part.row.left)
-        inner = f"/{_mm(row.inner_diameter)}" if row.inner_diameter else ""
-        size = f"Ø {_mm(row.outer_diameter)}{inner} × {long}"
+        row, long = part.row, draw.tenths(part.row.right - part.row.left)
+        inner = f"/{draw.tenths(row.inner_diameter)}" if row.inner_diameter else ""
+        size = f"Ø {draw.tenths(row.outer_diameter)}{inner} × {long}"
         if part.name == "balls":
-            size = translate(ball_designation(row.right - row.left) or f"Ø {long}")
+            size = translate(ball_designation(row.right - row.left) or f"Ø {display(row.right - row.left, 'm')}")
         origin = translate("default *") if part.assumed else translate("given")
         mass = display(row.mass, "kg") if row.mass else "–"
         rows.append([str(part.number), translate(part.name, "value"), str(part.pieces), size, mass, origin])
@@ -201,21 +203,21 @@ def _part_list(section: ClutchSection) -> list[list[str]]:
 
 def _assumed(section: ClutchSection) -> str:
     sizes = (f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items())
-    return told("Defaults: {keys}.", keys="; ".join(sizes)) if section.assumed else ""
+    return say("Defaults: {keys}.", keys="; ".join(sizes)) if section.assumed else ""
 
 
 def _caption(section: ClutchSection) -> str:
     said = [translate("To scale, dimensions in mm; without clearances, bearings, splines and bolts.")]
     if section.travel:
         travel = stated("x_max", section.travel, "m")
-        said.append(told("Dash-dot-dot: at f_max, the sleeve off its stop by {travel}.", travel=travel))
+        said.append(say("Dash-dot-dot: at f_max, the sleeve off its stop by {travel}.", travel=travel))
     elif "balls" in section.parts:
         said.append(translate("By its law nothing of a direct clutch travels: at f_max it is as at rest."))
     if section.bypass_pairs:
         said.append(translate("Orange: discs of the pairs that bypass the control unit."))
     for one, other, missing in section.overlaps:
-        overlap = finding("parts-collide", "error", value=missing, first=term(one), second=term(other))
-        said.append(told("Red: {overlap}.", overlap=overlap.message))  # in the words of check
+        overlap = finding("parts-collide", "error", value=missing, first=translate(one), second=translate(other))
+        said.append(say("Red: {overlap}.", overlap=overlap.message))  # in the words of check
     if section.assumed:
         said.append(translate("* and dashed: drawn at a default, for the spec does not give it."))
     if "bore" in section.measures:

@@ -4,7 +4,7 @@ import math
 from collections import Counter
 from typing import TYPE_CHECKING
 
-from ...messages import joined, localized, say, term, told, translate
+from ...messages import localized, say, translate
 from ..units import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, stated
 
@@ -49,7 +49,7 @@ def tolerance(figure: "ToleranceFigure") -> Sheet:
 
 def _study_caption(figure: "ToleranceFigure") -> str:
     result = figure.result
-    how = told("{samples:.0f} samples, seed {seed}.", samples=result.samples, seed=figure.seed)
+    how = say("{samples:.0f} samples, seed {seed}.", samples=result.samples, seed=figure.seed)
     listed = "; ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)
     risks = [_risk("T < T_н.маш", result.probability_below_machine, result.samples)]
     if result.probability_above_limit is not None:
@@ -57,9 +57,9 @@ def _study_caption(figure: "ToleranceFigure") -> str:
     return " ".join(
         (
             how,
-            told("The bars hold the middle {share}.", share=_percent(0.999)),
-            told("Quantiles in N·m: {listed}.", listed=listed),
-            told("Robust accuracy factor K_т,r = {factor}.", factor=display(result.accuracy_factor_robust, "1")),
+            say("The bars hold the middle {share}.", share=_percent(0.999)),
+            say("Quantiles in N·m: {listed}.", listed=listed),
+            say("Robust accuracy factor K_т,r = {factor}.", factor=display(result.accuracy_factor_robust, "1")),
             ", ".join(risks) + ".",
         )
     )
@@ -112,14 +112,9 @@ def _front(result: "DesignResult", x: str, y: str, by_pairs: bool) -> Chart:
         marker = variants.index(variant) if len(variants) > 1 else place
         points = _points(label, rows, x, y)
         lines.append(points._replace(style=_COLOURED[place % len(_COLOURED)], marker=marker))
-    # each number of pairs is named once, at the end of the line that reaches furthest
-    for z in pairs if len(pairs) > 1 else ():
-        alike = [number for number, (_, other) in enumerate(sorted(groups)) if other == z]
-        furthest = max(alike, key=lambda number: lines[number].x[-1] or 0.0)
-        lines[furthest] = lines[furthest]._replace(tag=f"z = {z}")
     for row in result.front:
         if row.mark:
-            marked = _points(told("compromise: no. {number}", number=str(row.number)), [row], x, y)
+            marked = _points(say("compromise: no. {number}", number=str(row.number)), [row], x, y)
             lines.append(marked._replace(style=_INK, marker=0, filled=True))
     along, up = (_ends([row.objective(name) for row in result.front]) for name in (x, y))
     return Chart(_objective(result, x), _objective(result, y), lines, bounds=(*along, *up))
@@ -143,13 +138,13 @@ def _ends(values: list[float]) -> tuple[float, float]:
 def _front_caption(result: "DesignResult") -> str:
     objectives = [name.removeprefix("-") for name in result.objectives]
     names = [_objective(result, name).symbol for name in objectives]
-    listed = told("{names} and {last}", names=", ".join(names[:-1]), last=names[-1])
+    listed = say("{names} and {last}", names=", ".join(names[:-1]), last=names[-1])
     counts = sorted(Counter(row.variant for row in result.front).items())
     if len(counts) == 1:
-        variants = say("all {variant}", variant=term(counts[0][0]))
+        variants = say("all {variant}", variant=translate(counts[0][0]))
     else:
-        variants = joined(say("{count:,} {variant}", count=count, variant=term(name)) for name, count in counts)
-    caption = told(
+        variants = ", ".join(say("{count:,} {variant}", count=count, variant=translate(name)) for name, count in counts)
+    caption = say(
         "{feasible:,} of {candidates:,} candidates meet every requirement; the {front:,} drawn are beaten by no other "
         "in {listed} together ({variants}). Numbers are those of --pick.",
         feasible=result.feasible, candidates=result.candidates, front=len(result.front), listed=listed,

@@ -1,5 +1,5 @@
-"""The calculation report: one self-contained HTML file."""
+"""The calculation report as a document, written as one self-contained HTML file or printed on sheets."""
 
-from .page import Subject, render
+from .page import Subject, render, report
 
-__all__ = ["Subject", "render"]
+__all__ = ["Subject", "render", "report"]

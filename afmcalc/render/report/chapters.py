@@ -2,20 +2,15 @@
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
 from itertools import chain
 from typing import Any, NamedTuple
-from xml.etree import ElementTree
-
-from latex2mathml.converter import convert
-from markupsafe import Markup
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
 from ...analysis.explain.explain import CaseRow, Derivation, Meaning
 from ...analysis.springs import SpringsResult
 from ...analysis.tolerance_result import ToleranceResult
-from ...messages import localized, spoken, term, translate, with_unit
+from ...messages import deferred, say, translate, with_unit
 from ...result import Result, Triple
 from ...spec.keys import keys
 from ...units import typeset
@@ -24,9 +19,12 @@ from ..layout import TextTable, blocks, cells, quantities
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curves import SPRINGS
-from ..symbols import native_latex, value_latex
+from ..symbols import value_latex
 from ..units import in_numbers, measured, significant
-from .words import told
+from .blocks import Piece, Step, Text, listed, piece, text
+from .formulas import Formula, formula
+from .pieces import marks, said
+from .words import form, told
 
 
 class Chapter(NamedTuple):
@@ -34,7 +32,7 @@ class Chapter(NamedTuple):
 
     topic: Topic
     tables: Sequence[TextTable]
-    blocks: Sequence["Derived"]
+    steps: Sequence[Step]
     sheets: Sequence[Sheet]
 
 
@@ -44,7 +42,7 @@ def chapters(dossier: Dossier) -> list[Chapter]:
         Chapter(
             topic,
             [_captioned(topic, table) for table in _tables(topic)],
-            [block_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations],
+            [step_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations],
             [] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
         )
         for topic in dossier.topics
@@ -69,7 +67,7 @@ def _laid_out(result: Result) -> list[TextTable]:
 
 
 def peaks(dossier: Dossier) -> list[TextTable]:
-    """What a trip loads and heats, in one table; none where no trip is simulated and no slip is given."""
+    """Table of the loads and the heat of a trip; none where no trip is simulated and no slip is given."""
     topics = (topic for topic in dossier.topics if topic.name in ("simulate", "heat"))
     columns = {column.path: column for topic in topics for column in document(topic.result).triples}
     shown = [column for path, column in columns.items() if path in _PEAKS]
@@ -126,9 +124,9 @@ def _named(column: Column) -> list[Column]:
 
 
 _FRICTION = {
-    "friction": ("f", term("friction in service")),
-    "friction.driving": ("f_1", term("friction of the driving pairs in service")),
-    "friction.driven": ("f_2", term("friction of the driven pairs in service")),
+    "friction": ("f", deferred("friction in service")),
+    "friction.driving": ("f_1", deferred("friction of the driving pairs in service")),
+    "friction.driven": ("f_2", deferred("friction of the driven pairs in service")),
 }
 
 _TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {
@@ -139,48 +137,48 @@ _TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {
 """Topics whose numbers are not set as they come."""
 
 
-class Derived(NamedTuple):
-    """One quantity as an engineer writes it."""
-
-    step: Derivation
-    where: Mapping[tuple[str, str], Sequence[tuple[str, int]]]
-    """Symbol, and what it stands for in the language of the user → quantities it is, and the formulas they are by."""
-    formula: str
-    """MathML, with the numbers where there is but one short line of them; empty where an earlier block has it."""
-    header: Sequence[str]
-    """Of the labels, where a line has several."""
-    lines: Sequence[tuple[Sequence[str], str]]
-    """Of each case: its labels, the numbers put in and the value as MathML."""
-
-
 _SHORT = 64
 """Signs that formula and numbers may have together to stand in one line."""
 
 
-def block_of(step: Derivation, method: str) -> Derived:
+def step_of(step: Derivation, method: str) -> Step:
     """Lay out a derivation; what ``method`` says, how the spec sets its spring, need not be said of each line."""
     columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "setting", "side")]
     columns = [(name, labels) for name, labels in columns if any(labels)]
     rows = [row._replace(numbers=_ALONE.sub(r"\1", _UNITS.sub("", row.numbers))) for row in step.rows]
     symbol, first = step.symbol_latex, rows[0]
-    joined = not columns and len(step.rows) == 1 and _size(step.formula) + _size(first.numbers) <= _SHORT
+    in_one_line = not columns and len(step.rows) == 1 and _size(step.formula) + _size(first.numbers) <= _SHORT
     # a formula may say no more than its symbol, and a number be its own value
     parts = [symbol, *([step.formula] if step.formula not in ("", symbol) else [])]
-    if joined:
+    if in_one_line:
         parts += dict.fromkeys((first.numbers, *_values(first.value, step.unit)))
     # a label takes the room of a dozen signs
     room = _SHORT - 12 * max(0, len(columns) - 1)
     lines = [
-        (labels, _worked(symbol, broken(row.numbers, room), _values(row.value, step.unit)))
+        ([*map(said, labels)], _worked(symbol, broken(row.numbers, room), _values(row.value, step.unit)))
         for row, *labels in zip(rows, *(labels for _, labels in columns), strict=True)
     ]
-    return Derived(
-        step=step._replace(where=(where := [meaning._replace(text=explained(meaning)) for meaning in step.where])),
-        where=_joined(where),
-        formula=math(" = ".join(parts)) if len(parts) > 1 else "",
-        header=[told(name) for name, _ in columns] if len(columns) > 1 else [],
-        lines=[] if joined else lines,
+    heads = [*(told(name) for name, _ in columns), say("Numbers put in")]
+    return Step(
+        what=_what(step),
+        number=str(step.number) if step.formula else "",
+        formula=formula(" = ".join(parts)) if len(parts) > 1 else None,
+        where=_explained(step.where),
+        lined=form().lined,
+        head=[*map(text, heads)] if len(columns) > 1 else [],
+        lines=[] if in_one_line else lines,
     )
+
+
+def _what(step: Derivation) -> Text:
+    """Symbol, name and sources of a quantity; where its formula stands already, its number."""
+    parts: list[Text | Piece] = [piece("b", said(step.symbol)), said(translate(step.name))]
+    if not step.formula:
+        parts.append(piece("soft", say("By formula ({number}).", number=step.number)))
+    notes = [said(translate(step.source).rstrip(".")), *map(text, marks(step))]
+    if step.source or notes[1:]:
+        parts.append(piece("sources", text("[", listed(notes if step.source else notes[1:], "; "), "]")))
+    return listed(parts, " ")
 
 
 def _values(value: float, unit: str) -> list[str]:
@@ -189,10 +187,10 @@ def _values(value: float, unit: str) -> list[str]:
     return [*map(value_latex, dict.fromkeys((in_si, measured(value, unit)) if value else (measured(value, unit),)))]
 
 
-def _worked(symbol: str, numbers: str, values: Sequence[str]) -> Markup:
+def _worked(symbol: str, numbers: str, values: Sequence[str]) -> list[Formula]:
     """Set numbers put in and what comes out, between which a line may end."""
     first, *rest = dict.fromkeys((symbol, numbers, *values))
-    return Markup(" ").join([math(" = ".join((first, *rest[:1]))), *(math(f"= {result}") for result in rest[1:])])
+    return [formula(" = ".join((first, *rest[:1]))), *(formula(f"= {result}") for result in rest[1:])]
 
 
 _UNITS, _ALONE = re.compile(r"\\,\\text\{[^}]*\}"), re.compile(r"\\left\(([\d.]+)\\right\)")
@@ -203,7 +201,7 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
     """One column of labels; empty where it would say of each line what goes without saying."""
     cases = [row.case for row in rows]
     if name == "friction":
-        return [in_numbers(translate(case.at)) if case.at else "" for case in cases]
+        return [in_numbers(case.at) if case.at else "" for case in cases]
     if name == "side":
         on_sides = any(case.side for case in cases)
         return [told(f"side/{case.side or 'protected'}") if on_sides else "" for case in cases]
@@ -212,19 +210,35 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
 
 
 def explained(meaning: Meaning) -> str:
-    """What a symbol stands for, with its unit."""
+    """Meaning of a symbol, with its unit."""
     unit = translate(typeset(meaning.unit), "unit")
     return ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
 
 
-def _joined(meanings: Sequence[Meaning]) -> dict[tuple[str, str], list[tuple[str, int]]]:
+def _explained(meanings: Sequence[Meaning]) -> list[Text]:
     """Explain each symbol once, by every formula that gives it."""
     origins: dict[tuple[str, str], list[tuple[str, int]]] = {}
-    for meaning in meanings:
-        same = (key for key in origins if key[0] == meaning.symbol and meaning.text in ("", key[1]))
-        known = origins.setdefault(next(same, (meaning.symbol, meaning.text)), [])
+    for symbol, words, meaning in ((each.symbol, explained(each), each) for each in meanings):
+        same = (key for key in origins if key[0] == symbol and words in ("", key[1]))
+        known = origins.setdefault(next(same, (symbol, words)), [])
         known += [] if meaning.number is None else [(meaning.source, meaning.number)]
-    return origins
+    return [
+        text(
+            piece("b", said(symbol)),
+            *([" – "] if words or given else []),
+            listed([*([said(words)] if words else []), *map(_origin, given)]),
+        )
+        for (symbol, words), given in origins.items()
+    ]
+
+
+def _origin(given: tuple[str, int]) -> Piece:
+    """Say what a symbol is there, and by which formula."""
+    source, number = given
+    words = (
+        say("{source} by ({number})", source=source, number=number) if source else say("by ({number})", number=number)
+    )
+    return piece("link", said(words), f"formula-{number}")
 
 
 def _size(latex: str) -> int:
@@ -249,27 +263,3 @@ def broken(latex: str, most: int = _SHORT) -> str:
 _OPENING, _CLOSING, _SIGNS = ("{", "(", "["), ("}", ")", "]"), (" + ", " - ")
 _TIMES = r" \cdot "
 _PARTS = re.compile(r"([{}()\[\]]| [+-] | \\cdot )")
-
-
-@cache
-def _mathml(latex: str) -> str:
-    # a prime is raised already, and MathML leaves no room round the name of a function
-    latex = _PRIME.sub(r"\\text{′}", _FUNCTION.sub(r"\\,\\\1\\,", latex))
-    # read and written anew, for the converter writes entities and leaves < as it is
-    return ElementTree.tostring(ElementTree.fromstring(convert(latex, xmlns="", display="block")), encoding="unicode")
-
-
-_FUNCTION = re.compile(r"\\(sin|cos|tan|ln|operatorname\{\w+\}) ")
-_PRIME = re.compile(r"\^\{\\prime\}(?!_)")
-
-
-def math(latex: str) -> Markup:
-    """Set LaTeX in the numbers and units of the user's language."""
-    text = _mathml(native_latex(latex).replace("{,}", "."))
-    if spoken() != "en":
-        text = _NUMERAL.sub(lambda match: f"<mn>{localized(match[1])}</mn>", text)
-        text = _UNIT.sub(lambda match: f"{match[1]}<mtext>{translate(match[2], 'unit')}</mtext>", text)
-    return Markup(text)  # noqa: S704 formulas of ours with numbers put in
-
-
-_NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("(<mspace [^>]*>)<mtext>([^<]*)</mtext>")

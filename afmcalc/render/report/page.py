@@ -1,48 +1,45 @@
 """From what was calculated of a clutch to the page of its report."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
-from functools import cache
-from itertools import chain, count, islice
-from pathlib import Path
-from typing import Any, NamedTuple
+from itertools import chain, count
+from typing import Any, Literal, NamedTuple
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
-from markupsafe import Markup
-
+from ...analysis.check import CheckRow
 from ...analysis.dossier import Dossier
 from ...analysis.explain.explain import Meaning
 from ...findings import Finding
-from ...messages import localized, named, percent, printable, spoken, term, translate
-from ...messages import told as message
+from ...messages import filled, localized, named, native, percent, printable, say, spoken, translate
 from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
-from ..layout import ranked
+from ..layout import TextTable, ranked
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
-from ..symbols import latin_symbols, native
 from ..units import display, display_unit, worded
+from . import blocks
+from .blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .chapters import Chapter, chapters, explained, peaks
-from .frame import frame
-from .markup import MISPRINT, cell, cited, css_string, drawing, marks, name_of, symbol
-from .words import FORMS, SHORT, Form, told
+from .html import page
+from .pieces import MISPRINT, cell, cited, name_of, plain, said, unparted
+from .title import today
+from .words import SHORT, form, titled, told
 
 
 @dataclass(frozen=True)
 class Subject:
-    """What was calculated of a clutch, and whose report it is."""
+    """Subject of a report: the dossier of a clutch, and the title block."""
 
     dossier: Dossier
     given: str
     """The spec as given, its text."""
     title: TitleBlock = TitleBlock()
-    """What the title block says; without a date it has none."""
+    """Title block; without a date it has none."""
     digest: str = ""
     """SHA-256 of the file as given."""
     source: str = ""
@@ -51,11 +48,9 @@ class Subject:
     """``PATH=VALUE`` put over it."""
     version: str = ""
     with_source: bool = False
-    """Whether the text as given is an appendix."""
+    """True if the text as given is an appendix."""
     short: bool = False
-    """Whether it is to be two pages: task, limits, section, peaks, heat, conclusions."""
-    symbols: str = ""
-    """``latin`` or ``papers``: letters of the indices; by default Latin in English."""
+    """True if it is to be two pages: task, limits, section, peaks, heat, conclusions."""
 
 
 class _SpecLine(NamedTuple):
@@ -68,126 +63,315 @@ class _SpecLine(NamedTuple):
     value: str
     unit: str
     numeric: bool
-    overridden: bool = False
+
+    def cells(self, changed: Collection[str]) -> list[Text]:
+        """Row of a table; what was ``changed`` says so."""
+        mark = when(self.path in changed, " ", piece("soft", f"({say('overridden')})"))
+        set_so = cell if self.numeric or self.path == "adjustment.method" else plain
+        return [said(self.symbol), text(said(self.about), mark), set_so(self.value), text(self.unit)]
 
 
-class _Figure(NamedTuple):
-    """A drawing with its number."""
-
-    number: int
-    sheet: Sheet
-    svg: Markup
-
-
-@cache
-def template(name: str, folder: Path | None = None) -> Template:
-    """A page to be filled, in any language: nothing of it is worked out beforehand.
-
-    One of another folder may take in those that stand here.
-    """
-    here = Path(__file__).parent
-    environment = Environment(
-        loader=FileSystemLoader([folder or here, here]),
-        optimized=False,
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        finalize=lambda value: printable(value, lines=True) if type(value) is str else value,
-    )
-    environment.filters |= {
-        "symbol": symbol,
-        "cell": cell,
-        "display": display,
-        "display_unit": display_unit,
-        "css": css_string,
-        "in_words": in_words,
-        "marks": marks,
-        "term": term,
-        "translate": translate,
-        "worded": worded,
-        "three": _three,
-    }
-    environment.globals.update(told=told, _=message, frame=frame)
-    return environment.get_template(name)
-
-
-def _three(share: float) -> str:
-    """Share of a limit in three digits, in more where it would be shown as the whole."""
-    return localized(next((text for digits in range(3, 10) if float(text := f"{share:.{digits}g}") != 1), "1"))
+def _in_a_line(group: tuple[str, Iterable[_SpecLine]]) -> Text:
+    """Write the numbers of a group of a spec one after the other."""
+    title, lines = group
+    shown = [line for line in lines if line.symbol and line.numeric]
+    each = [
+        text(said(line.symbol), " = ", cell(line.value), f" {line.unit}" if line.unit != "–" else "") for line in shown
+    ]
+    return text(f"{title}: ", listed(each, "; "), ". ") if shown else text()
 
 
 def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
-    with latin_symbols((subject.symbols or {"en": "latin"}.get(spoken())) == "latin") as latin:
-        head, start, main = _page(subject, latin).partition("<main>")
-    main, numbers = cited(main)
+    return page(report(subject))
+
+
+def report(subject: Subject) -> Document:
+    """Lay a report out; the same subject gives the same document."""
+    laid_out = _report(subject)
+    body, numbers = cited(laid_out.body)
     sources = references()
-    entry = Markup("<div><dt>{}</dt><dd>{}</dd></div>\n").format
-    listed = Markup().join(entry(number, sources[key]) for key, number in numbers.items())
-    return head + start + (_LIST.sub(lambda found: f"{found[1]}{listed}{found[2]}" if numbers else "", main))
+    entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
+    body = [
+        replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
+        for each in body
+    ]
+    return replace(laid_out, body=[each for each in body if entries or each.key != "references"])
 
 
-_LIST = re.compile(r'(<section id="references">.*?<dl class="references">\n?)(</dl>\n</section>\n)', re.DOTALL)
-"""The list of sources, which only a page that cites one has."""
-
-
-def _page(subject: Subject, latin: Mapping[str, str]) -> str:
-    dossier, short, form = subject.dossier, subject.short, FORMS.get(spoken(), FORMS["en"])
-    parts, loads = ([], peaks(dossier)) if short else (chapters(dossier), [])
-    if short:
-        form = form._replace(sections=SHORT, appendices=(), always=())
-    drawn = _section(dossier, short) | {chapter.topic.name: chapter.sheets for chapter in parts}
-    # what is said of the papers has an appendix of its own
-    findings, rows = ranked(dossier.findings), dossier.check.checks
-    required, held = ([row for row in rows if row.is_requirement is asked] for asked in (True, False))
-    remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
-    mended = _mended(parts, remarks, chain(*drawn.values()))
-    has = {
-        "requirements": required, "peaks": loads, "symbols": spoken() != "en" or subject.symbols != "papers",
-        "misprints": mended, "source": subject.with_source,
-    }  # fmt: skip
-    labels = _labels(form, has)
-    counts = {"requirements": bool(required), "checks": 1, "spec": not short, "peaks": 1, "misprints": 1}
-    counts |= {chapter.topic.name: len(chapter.tables) for chapter in parts}
-    order = chain(*((chapter.topic.name for chapter in parts) if name == "calculation" else [name] for name in labels))
-    tables = _numbered((name, counts.get(name, 0)) for name in order)
-    name = named(dossier.spec.name) or message("Adaptive friction clutch")
-    most = max(_LEAST, _MOST - len(required))
-    changed = _changed(subject.overrides)
-    title = dict(subject.title)
-    groups: dict[str, list[_SpecLine]] = {}
-    for line in _spec_lines(_with_frictions(dossier.spec)):
-        groups.setdefault(line.group, []).append(line._replace(overridden=line.path in changed))
-    return template("page.html").render(
-        subject=subject,
-        name=name,
-        running=" · ".join(part for part in (name, subject.title.drawing, subject.title.revision) if part),
-        entries=_entries(subject, form),
-        people=[(who, title[who]) for who in form.people if title[who] or who in form.signed],
-        overridden=[name_of(path) if path in keys() else path for path in changed],
-        sentence=translate(dossier.check.verdict.sentence),
-        groups=groups,
-        count=len(held),
-        limits=sorted(held, key=lambda row: -(row.utilisation or 0.0))[:most] if short else held,
-        peaks=loads,
-        chapters=parts,
-        figures=_figures(drawn),
-        tables=tables,
-        labels=labels,
-        sections=[*labels],
-        symbols=lambda: _symbols(parts, chain(*groups.values()), dossier, latin),
-        form=form,
-        # a title block would take the room of what has two pages
-        paper="plain" if short else "report" if subject.title.form == "report" else form.paper,
+def _report(subject: Subject) -> Document:
+    dossier, short, title = subject.dossier, subject.short, subject.title
+    name = unparted(printable(named(dossier.spec.name) or say("Adaptive friction clutch")))
+    kind = say("Calculation report")
+    paper = "report" if title.form == "report" and not short else form().paper
+    verdict = blocks.Paragraph(said(dossier.check.verdict.sentence), f"sum {dossier.check.grade}", "verdict")
+    return Document(
         language=spoken(),
-        findings=[finding for finding in findings if finding not in remarks],
-        remarks=remarks,
-        misprints=mended,
-        next=_next(dossier),
-        latin=latin,
+        program=f"afmcalc {subject.version}",
+        kind=kind,
+        name=name,
+        cover=[_entries(subject), _signatures(title), verdict],
+        body=_Parts(subject).sections(),
+        running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
+        date=_day(title),
+        contents=not short,
+        paper=paper,
+        short=short,
+        author=title.author or "",
+        frame=_frame(title, f"{name}. {kind}") if paper == "framed" else None,
     )
+
+
+def _day(title: TitleBlock) -> str:
+    """Day of the title block, today where that is no date of ISO 8601."""
+    with suppress(ValueError):
+        return date.fromisoformat(title.date or "").isoformat()
+    return today()
+
+
+class _Parts:
+    """The sections of a report: what stands in each, and its numbers of tables and figures."""
+
+    def __init__(self, subject: Subject) -> None:
+        dossier, short = subject.dossier, subject.short
+        self.subject, self.dossier, self.short = subject, dossier, short
+        self.chapters, self.peaks = ([], peaks(dossier)) if short else (chapters(dossier), [])
+        # what is said of the papers has an appendix of its own
+        findings, rows = ranked(dossier.findings), dossier.check.checks
+        self.required, self.held = ([row for row in rows if row.is_requirement is asked] for asked in (True, False))
+        self.remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
+        self.findings = [finding for finding in findings if finding not in self.remarks]
+        self.drawn = _section(dossier, short) | {chapter.topic.name: chapter.sheets for chapter in self.chapters}
+        self.mended = _mended(self.chapters, self.remarks, chain(*self.drawn.values()))
+        self.lines = [*_spec_lines(_with_frictions(dossier.spec))]
+        self._tables, self._figures = count(1), count(1)
+
+    def sections(self) -> list[blocks.Section]:
+        """Lay out each section that has content, and each appendix under its letter, in their order."""
+        has: dict[str, object] = {
+            "requirements": self.required, "peaks": self.peaks, "misprints": self.mended,
+            "source": self.subject.with_source,
+        }  # fmt: skip
+        set_so = form()._replace(sections=SHORT, appendices=(), always=()) if self.short else form()
+        sections, appendices = (
+            [name for name in names if name in set_so.always or has.get(name, True)]
+            for names in (set_so.sections, set_so.appendices)
+        )
+        self.labels = {name: str(number) for number, name in enumerate(sections, 1)}
+        lettered = zip(appendices, set_so.letters, strict=False)
+        self.labels |= {name: say("Appendix {letter}", letter=letter) for name, letter in lettered}
+        return [
+            blocks.Section(
+                name,
+                label,
+                text(told("next" if self.short and name == "conclusion" else name)),
+                [*getattr(self, f"_{name}")()],
+                name in appendices,
+            )
+            for name, label in self.labels.items()
+        ]
+
+    def _requirements(self) -> Iterator[Block]:
+        if not self.required:
+            yield blocks.Paragraph(
+                text(say("The spec states no requirements; the clutch is calculated as it is given."))
+            )
+            return
+        number = next(self._tables)
+        lead = say("What the clutch is to hold, and what it uses of each limit:")
+        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
+        yield from judged(self.required, number, say("Requirements"))
+
+    def _checks(self) -> Iterator[Block]:
+        held, many = self.held, len(self.held)
+        if self.short:
+            most = max(_LEAST, _MOST - len(self.required))
+            held = sorted(held, key=lambda row: -(row.utilisation or 0.0))[:most]
+        lead = say("Every limit the clutch is held against; utilisation 1 is the limit:")
+        if len(held) < many:
+            lead = say(
+                "The {shown} limits of which the clutch uses most, of {count}; utilisation 1 is the limit:",
+                shown=len(held), count=many,
+            )  # fmt: skip
+        number = next(self._tables)
+        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
+        yield from judged(held, number, say("Limits and their utilisation"))
+        if self.findings and not self.short:
+            yield blocks.Heading(3, text(say("Findings")))
+            yield findings_of(self.findings)
+        if self.remarks and not self.short:
+            at = piece("link", self.labels["misprints"], "misprints")
+            lead = say("Remarks that concern misprints of the papers:")
+            yield blocks.Paragraph(text(lead, " ", at, "."), "note")
+
+    def _spec(self) -> Iterator[Block]:
+        figures = self._shown("spec")
+        drawing = say("The clutch in section:")
+        lead = text(drawing, " ", see("figure", *(each.number for each in figures)), ". ") if figures else text()
+        lead = text(lead, say("The values calculated with:"), " ")
+        if self.short:
+            yield blocks.Paragraph(text(lead, *map(_in_a_line, self._groups().items())))
+        else:
+            number = next(self._tables)
+            yield blocks.Paragraph(text(lead, see("table", number), "."))
+            rows: list[list[Text]] = []
+            changed = _changed(self.subject.overrides)
+            for group, lines in self._groups().items():
+                rows += [[text(group)], *(line.cells(changed) for line in lines)]
+            heads = map(text, (say("Symbol"), say("Quantity"), say("Value"), say("Unit")))
+            title = text(say("Values calculated with"))
+            yield blocks.Table("keys", title, [*heads], rows, [False, False, True, False], number)
+        yield from figures
+
+    def _groups(self) -> dict[str, list[_SpecLine]]:
+        groups: dict[str, list[_SpecLine]] = {}
+        for line in self.lines:
+            groups.setdefault(line.group, []).append(line)
+        return groups
+
+    def _shown(self, name: str) -> list[blocks.Figure]:
+        """Draw what a section shows: each panel by itself, for between them a sheet may end."""
+        return [
+            figure_of(next(self._figures), sheet, [replace(sheet, title="", panels=[panel]) for panel in sheet.panels])
+            for sheet in self.drawn.get(name, ())
+        ]
+
+    def _peaks(self) -> Iterator[Block]:
+        number = next(self._tables)
+        yield blocks.Paragraph(text(say("What a trip loads and heats:"), " ", see("table", number), "."))
+        yield quantities(self.peaks[0]._replace(title=told("peaks")), number)
+
+    def _calculation(self) -> Iterator[Block]:
+        if not self.short:
+            lead = say(
+                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what "
+                "comes out, in the units of the tables."
+            )
+            notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
+            notes += [] if self.dossier.spec.friction.unlike else [say("All pairs are alike: f_1 = f_2 = f.")]
+            yield blocks.Paragraph(listed([text(lead), *map(said, notes)], " "))
+        for place, chapter in enumerate(self.chapters, 1):
+            label = f"{self.labels['calculation']}.{place}"
+            topic = chapter.topic
+            yield blocks.Section(topic.name, label, text(translate(topic.title)), [*self._chapter(chapter)])
+
+    def _chapter(self, chapter: Chapter) -> Iterator[Block]:
+        topic, tables = chapter.topic, [quantities(table, next(self._tables)) for table in chapter.tables]
+        figures = self._shown(topic.name)
+        results = [see("table", *(each.number for each in tables))] if tables else []
+        results += [see("figure", *(each.number for each in figures))] if figures else []
+        parts: list[Text | Piece | str] = [said(topic.about), say("Results:"), listed(results)]
+        parts[1:1] = [piece("sources", f"[{', '.join(topic.sources)}]")] if topic.sources else []
+        yield blocks.Paragraph(text(listed(parts, " "), "."))
+        yield from tables
+        yield from figures
+        if chapter.steps:
+            yield blocks.Heading(4, text(say("Derivation")))
+            yield from chapter.steps
+
+    def _conclusion(self) -> Iterator[Block]:
+        check = self.dossier.check
+        if not self.short:
+            yield blocks.Paragraph(said(check.verdict.sentence), f"sum {check.grade}")
+            yield blocks.Bullets([said(topic.conclusion) for topic in self.dossier.topics if topic.conclusion])
+            yield blocks.Heading(3, text(told("next")))
+        yield blocks.Bullets([*map(said, _next(self.dossier))], "next")
+
+    def _references(self) -> Iterator[Block]:
+        yield from ()  # when all else is laid out it is known what they are
+
+    def _symbols(self) -> Iterator[Block]:
+        if spoken() == "en":
+            yield blocks.Paragraph(text(say("In brackets: as the papers write a symbol.")))
+        rows = _symbols(self.chapters, self.lines, self.dossier)
+        yield blocks.Definitions(
+            "symbols",
+            [
+                (text(said(symbol, False), when(papers, " (", said(papers, False), ")")), said(words))
+                for symbol, papers, words in rows
+            ],
+        )
+
+    def _misprints(self) -> Iterator[Block]:
+        number = next(self._tables)
+        lead = say("Where this calculation departs from the print of its sources, by the number that stands there:")
+        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
+        heads = map(text, (say("No."), say("Where"), say("Printed"), say("Should be")))
+        rows = [
+            [
+                text(each.id),
+                said(translate(each.where)),
+                said(translate(each.printed), False),
+                said(translate(each.correct)),
+            ]
+            for each in self.mended
+        ]
+        yield blocks.Table("misprints", text(told("misprints")), [*heads], rows, number=number, named=True)
+        if self.remarks:
+            yield findings_of(self.remarks)
+
+    def _source(self) -> Iterator[Block]:
+        if overrides := self.subject.overrides:
+            lead = say("Overridden on the command line")
+            yield blocks.Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
+        yield blocks.Code(printable(self.subject.given, lines=True))
+
+
+def see(what: Literal["table", "figure"], *numbers: int) -> Text:
+    """Name tables or figures, each with a link to it."""
+    name = {"table": "table {number}", "figure": "figure {number}"}[what]
+    return listed([piece("link", filled(name, {"number": number}), f"{what}-{number}") for number in numbers])
+
+
+def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterator[Block]:
+    """Lay out limits with what is used of each."""
+    heads = "Verdict", "Check", "Condition", "Value", "Limit", "Unit", "Utilisation"
+    cells = [
+        [
+            text(piece("grade", translate(row.grade), row.grade)),
+            said(worded(row.name)),
+            said(row.symbol),
+            text(display(row.value, row.shown_unit)),
+            text("≥ " if row.least else "≤ ", display(row.limit, row.shown_unit)),
+            text(display_unit(row.shown_unit)),
+            text("–" if row.utilisation is None else _three(row.utilisation)),
+        ]
+        for row in rows
+    ]
+    numeric = [False, False, False, True, True, False, True]
+    yield blocks.Table("judged", text(title), [text(translate(head)) for head in heads], cells, numeric, number)
+    if any(row.shown_unit == "K abs" for row in rows):
+        note = say("The share of a temperature is that of the rise which its limit allows.")
+        yield blocks.Paragraph(text(note), "note")
+
+
+def quantities(block: TextTable, number: int = 0) -> blocks.Table:
+    """Lay out a table of numbers."""
+    role = "quantities" if block.header[-1] == translate("Unit") else ""
+    rows = [[*map(cell, row)] for row in block.rows]
+    return blocks.Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric, number)
+
+
+def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Findings:
+    """Lay out findings, in words or with the keys that they are of."""
+    items = []
+    for finding in findings:
+        grade = {"error": "fail", "warning": "warning", "info": "note"}[finding.level]
+        words = said(finding.message if keys else in_words(finding.message))
+        code = when(keys and finding.path, " ", piece("code", finding.path or ""))
+        items.append((piece("grade", told(f"level/{finding.level}"), grade), text(words, code)))
+    return blocks.Findings(items)
+
+
+def figure_of(number: int, sheet: Sheet, parts: Sequence[Sheet]) -> blocks.Figure:
+    """Draw a sheet in parts."""
+    drawings = [blocks.Drawing(inline_svg(part)) for part in parts]
+    return blocks.Figure(number, drawings, said(sheet.title), said(in_words(sheet.caption)))
+
+
+def _three(share: float) -> str:
+    """Share of a limit in three digits, in more where it would be shown as the whole."""
+    return localized(next((shown for digits in range(3, 10) if float(shown := f"{share:.{digits}g}") != 1), "1"))
 
 
 _MOST, _LEAST = 12, 4
@@ -202,32 +386,6 @@ def _section(dossier: Dossier, short: bool) -> dict[str, Sequence[Sheet]]:
     return {"spec": [replace(sheet, panels=[panel.without_table() for panel in sheet.panels]) if short else sheet]}
 
 
-def _labels(form: Form, has: Mapping[str, object]) -> dict[str, str]:
-    """Number of each section that has content, letter of each appendix, in the order of the page."""
-    sections, appendices = (
-        [name for name in names if name in form.always or has.get(name, True)]
-        for names in (form.sections, form.appendices)
-    )
-    labels = {name: str(number) for number, name in enumerate(sections, 1)}
-    lettered = zip(appendices, form.letters, strict=False)
-    return labels | {name: message("Appendix {letter}", letter=letter) for name, letter in lettered}
-
-
-def _figures(drawn: Mapping[str, Sequence[Sheet]]) -> dict[str, list[_Figure]]:
-    """Draw what each section shows, numbered in the order of the page."""
-    numbers = count(1)
-    return {
-        name: [_Figure(number, sheet, _panels(sheet, number)) for sheet, number in zip(sheets, numbers, strict=False)]
-        for name, sheets in drawn.items()
-    }
-
-
-def _numbered(counts: Iterable[tuple[str, int]]) -> dict[str, list[int]]:
-    """Number the tables of each part, in the order of the page."""
-    numbers = count(1)
-    return {name: list(islice(numbers, many)) for name, many in counts}
-
-
 def _changed(overrides: Iterable[str]) -> list[str]:
     """Paths of the keys, or tables, that overrides change."""
     given = (override.partition("=")[0].strip() for override in overrides)
@@ -236,7 +394,7 @@ def _changed(overrides: Iterable[str]) -> list[str]:
 
 def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterable[Sheet]) -> list[Misprint]:
     """Return the misprints that a report names."""
-    texts = [part for chapter in parts for block in chapter.blocks for part in (block.step.source, block.step.differs)]
+    texts = [part for chapter in parts for step in chapter.topic.derivations for part in (step.source, step.differs)]
     texts += [str([table.title, table.rows]) for chapter in parts for table in chapter.tables]
     texts += [*(finding.message for finding in remarks), *(sheet.caption for sheet in sheets)]
     named = {mark for text in texts for mark in MISPRINT.findall(text)}
@@ -244,30 +402,20 @@ def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterab
 
 
 def _next(dossier: Dossier) -> list[str]:
-    """What is to be done next, the gravest first."""
+    """Next steps for the designer, the gravest first."""
     rows = sorted(dossier.check.checks, key=lambda row: -(row.utilisation or 0.0))
     lines = [
-        message(
-            "Bring “{name}” to its limit: {used} of it is used.", name=worded(row.name), used=percent(row.utilisation)
-        )
+        say("Bring “{name}” to its limit: {used} of it is used.", name=worded(row.name), used=percent(row.utilisation))
         for row in rows
         if row.passed is False and row.utilisation is not None
     ]
-    lines += [
-        message("Give what it takes to judge “{name}”.", name=worded(row.name)) for row in rows if row.passed is None
-    ]
+    lines += [say("Give what it takes to judge “{name}”.", name=worded(row.name)) for row in rows if row.passed is None]
     grave = [finding for finding in ranked(dossier.findings) if finding.level != "info"]
-    lines += [in_words(translate(finding.message)) for finding in grave if not finding.code.startswith("requirement-")]
+    lines += [in_words(finding.message) for finding in grave if not finding.code.startswith("requirement-")]
     return lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
 
 
-def _panels(sheet: Sheet, number: int) -> Markup:
-    """Draw each panel by itself: between them a page may end."""
-    drawn = [inline_svg(Sheet("", [panel])) for panel in sheet.panels]
-    return Markup("\n").join(drawing(svg, sheet.title, f"{number}-{place}") for place, svg in enumerate(drawn, 1))
-
-
-def _entries(subject: Subject, form: Form) -> list[tuple[str, str]]:
+def _entries(subject: Subject) -> blocks.Entries:
     """Title block: what is given of it, and what every report has; a date of ISO 8601 as the language writes it."""
     title = dict(subject.title) | {
         "variant": translate(subject.dossier.spec.variant, "value"),
@@ -275,39 +423,79 @@ def _entries(subject: Subject, form: Form) -> list[tuple[str, str]]:
     }
     with suppress(ValueError):
         title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
-    return [(name, title[name]) for name in form.entries if title[name] or name in form.signed]
+    entries = [name for name in form().entries if title[name] or name in form().signed]
+    changed = "; ".join(name_of(path) if path in keys() else path for path in _changed(subject.overrides))
+    long = {
+        say("Spec"): subject.source,
+        say("SHA-256 of the spec as given"): subject.digest,
+        **({say("Overridden on the command line"): changed} if changed else {}),
+    }
+    return blocks.Entries(
+        [
+            *((told(name), printable(title[name] or ""), False) for name in entries),
+            *((name, printable(value), True) for name, value in long.items()),
+        ]
+    )
 
 
-def _symbols(
-    parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier, latin: Mapping[str, str]
-) -> list[tuple[str, str, str]]:
+def _signatures(title: TitleBlock) -> blocks.Signatures:
+    """Cells of all who sign in this language, and of others who are named."""
+    heads = say("Responsible"), say("Name"), say("Signature"), say("Date")
+    names = {who: getattr(title, who) for who in form().people}
+    people = [(told(who), printable(name or "")) for who, name in names.items() if name or who in form().signed]
+    return blocks.Signatures(heads, people)
+
+
+def _frame(title: TitleBlock, headline: str) -> blocks.Frame:
+    roles = ("Drawn", title.author), ("Checked", title.checked), ("", ""), ("Standards", title.norm_control)
+    margin = "Signature and date", "No. of copy", "Instead of no.", "Signature and date", "No. of original"
+    return blocks.Frame(
+        headline=headline,
+        drawing=printable(title.drawing or ""),
+        organisation=printable(title.organisation or ""),
+        revision=printable(title.revision or ""),
+        people=[(translate(role), printable(who or "")) for role, who in (*roles, ("Approved", title.approved))],
+        changes=[*map(translate, ("Chg.", "Sheet", "Document no.", "Sign.", "Date"))],
+        stage=[*map(translate, ("Stage", "Sheet", "Sheets"))],
+        margin=[*map(translate, margin)],
+    )
+
+
+def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier) -> list[tuple[str, str, str]]:
     """Symbols, what the papers write where that is another, and what each stands for where it is first told."""
     meanings: dict[str, str] = {}
-    for step in (block.step for chapter in parts for block in chapter.blocks):
+    for step in (step for chapter in parts for step in chapter.topic.derivations):
         for part in step.where:
             if part.text:
-                meanings.setdefault(native(part.symbol), part.text)
+                meanings.setdefault(native(part.symbol), explained(part))
         # the heading of its step begins with a capital
         name = explained(Meaning(step.symbol, step.name, step.unit))
         first = name[:1].lower() if name[1:2].islower() else name[:1]
         meanings.setdefault(native(step.symbol), first + name[1:])
-    tables = (table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol"))
+    tables = [table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol")]
     named = (
         (row[0], row[1], row[-1] if table.header[-1] == translate("Unit") else "–")
         for table in tables
         for row in table.rows
     )
-    for shown, text, unit in chain(named, ((native(line.symbol), line.about, line.unit) for line in lines)):
+    for shown, words, unit in chain(named, ((native(line.symbol), line.about, line.unit) for line in lines)):
         if shown:
-            meanings.setdefault(shown, f"{text}, {unit}" if unit not in ("", "–") else text)
+            meanings.setdefault(shown, f"{words}, {unit}" if unit not in ("", "–") else words)
     # what stands in no formula and no table, but in a check, a note or a meaning
     known = {native(key.symbol): name_of(path) for path, key in keys().items() if key.symbol}
     notes = (*(row.symbol for row in dossier.check.checks), *(finding.message for finding in dossier.findings))
-    said = native(" ".join(map(translate, (*notes, *meanings.values()))))
+    said = native(" ".join((*notes, *meanings.values())))
     # in a ratio, a symbol may be another quantity
     alone = [each for each in known if "_" in each and not any(each in other for other in meanings)]
     meanings |= {each: known[each] for each in alone if re.search(rf"(?<!\w){re.escape(each)}(?![\w.,]*\w)", said)}
-    rows = ((each, latin.get(each, ""), text) for each, text in meanings.items())
+    of_papers = (
+        *(key.symbol or "" for key in keys().values()),
+        *(column.symbol for table in tables if table.source for column in table.source.columns),
+        *(step.symbol for chapter in parts for step in chapter.topic.derivations),
+        *(part.symbol for chapter in parts for step in chapter.topic.derivations for part in step.where),
+    )
+    printed = {shown: symbol for symbol in of_papers if (shown := native(symbol)) != symbol and spoken() == "en"}
+    rows = ((each, printed.get(each, ""), words) for each, words in meanings.items())
     return sorted(rows, key=lambda row: row[0].casefold())
 
 
@@ -346,14 +534,13 @@ def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
             )
 
 
-_ELSEWHERE = ("name", "report", "requirements", "catalogues")
+_ELSEWHERE = ("name", "report", "requirements", "catalogues", "objectives", "search")
 
 
 def _titled(path: str) -> str:
     """Title of a table of the spec, after that of the one that it stands in."""
     above, _, _ = path.rpartition(".")
-    blocks: Any = template("blocks.html").module
-    return ": ".join(blocks.titled(each).strip() for each in filter(None, (above, path))) or translate("Clutch")
+    return ": ".join(map(titled, filter(None, (above, path)))) or titled("")
 
 
 def in_words(text: str) -> str:
@@ -385,6 +572,6 @@ def _scatter(group: str, name: str, given: dict[str, Any]) -> _SpecLine:
     symbol, about = "f", translate("scatter of the friction in service")
     if key:
         symbol = key.symbol or ""
-        about = message("scatter: {about}", about=name_of(name))
+        about = say("scatter: {about}", about=name_of(name))
     value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
     return _SpecLine(group, f"tolerance.fields.{name}", symbol, about, value, shown_unit, False)

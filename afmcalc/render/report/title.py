@@ -1,4 +1,4 @@
-"""What heads a report, and the spec as given at its end."""
+"""Title block of a report, and the spec as given at its end."""
 
 import json
 import os
@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 
 from ...errors import AfmcalcError
-from ...messages import say, translate
+from ...messages import say, spoken
 from ...spec import Spec
 from ...spec.make import validated
 from ...spec.models import TitleBlock
-from ...spec.parse import BUILT_IN, parse
+from ...spec.parse import parse
 from ...spec.source import Source
 from ...spec.write import annotated
 
@@ -19,7 +19,7 @@ def title_block(spec: Spec, entries: Mapping[str, str | None]) -> TitleBlock:
     """Return the [report] block of the spec under further entries, dated today where neither has a date."""
     given = {name: text for name, text in entries.items() if text is not None}
     block = {"date": None} if spec.report is None else spec.report.model_dump()
-    return validated(TitleBlock, {**block, "date": block["date"] or _date(), **given}, "report")
+    return validated(TitleBlock, {**block, "date": block["date"] or today(), **given}, "report")
 
 
 def text_as_given(source: Source) -> str:
@@ -28,9 +28,9 @@ def text_as_given(source: Source) -> str:
     One that ships has its comments in the language of the user, and says so.
     """
     text = source.text
-    ships = source.name is BUILT_IN or source.startswith("example:")
-    if ships and (shown := annotated(text)) != text:
-        text = translate(say("# {file}, its comments translated", file=source.name)) + f"\n{shown}"
+    ships = source.startswith("example:")
+    if ships and spoken() != "en":
+        text = say("# {file}, its comments translated", file=source) + f"\n{annotated(text)}"
     if text.lstrip().startswith("{"):
         text = json.dumps(parse(source), indent=2, ensure_ascii=False)
     return text.strip("\n")
@@ -40,7 +40,7 @@ _DIGITS = 11
 """Of seconds since 1970: those of the year 5000."""
 
 
-def _date() -> str:
+def today() -> str:
     """Today, or the day of SOURCE_DATE_EPOCH where a build must be repeatable."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
     if not epoch:

@@ -1,9 +1,9 @@
-"""What a report says of each case, section and entry; the page has the rest. And where it says it, by language."""
+"""Words of a report for each case, section and entry, and their order by language; the page has the rest."""
 
 from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple
 
-from ...messages import Text, translate
+from ...messages import filled, spoken
 
 REPORT: Mapping[str, str] = {
     # title block
@@ -40,7 +40,33 @@ REPORT: Mapping[str, str] = {
     "setting/mean-friction": "mean f",
     "side/protected": "protected",
     "side/unprotected": "unprotected",
-    # tables
+    # tables of a spec
+    "group/": "Clutch",
+    "group/friction": "Friction",
+    "group/driving": "Driving pairs",
+    "group/driven": "Driven pairs",
+    "group/friction_group": "Friction discs",
+    "group/closing_spring": "Closing spring",
+    "group/control_spring": "Control spring",
+    "group/room": "Room for the spring",
+    "group/disc": "Disc springs",
+    "group/coil": "Coil springs",
+    "group/control_unit": "Control unit: balls and pockets",
+    "group/contact": "Contact of ball and wall",
+    "group/adjustment": "Setting of the spring",
+    "group/machine": "Machine",
+    "group/drive": "Drive",
+    "group/motor": "Motor by its slip",
+    "group/event": "What happens to the tool",
+    "group/shaft": "Shaft",
+    "group/fatigue": "Fatigue of the shaft",
+    "group/heat": "Heat and wear",
+    "group/tolerance": "Tolerances and scatter",
+    "group/envelope": "Space for the clutch",
+    "group/requirements": "Requirements",
+    "group/drawing": "Notes of the drawing",
+    "group/report": "Title block",
+    # findings
     "level/info": "note",
     "level/warning": "warning",
     "level/error": "error",
@@ -50,7 +76,13 @@ REPORT: Mapping[str, str] = {
 
 def told(key: str, **values: object) -> str:
     """Say what stands under a key, in the language of the user."""
-    return translate(Text(REPORT[key], values))
+    return filled(REPORT[key], values)
+
+
+def titled(path: str) -> str:
+    """Title of a table of a spec."""
+    name = path.rpartition(".")[2]
+    return told(f"group/{name}") if f"group/{name}" in REPORT else path
 
 
 SHORT = ("requirements", "checks", "peaks", "spec", "conclusion", "references")
@@ -58,7 +90,7 @@ SHORT = ("requirements", "checks", "peaks", "spec", "conclusion", "references")
 
 
 class Form(NamedTuple):
-    """What stands where."""
+    """Order of the parts of a report."""
 
     sections: Sequence[str]
     """In their order; one without content is left out, unless it is always there."""
@@ -72,9 +104,9 @@ class Form(NamedTuple):
     signed: Sequence[str]
     """Entries that have a place in every title block: one may sign there."""
     people: Sequence[str]
-    """Who signs, in their order."""
+    """Roles of those who sign, in their order."""
     lined: bool
-    """Whether each symbol of a formula is explained on a line of its own."""
+    """True if each symbol of a formula is explained on a line of its own."""
     paper: Literal["plain", "framed"]
     """Of the form ``calculation``: sheets with a running title, or with frame and title block."""
 
@@ -107,3 +139,8 @@ FORMS = {
     ),
 }
 """Language → form; one that has none of its own takes the English one."""
+
+
+def form() -> Form:
+    """Form of a report in the language of the user."""
+    return FORMS.get(spoken(), FORMS["en"])

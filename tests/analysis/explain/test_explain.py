@@ -19,7 +19,7 @@ from afmcalc.errors import AfmcalcError
 from afmcalc.spec import make_spec, read_spec, resolved
 
 CASES = {"torque": "indirect", "accuracy": "unlike-materials", "check": "default", "overload": "all-driving"}
-CASES |= {"synthesize": "indirect", "life": "default"}
+CASES |= {"pocket": "indirect", "life": "default"}
 CLUTCHES = [path.stem for path in sorted(CONFIGS.glob("*.toml")) if "\n[search]" not in path.read_text("utf-8")]
 EVERY = slow(*((command, tuple(CLUTCHES)) for command in EXPLAINED))
 
@@ -162,8 +162,8 @@ def test_of_a_life_of_slips_the_mean_damage_is_shown_not_its_nodes():
     result, _ = ANALYSES["life"].function(build(spec), model="goodman")
     steps = explain("life", spec, model="goodman")[0].steps
     assert not [step for step in steps if "slip" in (step.at or "")]
-    lives = {(step.at, step.setting, step.side): step.value for step in steps if step.symbol == "N_ц"}
-    for side, case in (("protected", None), ("protected_forecast", "from f_cp")):
+    lives = {(step.at, step.setting, step.side): step.value for step in steps if step.symbol == "N_c"}
+    for side, case in (("protected", None), ("protected_forecast", "from f_mean")):
         for method in ("min-friction", "mean-friction"):
             setting = None if method == spec.adjustment.method else method
             assert lives[case, setting, None] == getattr(getattr(result, side), method.replace("-", "_"))
@@ -171,7 +171,7 @@ def test_of_a_life_of_slips_the_mean_damage_is_shown_not_its_nodes():
 
 def test_the_contact_along_a_wall_is_shown_where_it_is_largest():
     spec = read_spec("example:constant-torque")
-    (found, _), (told, _) = ANALYSES["synthesize"].function(build(spec)), explain("synthesize", spec)
+    (found, _), (told, _) = ANALYSES["pocket"].function(build(spec)), explain("pocket", spec)
     for symbol, largest in ("F_n", found.contact_force), ("p_0", found.contact_pressure):
         assert max(step.value for step in told.steps if step.symbol == symbol) == pytest.approx(largest, rel=1e-12)
 
@@ -179,7 +179,7 @@ def test_the_contact_along_a_wall_is_shown_where_it_is_largest():
 def test_the_search_for_a_gain_that_can_be_cut_is_not_explained(afmcalc):
     """Not the thousand of the gains that are tried."""
     wide = ["--set", "control_unit.edge_clearance=4"]
-    told = afmcalc("explain", "synthesize", CONFIGS / "constant-torque.toml", *wide, "--json").json
+    told = afmcalc("explain", "pocket", CONFIGS / "constant-torque.toml", *wide, "--json").json
     assert "wall-undercut" in {each["code"] for each in told["findings"]}
     assert len(told["result"]["steps"]) < 70
 
@@ -189,4 +189,4 @@ def test_accuracy_of_springs_as_made_has_a_step(force):
     spec = read_spec("example:indirect", [f"control_spring.force={force}"])
     found, _ = explain("accuracy", spec)
     values = {step.symbol: step.value for step in found.steps if step.at is None}
-    assert values["K_т"] == pytest.approx(accuracy(build(spec))[0].accuracy_factor, rel=1e-12)
+    assert values["K_T"] == pytest.approx(accuracy(build(spec))[0].accuracy_factor, rel=1e-12)

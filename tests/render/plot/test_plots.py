@@ -1,8 +1,7 @@
-"""What plots show is what their commands tell; plots as text, files of every kind, the refusals."""
+"""What plots show is what their commands tell; files of every kind, the refusals."""
 
 import math
 import os
-import re
 import subprocess
 import sys
 
@@ -10,8 +9,7 @@ import numpy as np
 import pytest
 from conftest import CONFIGS, ROOT
 
-from afmcalc.render.plot.chart import Chart, ChartAxis, Line
-from afmcalc.render.plot.text import draw
+from afmcalc.render.drawing import Circle, Stroke
 
 from .test_figures import sheet
 
@@ -71,7 +69,6 @@ def test_a_front_a_study_and_springs_are_their_commands(answered):
     wanted = {str(row["number"]): [row[name] for name in front["objectives"][:2]] for row in front["front"]}
     assert {name: list(place) for name, place in shown.items()} == wanted
     assert [line.names for line in panel.lines if line.filled] == [[str(front["compromise"])]]
-    assert sorted(line.tag for line in panel.lines if line.tag) == ["z = 10", "z = 8"]
     small = ["tolerance.samples=2000", "tolerance.sobol_base=64"]
     asked = ["tolerance", CONFIGS / "tolerance.toml", *(part for each in small for part in ("--set", each))]
     quantiles = answered(*asked, "--json").json["result"]["quantiles"]
@@ -104,21 +101,18 @@ def test_a_life_is_its_command(answered):
 
 
 def test_the_ball_touches_the_walls_of_its_pockets():
-    """As painted: no wall is nearer to the ball's centre than its radius, and each dot is there and on a wall."""
-    from matplotlib.figure import Figure
-
-    for panel in sheet("pocket", "indirect").panels:
-        axes = Figure().add_axes((0, 0, 1, 1))
-        panel.paint(axes)
-        walls = [patch.get_xy() for patch in axes.patches if hasattr(patch, "get_xy")]
-        dots = [(line.get_xdata()[0], line.get_ydata()[0]) for line in axes.lines if line.get_marker() == "o"]
-        assert len(walls) == 2
-        assert all(math.hypot(*dot) == pytest.approx(panel.radius) for dot in dots)
-        near = [distance((0, 0), a, b) for wall in walls for a, b in zip(wall, wall[1:], strict=False)]
-        assert min(near) == pytest.approx(panel.radius)
+    """As drawn: no wall is nearer to the ball's centre than its radius, and each dot is there and on a wall."""
+    (drawing,) = sheet("pocket", "indirect").panels
+    balls, dots = ([each for each in drawing.shapes if getattr(each, "layer", "") == name and isinstance(each, Circle)]
+                   for name in ("balls", "contact"))  # fmt: skip
+    walls = [shape.points for shape in drawing.shapes if isinstance(shape, Stroke) and shape.layer == "outline"]
+    assert (len(balls), len(dots), len(walls)) == (2, 4 + 2, 4)
+    for ball, count in zip(balls, (4, 2), strict=True):
         edges = [edge for wall in walls for edge in zip(wall, wall[1:], strict=False)]
-        assert max(min(distance(dot, *edge) for edge in edges) for dot in dots) == pytest.approx(0, abs=1e-9)
-        assert len(dots) == (2 if panel.travel else 4)
+        assert min(distance(ball.centre, *edge) for edge in edges) == pytest.approx(ball.radius)
+        own = [dot.centre for dot in dots if math.dist(dot.centre, ball.centre) == pytest.approx(ball.radius)]
+        assert len(own) == count
+        assert max(min(distance(dot, *edge) for edge in edges) for dot in own) == pytest.approx(0, abs=1e-6)
 
 
 def distance(point, start, end):
@@ -130,80 +124,26 @@ def distance(point, start, end):
 
 @pytest.mark.slow
 def test_the_same_bytes_from_another_process(tmp_path, afmcalc):
-    """With another hash seed and zone, without a backend or a home of matplotlib."""
-    asked = {"a.svg": "accuracy", "b.svg": "section", "b.dxf": "pocket"}
-    other = {"MPLBACKEND": "nonsense", "MPLCONFIGDIR": "/proc/none", "HOME": "/proc/none", "TZ": "Asia/Tokyo"}
+    """With another hash seed and zone, without a home of matplotlib."""
+    asked = {"a.svg": "plot accuracy", "b.svg": "layout", "b.dxf": "pocket", "b.pdf": "layout"}
+    other = {"MPLBACKEND": "svg", "MPLCONFIGDIR": "/proc/none", "HOME": "/proc/none", "TZ": "Asia/Tokyo"}
     environment = {**os.environ, **other, "PYTHONHASHSEED": "7", "PYTHONPATH": str(ROOT)}
     for name, kind in asked.items():
-        line = ["plot", kind, "example:indirect", "--quiet", "-o", str(tmp_path / name)]
+        line = [*kind.split(), "example:envelope", "--quiet", "-o", str(tmp_path / name)]
         subprocess.run([sys.executable, "-m", "afmcalc", *line], check=True, env=environment)
         made = (tmp_path / name).read_bytes()
         assert afmcalc(*line, "--force").code == 0
         assert made == (tmp_path / name).read_bytes(), name
 
 
-TEXTS = {
-    "torque": ["torque", CONFIGS / "indirect.toml", "--set", f"name={'Муфта с очень длинным именем ' * 9}"],
-    "life": ["life", CONFIGS / "default.toml", CONFIGS / "indirect.toml", "--set", "F=1.2345678e-9", "--lang", "ru"],
-    "paper": ["paper", "S22-2"],
-}
-
-
-@pytest.mark.parametrize("name", TEXTS)
-def test_a_drawing_is_as_wide_as_its_terminal(name, afmcalc, monkeypatch):
-    """Frame and curve whole, no word of a text lost; in a pipe 80 columns, never below 40."""
-    runs = {}
-    for columns in (None, 20, 80, 200):
-        monkeypatch.setenv("COLUMNS", str(columns or ""))
-        run = afmcalc("plot", *TEXTS[name])
-        lines = run.out.splitlines()
-        widest = 80 if columns is None else max(columns, 40)
-        assert max(map(len, lines)) == widest
-        assert {len(line) for line in lines if "└" in line} == {widest}
-        frames = [line for line in lines if re.search("[┤│└]", line)]
-        marks = {mark for line in frames for mark in re.split("[┤│]", line)[-1].replace(" ", "") if "└" not in line}
-        told = [line for place, line in enumerate(lines) if line not in frames and "└" not in lines[place - 1]]
-        runs[columns] = len(frames), sorted(marks), "".join("".join(told).split())
-    assert runs[None] == runs[20] == runs[80] == runs[200]
-
-
-def test_the_curve_of_a_sweep(answered, afmcalc, monkeypatch):
-    """Small under its table, larger with --plot; a curve for each value of an outer key; as wide as the terminal."""
-    sweep = "accuracy", "--sweep", "C=0:1.25:11", "--quiet"
-    plain, drawn = answered(*sweep).out, answered(*sweep, "--plot").out
-    assert [len(re.findall("[┤│]", run)) for run in (plain, drawn)] == [8, 20]
-    assert drawn.splitlines()[:12] == plain.splitlines()[:12]
-    assert "┤" not in answered("accuracy", "--sweep", "C=0.5,1").out
-    out = answered("accuracy", "--sweep", "z=4,8", "--sweep", "C=0:1:9", "--plot").out
-    assert "• z = 4" in out
-    assert "x z = 8" in out
-    monkeypatch.setenv("COLUMNS", "60")
-    for more in ([], ["--plot"]):
-        *_, floor, numbers, symbol = afmcalc(*sweep, *more).out.splitlines()
-        assert floor.startswith("  └")
-        assert (len(floor), numbers.split(), symbol) == (60, ["0", "0.5", "1"], "C".rjust(60))
-
-
-@pytest.mark.parametrize(
-    ("ends", "unicode"), [((2.0, 2.0), True), ((-1e308, 1e308), False), ((1.2e-300, 2e-300), True)]
-)
-def test_a_curve_of_characters_is_whole(unicode, ends):
-    """Of a constant, and from end to end of the floating-point numbers."""
-    chart = Chart(ChartAxis("", "x"), ChartAxis("", "y"), [Line("", [0, 1, 2, 3], [*ends, *ends], points=True)])
-    lines = draw(chart, unicode=unicode, wide=40, high=8)
-    assert (lines[0], lines[-1].strip(), len(lines)) == ("y", "x", 12)
-    assert max(map(len, lines)) == 40
-    assert sum(line.count("•" if unicode else "*") for line in lines) == 4
-    assert unicode or all(line.isascii() for line in lines)
-
-
 REFUSED = """
 plot torqe | 'torque'
 plot torque -o x.gif | .svg
-plot pocket | file
-plot torque --sweep C | --sweep
-plot pocket - - -o x.svg | once
-plot pocket example:conventional -o x.svg | control unit
+plot pocket | afmcalc pocket
+plot section | afmcalc layout
+plot torque --sweep C -o x.svg | --sweep
+plot torque - - -o x.svg | once
+pocket example:conventional -o x.svg | control unit
 plot overload example:indirect -o x.svg | S22
 plot life --sweep C -o x.svg | dT
 plot overload example:default example:default -o x.svg | one SPEC
@@ -214,8 +154,6 @@ plot pareto -o x.svg | one SPEC
 plot pareto example:default -o x.svg | required by design
 plot pareto example:requirements --set objectives=["pairs"] -o x.svg | two
 plot pareto example:requirements --set requirements.accuracy_factor=1 -o x.svg | accuracy factor
-accuracy --plot | --sweep
-accuracy --sweep C --plot --json | --format json
 """
 
 

@@ -16,8 +16,9 @@ from afmcalc.analysis.figures import Request, gathered
 from afmcalc.analysis.layout import layout
 from afmcalc.engines import build
 from afmcalc.engines.layout import TOUCHES
-from afmcalc.render.drawing import DimensionLine, Inscription, Region, Stroke, exploded
+from afmcalc.render.drawing import Inscription, Length, Region, Stroke, exploded
 from afmcalc.render.plot import sheet_of
+from afmcalc.render.svg import svg as written
 from afmcalc.spec import read_spec
 
 SLEEVES = ({"thrust disc", "pressure disc"}, {"ball sleeve", "thrust sleeve"})
@@ -34,7 +35,7 @@ def sheet(clutch):
 
 
 def svg(clutch):
-    return ElementTree.fromstring(sheet(clutch).panels[0].svg("title"))
+    return ElementTree.fromstring(written(sheet(clutch).panels[0], "title"))
 
 
 def named(tag):
@@ -186,19 +187,19 @@ def test_variants_differ():
 
 
 @pytest.mark.parametrize("upright", [False, True])
-@pytest.mark.parametrize("long", [100.0, 5.0])
+@pytest.mark.parametrize("long", [100.0, 2.5])
 def test_a_dimension_has_arrows_between_its_ends_and_lines_to_them(long, upright):
     """Where it is short the arrows stand outside; an extension line goes from each end past the dimension's line."""
     turned = (lambda x, y: (y, x)) if upright else (lambda x, y: (x, y))
-    line = DimensionLine("k", "12.5", turned(1.0, 2.0), turned(1.0 + long, 0.0), 9.0, upright)
-    parts = [part for part in exploded(line, 1.0) if not isinstance(part, Inscription)]
+    line = Length("12.5", 4.0, turned(1.0, 2.0), turned(1.0 + long, 0.0), 9.0, upright)
+    parts = [part for part in exploded(line) if not isinstance(part, Inscription)]
     heads = [[turned(*point) for point in part.contours[0]] for part in parts if isinstance(part, Region)]
     strokes = [[turned(*point) for point in part.points] for part in parts if isinstance(part, Stroke)]
     assert [tip for tip, *_ in heads] == [(1, 9), (1 + long, 9)]
     inward = 1 if long == 100 else -1
     for (tip, back, *_), way in zip(heads, (inward, -inward), strict=True):
-        assert back[0] == pytest.approx(tip[0] + way * 5)
-    assert [[(1, 9), (1 + long, 9)], [(1, 2), (1, 11)], [(1 + long, 0), (1 + long, 11)]] == [
+        assert back[0] == pytest.approx(tip[0] + way * 2.2)
+    assert [[(1, 9), (1 + long, 9)], [(1, 2), (1, 10)], [(1 + long, 0), (1 + long, 10)]] == [
         stroke for stroke in strokes if stroke[0][0] == stroke[1][0] or {x for x, _ in stroke} == {1, 1 + long}
     ]
     assert len(strokes) == (3 if long == 100 else 5)  # tails of the arrows that stand outside
@@ -209,8 +210,8 @@ def test_an_svg_needs_no_library(afmcalc, tmp_path, monkeypatch):
         monkeypatch.setitem(sys.modules, module, None)
     target = tmp_path / "s.svg"
     name = "<script>alert(1)</script> a_b"
-    assert afmcalc("plot", "section", "--set", f"name={name}", "-o", target).code == 0
+    assert afmcalc("layout", "--set", f"name={name}", "-o", target).code == 0
     texts = ["".join(text.itertext()) for text in ElementTree.parse(target).iter(named("text"))]
     assert "<script>alert(1)</script> a_b" in texts
-    run = afmcalc("plot", "section", "-o", tmp_path / "s.png")
+    run = afmcalc("layout", "-o", tmp_path / "s.pdf")
     assert (run.code, "afmcalc[plot]" in run.err) == (2, True)

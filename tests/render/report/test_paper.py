@@ -1,32 +1,32 @@
 """Report and handbook in a browser and on sheets of paper; what the command says where it cannot print."""
 
-import io
 import re
+import subprocess
 
 import pytest
 from conftest import CONFIGS
-from pypdf import PdfReader
 
+from afmcalc.analysis.dossier import dossier
 from afmcalc.messages import ENGLISH, language, speaking
 from afmcalc.render import handbook
-from afmcalc.render.report.sheets import find_browser, printed
+from afmcalc.render.report import Subject
+from afmcalc.render.report import report as laid_out
+from afmcalc.render.report.blocks import Section
+from afmcalc.render.report.sheets import print_pdf
+from afmcalc.spec import read_spec
+from afmcalc.spec.models import TitleBlock
 
 IN_ITS_BOX = """[...document.querySelectorAll('.scroll')].every(box => {
   const own = box.getBoundingClientRect(), right = own.left + box.scrollWidth
   return box.scrollHeight <= box.clientHeight && [...box.querySelectorAll('math, math *')].every(each => {
     const it = each.getBoundingClientRect()
     return it.top >= own.top && it.bottom <= own.bottom && it.left >= own.left && it.right <= right + 0.5 }) })"""
-SMALLEST = """Math.min(...[...document.querySelectorAll('figure text, figcaption')].map(text => {
-  const figure = text.closest('svg'), scale = figure ? figure.getScreenCTM().a * 665 / document.body.clientWidth : 1
-  return scale * parseFloat(getComputedStyle(text).fontSize) }))"""
-PAPER = 662
-"""A4 less its margins, in pixels."""
 
 
 @pytest.mark.tool
 @pytest.mark.parametrize("what", ["report", "handbook"])
 def test_in_a_browser(what, chromium, drawn, book, tmp_path):
-    """Nothing is loaded, nothing wider than the window, no formula cut off; in print 9 points, as wide as the paper."""
+    """Nothing is loaded, nothing wider than the window, no formula cut off."""
     file = tmp_path / "page.html"
     with speaking(ENGLISH):
         made = drawn("indirect") if what == "report" else handbook.render(book("en"))
@@ -43,41 +43,88 @@ def test_in_a_browser(what, chromium, drawn, book, tmp_path):
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.evaluate(IN_ITS_BOX), scheme
     assert page.evaluate("getComputedStyle(document.documentElement).backgroundColor") == "rgb(21, 23, 26)"
-    page.set_viewport_size({"width": PAPER, "height": 900})
-    page.emulate_media(color_scheme="light", media="print")
-    assert page.evaluate("document.documentElement.scrollWidth") <= PAPER
-    assert page.evaluate("Math.max(...[...document.querySelectorAll('figure')].map(e => e.offsetHeight))") < 986
-    assert what == "handbook" or page.evaluate(SMALLEST) >= 12  # px, 9 pt
     page.close()
 
 
+def document(name="default", **more):
+    """A report of a clutch that ships."""
+    title = TitleBlock(
+        drawing="AFM-17", author="Ш.", date="2026-02-03", revision="4", form=more.pop("form", "calculation")
+    )
+    told = dossier(read_spec(f"example:{name}"), explained=not more.get("short"))
+    return laid_out(Subject(told, "C = 0.5", title, **more))
+
+
+def sheets(pdf):
+    """Text of each sheet, a word hyphenated at the end of a line set whole."""
+    read = subprocess.run(["pdftotext", "-layout", "-", "-"], input=pdf, capture_output=True, check=True)
+    shown = read.stdout.decode().replace("\u2060", "")
+    return [" ".join(each.split()).replace("\xad ", "") for each in shown.split("\f")[:-1]]
+
+
+@pytest.mark.slow
 @pytest.mark.tool
-def test_on_paper(report, parsed):
-    """Each heading is on the sheet that the contents tell, and ends none; a table that goes on says so."""
-    page = report("default", "--lang", "ru")
+@pytest.mark.parametrize("form", ["calculation", "report"])
+def test_on_paper(form):
+    """Each heading is on the sheet that the contents tell; a table that goes on says so; sheets are counted."""
     with speaking(language("ru")):
-        pdf = printed(find_browser(), page)
-    sheets = [" ".join(sheet.extract_text().split()) for sheet in PdfReader(io.BytesIO(pdf)).pages]
-    tree = parsed(page)
-    entries = [" ".join("".join(entry.itertext()).split()) for entry in tree.findall(".//nav//li/div")]
-    assert len(entries) > 8
-    for entry in entries:
-        (told,) = re.findall(rf"(?:^| ){re.escape(entry)} (\d+)(?= |$)", sheets[0])
-        assert f" {entry} " in sheets[int(told) - 1].replace(f" {entry} {told}", "", told == "1"), entry
-        assert not [sheet for sheet in sheets if sheet.endswith(entry)]
-    parted = [int(number) for sheet in sheets for number in re.findall(r"Продолжение таблицы (\d+)", sheet)]
-    assert set() < {*parted} <= {int(table.get("id").removeprefix("table-")) for table in tree.findall(".//caption")}
+        given = document(form=form)
+        pdf = print_pdf(given)
+        assert pdf == print_pdf(given), "the same bytes"
+    found = sheets(pdf)
+    sections = [part for whole in given.body for part in (whole, *whole.body) if isinstance(part, Section)]
+    contents = next(each for each in found if "Содержание" in each)
+    for section in sections:
+        (number,) = re.findall(rf"{re.escape(f'{section.label} {section.title}')} [. ]*(\d+)(?= |$)", contents)
+        assert f"{section.label} {section.title}" in found[int(number) - 1], section.key
+        assert not found[int(number) - 1].endswith(str(section.title))
+    assert any(f"Продолжение таблицы {number}" in each for number in (1, 2, 3) for each in found[1:])
+    framed = [each for each in found if "AFM-17" in each]
+    assert len(framed) == (len(found) if form == "calculation" else 1)
+    assert b"/PDFA" in pdf or b"pdfaid" in pdf
 
 
 @pytest.mark.tool
-def test_the_command_prints_beside_the_page(afmcalc, monkeypatch, tmp_path):
-    monkeypatch.setattr("afmcalc.render.report.render", lambda *given: "<!doctype html><p>all of it</p>")
-    assert afmcalc("report", "--pdf", "-o", tmp_path / "x.html").code == 0
-    assert {path.name: path.read_bytes()[:4] for path in tmp_path.iterdir()} == {"x.html": b"<!do", "x.pdf": b"%PDF"}
+@pytest.mark.parametrize("name", ["default", "indirect"])
+def test_a_short_report_has_two_sheets(name):
+    for spoken in (ENGLISH, language("ru")):
+        with speaking(spoken):
+            assert len(sheets(print_pdf(document(name, short=True)))) == 2
+
+
+HOSTILE = (
+    '#read("/etc/passwd") $x$ *b* @ref </style><script>alert(1)</script> {{7*7}} \u202eabc \x1b[31m \x00 \\u{41} <a>'
+)
+
+
+@pytest.mark.tool
+def test_texts_of_the_user_stay_texts():
+    told = dossier(read_spec("example:default"), explained=False)
+    title = TitleBlock(drawing=HOSTILE[:60], author=HOSTILE[:40], organisation=HOSTILE[:50], date="soon")
+    for spoken in (ENGLISH, language("ru")):
+        with speaking(spoken):
+            found = " ".join(sheets(print_pdf(laid_out(Subject(told, HOSTILE, title, with_source=True, short=False)))))
+        shown = found.replace(" ", "")
+        assert '#read("/etc/passwd")$x$*b*@ref</style><script>alert(1)</script>{{7*7}}\\u202eabc' in shown
+        assert "root:" not in found
+
+
+@pytest.mark.tool
+def test_a_character_that_no_font_has_is_named(afmcalc, undrawn, tmp_path):
+    run = afmcalc("report", CONFIGS / "default.toml", "--short", "--set", "name=齒 A", "-o", tmp_path / "x.pdf")
+    assert run.code == 0
+    assert "boxes in the place of 齒: no font" in run.err
+
+
+@pytest.mark.tool
+def test_the_command_prints_beside_the_page(afmcalc, undrawn, tmp_path):
+    run = afmcalc("report", CONFIGS / "default.toml", "--short", "--pdf", "-o", tmp_path / "x.html")
+    assert run.code == 0, run.err
+    assert {path.name: path.read_bytes()[:4] for path in tmp_path.iterdir()} == {"x.html": b"<!DO", "x.pdf": b"%PDF"}
 
 
 def test_what_is_refused_before_anything_is_calculated(afmcalc, monkeypatch, tmp_path):
-    """No file to print beside, a form that is none, no browser, no reader of PDF, a date that is none: nothing is written."""
+    """No file to print beside, a form that is none, no Typst, a date that is none: nothing is written."""
 
     def said(*given):
         run = afmcalc("report", *given)
@@ -87,21 +134,7 @@ def test_what_is_refused_before_anything_is_calculated(afmcalc, monkeypatch, tmp
     assert "-o FILE.html" in said("--pdf")
     assert 'form = "letter"' in said("--form", "letter", "-o", tmp_path / "x.html")
     with monkeypatch.context() as patch:
-        patch.setenv("PATH", str(tmp_path))
-        assert "AFMCALC_BROWSER" in said("--pdf", "-o", tmp_path / "x.html")
-        assert "AFMCALC_BROWSER" in said("--pdf", "-o", tmp_path / "x.pdf")
-    with monkeypatch.context() as patch:
-        patch.setattr("afmcalc.errors.find_spec", lambda name: None if name == "pypdf" else object())
-        assert "afmcalc[report]" in said("--pdf", "-o", tmp_path / "x.html")
+        patch.setattr("afmcalc.errors.find_spec", lambda name: None if name == "typst" else object())
+        assert "afmcalc[pdf]" in said("--pdf", "-o", tmp_path / "x.html")
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "x")
     assert "SOURCE_DATE_EPOCH" in said()
-
-
-@pytest.mark.parametrize(("version", "noted"), [(130, True), pytest.param(131, False, marks=pytest.mark.slow)])
-def test_a_browser_that_prints_no_margins_is_named(version, noted, afmcalc, monkeypatch, tmp_path, undrawn):
-    pdf = f"%PDF-1.4 /Producer (Skia/PDF m{version}) %%EOF".encode()
-    monkeypatch.setattr("afmcalc.render.report.sheets.printed", lambda *given: pdf)
-    monkeypatch.setattr("afmcalc.render.report.sheets.find_browser", lambda: "browser")
-    run = afmcalc("report", CONFIGS / "default.toml", "-o", tmp_path / "x.pdf")
-    assert (run.code, (tmp_path / "x.pdf").read_bytes()) == (0, pdf)
-    assert ("Chromium 131" in run.err) == noted

@@ -6,9 +6,8 @@ from typer import Argument, Option
 
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import is_json_spec
-from .help import completing
-from .options import Common, SpecArgument, with_common
+from .names import completing
+from .options import Common, SaveOption, SpecArgument, with_common
 
 
 @with_common
@@ -31,9 +30,7 @@ def solve(
             autocompletion=completing("parameter"),
         ),
     ] = "C",
-    save: Annotated[
-        str | None, Option(metavar="FILE", help="Write the spec with the value found, the nearest to the present one.")
-    ] = None,
+    save: SaveOption = None,
     beyond_limit: Annotated[bool, Option("--beyond-limit", help="Go past the gain limit of the variant.")] = False,
     *,
     common: Common,
@@ -57,7 +54,7 @@ def solve(
 
     if spec is not None and "=" in spec and "=" not in target:
         target, spec = spec, target
-    common.keep(spec, beside=save)
+    common.keep(spec, save=save)
     name, wanted, questions = parse_target(target)
     clutch = common.build(spec)
     result, solved, findings = common.ask(clutch, key, name, wanted, beyond_limit=beyond_limit)
@@ -92,12 +89,7 @@ def design(
     pick: Annotated[
         str | None, Option(metavar="N|compromise", help="Take this clutch of the front; --save writes it.")
     ] = None,
-    save: Annotated[
-        str | None,
-        Option(
-            metavar="FILE", help="Write the spec with the values picked, comments and units kept, without [search]."
-        ),
-    ] = None,
+    save: SaveOption = None,
     top: Annotated[
         int | None, Option(metavar="N", min=1, help="Show so many of the front.  [default: 40 in tables]")
     ] = None,
@@ -125,9 +117,7 @@ def design(
     from ..analysis.design import picked, shown
     from ..spec import resolved
 
-    common.keep(spec, beside=save)
-    if save:
-        is_json_spec(save)  # refuses another ending
+    common.keep(spec, save=save)
     if save and pick is None:
         raise AfmcalcError("--save writes the clutch of --pick: give both")
     given = common.read(spec)
@@ -146,7 +136,7 @@ def design(
     if nothing:
         raise AfmcalcError(nothing[0].message)
     if save and chosen:
-        common.save_spec(given, row.changes, chosen, save)
+        common.save_spec(given, {**row.changes, "search": None}, chosen, save)
 
 
 _IN_TABLES = 40

@@ -1,0 +1,258 @@
+"""Commands about parts and drive: pockets and balls, springs, the layout, what happens when the clutch trips."""
+
+from typing import TYPE_CHECKING, Annotated, Any
+
+from typer import Option
+
+from ..analysis.registry import SpringKind, SpringOrder
+from ..errors import AfmcalcError, need
+from ..messages import say
+from .clutch import FrictionOption, SweepOption, axes_of, friction_of
+from .files import is_drawing, picture_of, refuse, write
+from .options import Common, SaveOption, SpecArgument, with_common
+
+if TYPE_CHECKING:
+    from ..analysis.torque import Pair
+    from ..engines import Clutch
+    from ..spec import Spec
+
+
+@with_common
+def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common) -> None:
+    """Wall angle, balls and pockets of the control unit; -o FILE.dxf or .svg draws them for the shop.
+
+    \b
+    afmcalc pocket clutch.toml
+    afmcalc pocket clutch.toml -o pocket.dxf
+    afmcalc pocket clutch.toml --save completed.toml
+    afmcalc pocket clutch.toml --json | afmcalc torque -
+    """  # noqa: D301
+    from ..analysis.synthesize import completed
+    from ..spec.edit import respecified
+
+    clutch, drawing = _clutch(common, spec, "svg", "dxf", save=save)
+    if drawing:
+        _draw_pocket(clutch, drawing, common)
+        if not save:
+            return
+        result = common.ask(clutch)[0]
+    else:
+        result = common.calculate(clutch).result
+    if save:
+        changes = completed(result)
+        common.save_spec(clutch.spec, changes, respecified(clutch.spec, changes), save)
+
+
+def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = None) -> "tuple[Clutch, str | None]":
+    """Build the clutch of a spec; return with it the kind of drawing that --output asks for, if any."""
+    if not is_drawing(common.output):
+        common.keep(spec, save=save)
+        return common.build(spec), None
+    drawing = picture_of(common.output, *kinds)
+    refuse(common.output, save, force=common.force, inputs=[spec])
+    if drawing == "dxf":
+        need("cad")
+    clutch = common.build(spec)
+    common.note_default()
+    for question in clutch.spec.label.findings:
+        common.note(question.message)  # a drawing has no findings
+    return clutch, drawing
+
+
+def _draw_pocket(clutch: "Clutch", kind: str, common: Common) -> None:
+    """Write the pocket in true millimetres, a sheet for the shop."""
+    from ..analysis.answers import Answers
+    from ..analysis.figures import Request, shop_drawing_of
+    from ..render import shop
+    from ..render.dxf import dxf
+    from ..render.svg import svg
+
+    with common.bar():
+        drawing = shop.pocket(shop_drawing_of("pocket", Request([Answers(clutch)])))
+        content = dxf(drawing) if kind == "dxf" else svg(drawing).encode()
+    common.save(content, common.output or "")
+
+
+def _draw_section(clutch: "Clutch", kind: str, common: Common) -> None:
+    """Write the section of a clutch, with its part list, to scale."""
+    from ..analysis.answers import Answers
+    from ..analysis.figures import Request, gathered
+    from ..render import shop
+    from ..render.dxf import dxf
+    from ..render.plot import sheet_of
+    from ..render.plot.figure import save
+
+    if kind == "pdf":
+        need("plot")
+        need("pdf", "typst")
+    with common.bar():
+        section = gathered("section", Request([Answers(clutch)]))
+        content = dxf(shop.section(section, clutch.spec)) if kind == "dxf" else save(sheet_of("section", section), kind)
+    common.save(content, common.output or "")
+
+
+@with_common
+def layout(spec: SpecArgument = None, *, common: Common) -> None:
+    """Parts in half section: do they fit, mass, inertia ([envelope]); -o FILE.svg, .dxf or .pdf draws them.
+
+    The parts lie as the papers draw them. Clearances, thrust bearings, keys, splines and bolts are not counted.
+
+    \b
+    afmcalc layout clutch.toml
+    afmcalc layout clutch.toml -o section.svg
+    afmcalc layout clutch.toml --set envelope.length='200 mm' --json
+    """  # noqa: D301
+    clutch, drawing = _clutch(common, spec, "svg", "dxf", "pdf")
+    if drawing:
+        _draw_section(clutch, drawing, common)
+    else:
+        common.calculate(clutch)
+
+
+@with_common
+def springs(
+    spec: SpecArgument = None,
+    sort: Annotated[
+        SpringOrder | None,
+        Option(help="What is to be small.  [default: length where a stiffness is wanted, else wear]"),
+    ] = None,
+    top: Annotated[int, Option(min=1, max=1000, help="How many to tell of each spring.")] = 10,
+    kind: Annotated[SpringKind, Option(help="Disc springs, coil springs, or both.")] = "any",
+    tolerance: Annotated[
+        float, Option(min=0, max=10, help="How far the stiffness may be off, as a share of it.")
+    ] = 0.1,
+    pick: Annotated[
+        list[int] | None,
+        Option(metavar="N", help="Take this one, one for each spring; --save writes the spec with it."),
+    ] = None,
+    save: SaveOption = None,
+    *,
+    common: Common,
+) -> None:
+    """Disc stacks and coil springs that give the forces and stiffnesses of a clutch, within the room there is.
+
+    What [closing_spring.room] and [control_spring.room] leave open is what the parts within [envelope] leave. With
+    --save the spec with the springs is checked; the keys changed and the verdict are told.
+
+    \b
+    afmcalc springs clutch.toml --sort wear --kind disc
+    afmcalc springs clutch.toml --set closing_spring.room.outer_diameter='120 mm' --top 20
+    afmcalc springs clutch.toml --pick 3 --save sprung.toml
+    afmcalc springs clutch.toml --pick 3 --json | afmcalc check -
+    """  # noqa: D301
+    if save and not pick:
+        raise AfmcalcError("--save writes the spec with the springs of --pick: give both")
+    if not pick:
+        common.calculate(common.clutch(spec), sort=sort, top=top, kind=kind, tolerance=tolerance)
+        return
+    from ..analysis.springs import picked
+    from ..spec import resolved
+
+    common.keep(spec, save=save)
+    clutch = common.build(spec)
+    result, findings = common.ask(clutch, sort, top, kind, tolerance)
+    changes, sprung = picked(clutch, result, pick)
+    common.emit(result, findings, resolved(sprung))
+    if save:
+        _save_sprung(clutch.spec, changes, sprung, save, common)
+
+
+def _save_sprung(spec: "Spec", changes: dict[str, Any], sprung: "Spec", path: str, common: Common) -> None:
+    """Write a spec with its springs, and tell what changed and what a check of it says."""
+    from ..analysis.check import check
+    from ..engines import build
+    from ..spec.edit import value_at
+
+    common.save_spec(spec, changes, sprung, path)
+    for key, value in changes.items():
+        if value != (before := value_at(spec, key)):
+            common.note(say("{key}: {before} → {value}", key=key, before=_shown(before, key), value=_shown(value, key)))
+    with common.bar():
+        verdict = check(build(sprung))[0].verdict
+    common.note(verdict.sentence)
+
+
+def _shown(value: Any, key: str) -> str:
+    """Return a value of a spec as a file has it, on one line."""
+    from ..spec.saved import in_units
+
+    if value is None:
+        return "–"
+    told = in_units(value.model_dump(exclude_none=True) if hasattr(value, "model_dump") else value, key)
+    return ", ".join(f"{name} {each}" for name, each in told.items()) if isinstance(told, dict) else str(told)
+
+
+HistoryOption = Annotated[
+    str | None,
+    Option("--history", metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI)."),
+]
+
+
+@with_common
+def simulate(
+    spec: SpecArgument = None,
+    friction: FrictionOption = None,
+    sweep: SweepOption = None,
+    history: HistoryOption = None,
+    save: SaveOption = None,
+    *,
+    common: Common,
+) -> None:
+    """The drive in time: what happens when the clutch trips, and the heat of it, by the [drive] block.
+
+    Without [drive.event] the heat alone. --save writes the spec with the dynamic factor found, for life. With
+    --friction the history is that of these frictions alone.
+
+    An event is followed until nothing more can come, or for drive.event.duration. The time to a cut-off runs from the
+    first slip on, also while the clutch is stuck again. A load resists as friction does and holds a stopped tool; that
+    of a hoist would turn it back. The sleeve of an indirect clutch meets its stop elastically.
+
+    \b
+    afmcalc simulate drive.toml
+    afmcalc simulate drive.toml --friction 0.2 --history event.csv
+    afmcalc simulate drive.toml --sweep drive.shaft_stiffness
+    afmcalc simulate drive.toml --save drive-with-factor.toml
+    """  # noqa: D301
+    from ..spec.edit import respecified
+
+    if history == "-":
+        raise AfmcalcError("--history writes a file beside the result: name one")
+    points = [friction_of(text) for text in friction or ()]
+    common.keep(spec, beside=history, save=save)
+    clutch = common.build(spec)
+    if clutch.spec.drive.event is None:
+        for option, given in {"--friction": points, "--sweep": sweep, "--history": history, "--save": save}.items():
+            if given:
+                raise AfmcalcError("{option} is of an event: give [drive.event]", option=option)
+        common.command = "heat"
+        common.calculate(clutch)
+        return
+    result = common.calculate(clutch, friction=points, sweeps=axes_of(sweep, clutch), heated=not sweep).result
+    if history:
+        _write_history(clutch, points, history, common)
+    if save:
+        changes = {"drive.dynamic_factor": result.largest_dynamic_factor}
+        common.save_spec(clutch.spec, changes, respecified(clutch.spec, changes), save)
+
+
+def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Common) -> None:
+    from .. import __version__
+    from ..analysis.simulate import history
+    from ..render import renderer
+    from ..result import Output
+
+    with common.bar():
+        output = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
+    write(renderer(common.csv_dialect)(output, False), path, force=common.force)
+    common.note(say("wrote the history to {output}", output=path))
+
+
+@with_common
+def effects(spec: SpecArgument = None, *, common: Common) -> None:
+    """Effects that the torque law neglects, in numbers: centrifugal force, wear, friction of the parts.
+
+    \b
+    afmcalc effects clutch.toml
+    afmcalc effects clutch.toml --set friction_group.spline_friction=0.15 --json
+    """  # noqa: D301
+    common.calculate(common.clutch(spec))

@@ -1,0 +1,137 @@
+"""Texts in pieces: symbols with their indices, powers, sources by their numbers."""
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+from ...analysis.explain.explain import Derivation
+from ...messages import filled, printable, translate
+from ...papers.register import citations
+from ...spec.keys import keys
+from ..symbols import split
+from .blocks import Drawing, Piece, Text, piece, text
+
+
+def plain(words: str | None) -> Text:
+    """Set a text of a user's as it is; characters that are not seen are spelled."""
+    return text(unparted(printable(words or "", lines=True)))
+
+
+def unparted(words: str) -> str:
+    """Keep each number and its unit in one line.
+
+    >>> unparted("37 kW at 1460 rpm, 20 °C").count("\u00a0")
+    3
+    """
+    return _UNIT.sub("\\1\u00a0", words)
+
+
+_UNIT = re.compile(r"(?<!\w)(\d[\d.,]*) (?=(?:[^\W\d_]{1,3}|°[CС])(?![^\W\d_]))")
+"""A number before a word of few letters; S19 is none."""
+
+
+def said(words: str, ours: bool = True) -> Text:
+    """Set a text with its symbols; what is quoted is not ``ours``.
+
+    >>> said("T_н < -1")
+    ('T', Piece(kind='sub', body=('n',), to=''), ' < −1')
+    """
+    pieces = split(_MINUS.sub("−", unparted(printable(words, lines=True))), ours)
+    return text(*(piece("sub", each) if low else each for each, low in pieces))
+
+
+def cell(words: str) -> Text:
+    """Set a cell of a table: a key as code, a power of ten as one, anything else with its symbols.
+
+    >>> str(cell("no limit (3.3493e+15)")), cell("1e-11")
+    ('no limit (3.3493·1015)', ('10', Piece(kind='sup', body=('−11',), to='')))
+    """
+    if words in keys():
+        return text(piece("code", words))
+    return text(*(part for each in said(words) for part in (_powers(each) if isinstance(each, str) else (each,))))
+
+
+def _powers(words: str) -> Iterable[str | Piece]:
+    before, *powers = _POWER.split(words)
+    yield before
+    for mantissa, power, after in zip(powers[::3], powers[1::3], powers[2::3], strict=True):
+        yield "10" if mantissa == "1" else f"{mantissa}·10".replace("-", "−")
+        yield piece("sup", str(int(power)).replace("-", "−"))
+        yield after
+
+
+_POWER = re.compile(r"([\d.]+|\(.* ± .*\))e([+-]\d+)")
+_MINUS = re.compile(r"(?<![\w.\]})-])-(?=\d)")
+
+
+def name_of(path: str) -> str:
+    """Name of a key of the spec, without what is said of its use."""
+    return _REST.split(translate(keys()[path].description))[0]
+
+
+_REST = re.compile(r"; |: | \(")
+
+
+def marks(step: Derivation) -> list[str]:
+    """Misprints of what is printed instead of a formula that its source does not name."""
+    return [mark for mark in dict.fromkeys(MISPRINT.findall(step.differs)) if mark not in MISPRINT.findall(step.source)]
+
+
+MISPRINT = re.compile(r"\bM\d+\b")
+
+
+def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
+    """Set a number where a text cites a source; which source has which number, counted from its first mention."""
+    numbers: dict[str, int] = {}
+    sources = citations()
+
+    def cite(found: re.Match[str]) -> str:
+        key = next(key for key in sources if found[key])
+        number = numbers.setdefault(key, len(numbers) + 1)
+        name = f"{found[key]} " if sources[key][1] and found[key] != key else ""
+        if formulas := found["formulas"]:
+            many = formulas.count("(") > 1
+            mark = filled(
+                "[{number}, eqs. {at}]" if many else "[{number}, eq. {at}]", {"number": number, "at": formulas}
+            )
+        else:
+            mark = f"[{number}, {found['place']}]" if found["place"] else f"[{number}]"
+        return name + mark
+
+    named = "|".join(rf"(?P<{key}>(?<!\w)(?:{pattern})(?!\w))" for key, (pattern, _) in sources.items())
+    pattern = re.compile(f"(?:{named}){_WHERE}")
+    return [_changed(block, lambda words: pattern.sub(cite, words)) for block in blocks], numbers
+
+
+def _changed(node: Any, change: Callable[[str], str]) -> Any:
+    """Change every text of a block, in the order in which it is read."""
+    if isinstance(node, Piece) and node.kind == "sources":
+        return piece("sources", _bracketed(_changed(node.body, change)))
+    if isinstance(node, Drawing):
+        return Drawing(_LETTERING.sub(lambda found: change(found[0]), node.svg))
+    if isinstance(node, Text):
+        return text(*(change(each) if isinstance(each, str) else _changed(each, change) for each in node))
+    if isinstance(node, list | tuple):
+        return [_changed(each, change) for each in node]
+    if not is_dataclass(node) or isinstance(node, type):
+        return node
+    return replace(node, **{field.name: _changed(getattr(node, field.name), change) for field in fields(node)})
+
+
+_LETTERING = re.compile("(?<=>)[^<]+")
+
+
+def _bracketed(note: Text) -> Text:
+    """Set a note of sources, in square brackets, in round ones, or in none where it begins with a number in its own."""
+    parts: list[Any] = [*note]
+    parts[0], parts[-1] = parts[0][1:], parts[-1][:-1] if parts[1:] else parts[0][1:-1]
+    inside = text(*parts)
+    return inside if str(inside).startswith("[") else text("(", inside, ")")
+
+
+_WHERE = (
+    r"(?:,? (?P<formulas>\(\d[\d.]*[a-z]?\)(?:(?:, |–)\(\d[\d.]*[a-z]?\))*)"
+    r"|,? (?P<place>(?:chapters?|ch\.|sec\.|fig\.|гл\.|разд\.|рис\.) \d[\d-]*(?: (?:and|и) \d+)?))?"
+)
+"""Formulas or chapter of a source, behind its name."""

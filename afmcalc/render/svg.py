@@ -1,0 +1,100 @@
+"""A drawing as SVG whose numbers are millimetres, y downwards."""
+
+from collections.abc import Iterable
+from html import escape
+
+from ..messages import printable
+from .drawing import DASHES, LAYERS, Circle, Drawing, Inscription, Length, Point, Region, Simple, Stroke, exploded
+from .symbols import split
+
+
+def svg(drawing: Drawing, title: str = "") -> str:
+    """Write a drawing, as wide as it is on paper."""
+    left, bottom, right, top = drawing.frame
+    unit = drawing.unit
+    hatches = {shape.hatch for shape in drawing.shapes if isinstance(shape, Region) and shape.hatch}
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{_n(drawing.width)}mm" height="{_n((top - bottom) / unit)}mm" '
+        f'viewBox="{_path([(left, top)])} {_n(right - left)} {_n(top - bottom)}" '
+        f'font-family="DejaVu Sans, sans-serif">',
+        f"<title>{escape(printable(title), quote=False)}</title>" if title else "",
+        *(_pattern(angle, unit) for angle in sorted(hatches)),
+    ]
+    for name, shapes in drawing.by_layer():
+        look = LAYERS[name]
+        dashes = " ".join(_n(length * unit) for length in DASHES.get(look.line, ())) or "none"
+        parts.append(
+            f'<g class="{name}" stroke="{look.colour}" stroke-width="{_n(look.width * unit)}" '
+            f'stroke-dasharray="{dashes}" stroke-linejoin="round" '
+            f'fill="{look.face}" fill-opacity="{look.fill:g}" fill-rule="evenodd">'
+        )
+        for shape in shapes:
+            simple = "\n".join(map(_simple, exploded(shape)))
+            if isinstance(shape, Length) and shape.key:
+                about = f"<title>{escape(shape.about, quote=False)}</title>"
+                simple = f'<g data-key="{shape.key}">{about}{simple}</g>'
+            parts.append(simple)
+        parts.append("</g>")
+    return "\n".join([*filter(None, parts), "</svg>", ""])
+
+
+def picture(drawing: Drawing, ending: str, title: str = "", dpi: int = 150) -> bytes:
+    """Return a file of a drawing, on white: as SVG, or set from that by Typst with the fonts of matplotlib."""
+    text = svg(drawing, title)
+    if ending == "svg":
+        return text.encode()
+    import typst
+    from matplotlib import get_data_path
+
+    source = b"#set page(width: auto, height: auto, margin: 0pt)\n#image(bytes(sys.inputs.svg))"
+    return typst.compile(  # type: ignore[call-overload]
+        source, format=ending, ppi=dpi, sys_inputs={"svg": text}, ignore_system_fonts=True, timestamp=0,
+        font_paths=[f"{get_data_path()}/fonts/ttf"],
+    )  # fmt: skip
+
+
+def _simple(shape: Simple) -> str:
+    if isinstance(shape, Inscription):
+        return _text(shape)
+    if isinstance(shape, Stroke):
+        return f'<path fill="none" d="M{_path(shape.points)}"/>'
+    about = f' data-part="{shape.part}"' if shape.part else ""
+    if isinstance(shape, Circle):
+        x, y = shape.centre
+        if not shape.hole:
+            return f'<circle{about} cx="{_n(x)}" cy="{_n(-y)}" r="{_n(shape.radius)}"/>'
+        arc = "a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0 -{1} 0Z".format
+        rings = (f"M{_path([(x - r, y)])}{arc(_n(r), _n(2 * r))}" for r in (shape.radius, shape.hole))
+    else:
+        rings = (f"M{_path(ring)}Z" for ring in shape.contours)
+        about += f' stroke="none" fill="url(#hatch{shape.hatch:g})" fill-opacity="1"' if shape.hatch else ""
+    return f'<path{about} d="{"".join(rings)}"/>'
+
+
+def _text(text: Inscription) -> str:
+    """Set a text with its subscripts."""
+    at, shown, lowered, pieces = _path([text.at]), printable(text.text), False, ""
+    for piece, low in split(shown) if text.ours else [(shown, False)]:
+        drop = "" if low == lowered else ' dy=".18em"' if low else ' dy="-.126em"'
+        size, lowered = ' font-size="70%"' if low else "", low
+        pieces += f"<tspan{drop}{size}>{escape(piece, quote=False)}</tspan>"
+    turn = f' transform="rotate(-90 {at})"' if text.upright else ""
+    x, y = at.split()
+    size = f'font-size="{_n(text.height)}"'
+    return f'<text x="{x}" y="{y}" {size} stroke="none" text-anchor="{text.anchor}"{turn}>{pieces}</text>'
+
+
+def _pattern(angle: float, unit: float) -> str:
+    look, step = LAYERS["hatch"], _n(1.4 * unit)
+    lines = f'<path d="M0 0H{step}" stroke="{look.colour}" stroke-width="{_n(2 * look.width * unit)}"/>'
+    size = f'width="{step}" height="{step}" patternUnits="userSpaceOnUse" patternTransform="rotate({-angle:g})"'
+    return f'<pattern id="hatch{angle:g}" {size}>{lines}</pattern>'
+
+
+def _path(points: Iterable[Point]) -> str:
+    return "L".join(f"{_n(x)} {_n(-y)}" for x, y in points)
+
+
+def _n(value: float) -> str:
+    """A number to the tenth of a micrometre."""
+    return f"{round(value, 4) + 0.0:.4f}".rstrip("0").rstrip(".")
