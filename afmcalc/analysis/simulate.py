@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from ..drive.cases import Case, Outcome, case_of, outcome_of
 from ..drive.integrator import CLOSE, Event, Row, peak_time
 from ..drive.pack import Sleeve
-from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import Train, train_of
 from ..engines import Clutch
 from ..engines.checks import Beside, failures_of
@@ -25,6 +24,7 @@ from ..progress import counted
 from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
 from ..spec.edit import with_values
 from .clutch_findings import clutch_findings
+from .drive_result import SimulatePoint, SimulateResult, SimulateSweep
 from .effects import with_pairs
 from .registry import ANALYSES
 from .sweep import Axis, replaced, series
