@@ -51,9 +51,7 @@ class SimulateResult(Answer):
     sliding_torque: Triple = quantity("N*m", "T", "sliding torque")
     peak_torque: Triple = quantity("N*m", "T_peak", "peak torque in the shaft")
     peak_torque_clutch: Triple = quantity("N*m", "T_peak,c", "peak torque at the clutch")
-    peak_error: Triple = quantity(
-        "1", "δ", "larger change of both peak torques, in the shaft and at the clutch, against twice the time step"
-    )
+    peak_error: Triple = quantity("1", "δ", "change of the peak torque in the shaft against twice the time step")
     dynamic_factor: Triple = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
     peak_over_machine: Triple | None = quantity("1", "T_peak/T_0", "peak torque over the load before it", optional=True)
     slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
