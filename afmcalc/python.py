@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from .analysis.check import CheckResult
     from .analysis.compare import CompareResult
     from .analysis.design import DesignResult
+    from .analysis.drive_result import HeatResult, SimulateResult
     from .analysis.effects import EffectsResult
     from .analysis.explain.explain import ExplainResult
     from .analysis.layout import LayoutResult
@@ -35,7 +36,6 @@ if TYPE_CHECKING:
     from .analysis.synthesize import SynthesisResult
     from .analysis.tolerance_result import ToleranceResult
     from .analysis.torque import Pair, TorqueResult
-    from .drive.result import HeatResult, SimulateResult
 
 Sweep: TypeAlias = str | Sequence[str]
 """``"C"``, ``"C=0:1.25:6"``, or several as on the command line; they make a grid."""

@@ -4,7 +4,6 @@ import math
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any, ClassVar, Literal
 
-from ..drive.result import SimulateResult
 from ..engines import Clutch
 from ..engines.checks import Beside, Check, Known, Part, checks_of, failures
 from ..engines.parts import checks_of_springs
@@ -15,6 +14,7 @@ from ..messages import deferred, percent, say, translate
 from ..result import Answer, Result, described, quantity
 from .answers import Answers
 from .clutch_findings import clutch_findings
+from .drive_result import SimulateResult
 from .heat import heat_values
 from .life import UNLIMITED
 from .registry import ANALYSES

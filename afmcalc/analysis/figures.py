@@ -8,11 +8,11 @@ from ..messages import did_you_mean
 from .registry import ANALYSES, PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:
-    from ..drive.result import SimulateResult
     from ..spec import Spec
     from .answers import Answers
     from .curves import LifeCurve
     from .design import DesignResult
+    from .drive_result import SimulateResult
     from .shop import ShopDrawing
     from .simulate import MomentRow
     from .synthesize import SynthesisResult
@@ -183,7 +183,7 @@ def _tolerance(answers: "Answers") -> ToleranceFigure:
 def _simulate(answers: "Answers") -> SimulateFigure:
     from itertools import groupby
 
-    from ..drive.result import SimulateResult
+    from .drive_result import SimulateResult
     from .simulate import history
 
     spec, result = answers.clutch.spec, answers.of(SimulateResult)

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 from ..drive.cases import case_of
 from ..drive.heat import Course, Layer, course_of, warming
-from ..drive.result import EnergySource, HeatResult
 from ..engines import Clutch
 from ..engines.checks import failures_of
 from ..engines.quantities import Apply, Quantities
@@ -23,6 +22,7 @@ from ..spec.models import Drive, Heat, missing_of
 from ..units import ZEROS
 from .answers import Answers
 from .clutch_findings import clutch_findings
+from .drive_result import EnergySource, HeatResult
 from .registry import ANALYSES
 
 _ENDS = {"min": "f_min", "mean": "f_cp", "max": "f_max"}

@@ -10,7 +10,6 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ..drive.result import SimulateResult, dynamic_factor
 from ..engines import Clutch, build
 from ..engines.checks import failures_of
 from ..engines.quantities import Quantities
@@ -26,6 +25,7 @@ from .adjust import METHODS
 from .answers import Answers
 from .asking import Asking, answer, asked
 from .clutch_findings import clutch_findings
+from .drive_result import SimulateResult, dynamic_factor
 from .registry import StressRule
 from .sweep import Axis, parse_axis, parse_values, replaced, series
 

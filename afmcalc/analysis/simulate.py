@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..drive.cases import Case, Outcome, case_of, outcome_of
-from ..drive.integrator import CLOSE, Event, Row, peak_time
+from ..drive.integrator import CLOSE, CLOSE_CLUTCH, CLOSED, SPREAD, Event, Row, peak_time
 from ..drive.pack import Sleeve
-from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import Train, train_of
 from ..engines import Clutch
 from ..engines.checks import Beside, failures_of
@@ -25,6 +24,7 @@ from ..progress import counted
 from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
 from ..spec.edit import with_values
 from .clutch_findings import clutch_findings
+from .drive_result import SimulatePoint, SimulateResult, SimulateSweep
 from .effects import with_pairs
 from .registry import ANALYSES
 from .sweep import Axis, replaced, series
@@ -38,9 +38,6 @@ def _end_symbols() -> tuple[str, str, str]:
     return "f_min", translate("f_cp", "symbol"), "f_max"
 
 
-_CLOSED = 1e-3
-_SPREAD = 0.01
-"""Relative difference of heat or slip time by two step sizes beyond which they are ill-conditioned."""
 _NEAR = 1e-3
 """Relative difference below which a figure of the spec is what the simulation gives."""
 _ROUNDING = 1e-9
@@ -72,8 +69,8 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
         path = "drive.speed" if train.engine.slip is not None else "drive.motor_torque"
         yield finding("drive-not-in-balance", "info", value=motor, limit=load, path=path)
     yield from _endless(train, outcomes)
-    if result.energy_residual > _CLOSED:
-        yield finding("energy-not-closed", "error", value=result.energy_residual, limit=_CLOSED)
+    if result.energy_residual > CLOSED:
+        yield finding("energy-not-closed", "error", value=result.energy_residual, limit=CLOSED)
     yield from _accuracy(outcomes)
     # S22's open question, as a number: where between T_муф and T_п does this drive trip?
     last, unit = outcomes[-1], clutch.spec.control_unit
@@ -127,20 +124,16 @@ def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
 def _accuracy(outcomes: Sequence[Outcome]) -> Iterator[Finding]:
     """Say where twice the step gives other figures."""
     for end, one in zip(_end_symbols(), outcomes, strict=True):
-        event, other = one.event, one.event.other
-        if event.peak_error > CLOSE:
-            yield finding("peak-not-converged", "warning", value=event.peak_error, limit=CLOSE, at=end)
+        event = one.event
+        for error, limit in ((event.peak_error, CLOSE), (event.clutch_error, CLOSE_CLUTCH)):
+            if error > limit:
+                yield finding("peak-not-converged", "warning", value=error, limit=limit, at=end)
+                break
         if not one.ended:
             continue
-        spread = max(_relative(event.heat, other.heat), _relative(event.slip_time, other.slip_time))
-        if spread > _SPREAD:
+        if event.slip_error > SPREAD:
             path = "control_unit" if isinstance(one.case.pack, Sleeve) else "drive.event"
-            yield finding("ill-conditioned", "warning", value=spread, limit=_SPREAD, path=path, at=end)
-
-
-def _relative(value: float, other: float) -> float:
-    """Difference of two step sizes, relative."""
-    return abs(value - other) / value if value else 0.0
+            yield finding("ill-conditioned", "warning", value=event.slip_error, limit=SPREAD, path=path, at=end)
 
 
 def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:

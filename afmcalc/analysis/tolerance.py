@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..drive.cases import case_of
-from ..drive.result import dynamic_factor
 from ..engines import Clutch, build
 from ..engines.evaluate import BLOCK
 from ..equations import life as law
@@ -26,6 +25,7 @@ from ..spec.edit import value_at, with_key, with_values
 from ..spec.keys import scatter_at
 from ..spec.tolerance import FRICTION, Distribution, Kind, Tolerance, percentage
 from .clutch_findings import clutch_findings
+from .drive_result import dynamic_factor
 from .registry import ANALYSES
 from .tolerance_result import Bar, IndexRow, InputRow, QuantileRow, ToleranceResult
 

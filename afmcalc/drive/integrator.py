@@ -19,9 +19,9 @@ from .motion import Motion, clip, cut, larger, where
 from .pack import DirectPack, Sleeve
 from .train import Train
 
-STEPS_A_SWING = 200
+STEPS_A_SWING = 150
 """Steps in a swing of the driven half on its shaft."""
-_BALLS = 40
+_BALLS = 30
 """Steps in a swing of the balls on their springs."""
 _LAG = 8
 """Steps in the lag of a release force."""
@@ -32,7 +32,7 @@ _RINGING = 1 / 16
 """
 _YIELDING = 1e-3
 """Stiffness of a control unit, of the shaft's, below which it is no spring: its wall holds the torque."""
-_STEADY = 5
+_STEADY = 3
 """Times the step is longer where slip goes on through the swings of the shaft."""
 _BLOCK = 64
 """Steps between two looks at what may still come."""
@@ -44,6 +44,12 @@ _LANES = 2048
 """Drives stepped at a time; the states of so many stay in the processor's cache."""
 CLOSE = 2e-3
 """Error of the peak, relative, up to which a step is fine enough."""
+CLOSE_CLUTCH = 3e-3
+"""The same at the clutch, whose torque springs as its slip ends."""
+SPREAD = 0.01
+"""The same of heat and slip time, beyond which they are ill-conditioned."""
+CLOSED = 1e-3
+"""The same of the energy balance."""
 _HALVINGS = 3
 _QUIET = 1e-3
 """Swing, relative to the torque, below which nothing swings."""
@@ -102,7 +108,11 @@ class Event(NamedTuple):
     pulled: Any
     """Torque with which the pack slipped as the motor was switched off; 0 where it did not."""
     peak_error: Any = 0.0
-    """Change of the peak, of shaft or clutch, against twice the step, relative."""
+    """Change of the peak against twice the step, relative."""
+    clutch_error: Any = 0.0
+    """The same of the peak at the clutch."""
+    slip_error: Any = 0.0
+    """The same of heat or slip time."""
     other: Any = None
     """The same event with twice the step."""
     rows: Any = ()
@@ -114,8 +124,8 @@ def simulate(
 ) -> Event:
     """Step events until nothing more can come, or until their peak has passed where they are not ``whole``.
 
-    The step is halved until twice the step changes the peak by 0.2 % at most, at most three times and not for long
-    events.
+    The step is halved until twice the step changes the peak by 0.2 %, that at the clutch by 0.3 %, the
+    heat by 1 % at most, and the energy balance closes; at most three times and not for long events.
 
     Args:
         train: drive, or drives as arrays.
@@ -158,7 +168,8 @@ def _refined(train: Train, pack: Any, h: Any, end: Any, *, given: bool, whole: b
     coarse = stepped(Motion(train, pack, 2 * h), end, given=given, whole=whole, full=full)
     fine = _compared(stepped(Motion(train, pack, h), end, given=given, whole=whole, full=full), coarse)
     for _ in range(_HALVINGS):
-        open_ = (fine.peak_error > CLOSE) & (fine.time < h * MOST_STEPS / 2)
+        open_ = (fine.peak_error > CLOSE) | (fine.clutch_error > CLOSE_CLUTCH) | (fine.residual > CLOSED)
+        open_ = (open_ | (whole & (fine.slip_error > SPREAD))) & (fine.time < h * MOST_STEPS / 2)
         if not np.any(open_):
             break
         h = h / 2
@@ -177,9 +188,18 @@ def _refined(train: Train, pack: Any, h: Any, end: Any, *, given: bool, whole: b
 
 
 def _compared(fine: Event, coarse: Event) -> Event:
-    peaks = ((fine.peak, coarse.peak), (fine.peak_clutch, coarse.peak_clutch))
-    error = functools.reduce(larger, (abs(own - other) / own for own, other in peaks))
-    return fine._replace(peak_error=error, other=coarse._replace(other=None, rows=()))
+    """Event with the errors that twice the step tells."""
+    return fine._replace(
+        peak_error=_change(fine.peak, coarse.peak),
+        clutch_error=_change(fine.peak_clutch, coarse.peak_clutch),
+        slip_error=larger(_change(fine.heat, coarse.heat), _change(fine.slip_time, coarse.slip_time)),
+        other=coarse._replace(other=None, rows=()),
+    )
+
+
+def _change(own: Any, other: Any) -> Any:
+    """Relative difference; 0 where there is nothing."""
+    return abs(own - other) / where(own == 0, 1.0, own)
 
 
 def step_of(train: Train, pack: DirectPack | Sleeve) -> Values:

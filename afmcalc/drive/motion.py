@@ -67,7 +67,6 @@ class Motion:
         self.pack: Any = pack
         zero = h * 0.0
         self.static = bool(np.any(np.asarray(pack.static_ratio) != 1))
-        self.late = bool(np.any(np.asarray(pack.lag) != 0))
         self.turning_tool = train.kind == "load"
         self.time, self.slip, self.rate, self.trend, self.gained, self.top = (zero for _ in range(6))
         self.driven = self.motor = self.before = zero + train.speed
@@ -163,20 +162,15 @@ class Motion:
         """Direct clutch, by friction ratio: the torque that brings the slip to rest, or the capacity."""
         pack, normal, kept = self.pack, self.normal, self.half_lag
         needed = (motor - free) / self._of_pack
+        loop = pack.gain * pack.controlled_pairs * pack.driven * (1 - kept)
+        alone = pack.closing_force * (1 - kept) + normal * kept
 
         def result(ratio: Any) -> tuple[Any, ...]:
-            pressed = normal
-            if self.late:
-                loop = pack.gain * pack.controlled_pairs * pack.driven * (1 - kept)
-                alone = pack.closing_force * (1 - kept) + normal * kept
-                # the normal force that the torque at slip gives in the middle of the step
-                capacity = pack.carried(direct.normal_force(alone, 1.0, loop, ratio), ratio)
-            else:
-                capacity = pack.torque(ratio)
+            # the normal force that the torque at slip gives in the middle of the step
+            capacity = pack.carried(direct.normal_force(alone, 1.0, loop, ratio), ratio)
             torque = clip(needed, -capacity, capacity)
-            if self.late:
-                balance = pack.pressed_at_stop(torque, pack.stop_gains[0])
-                pressed = balance + (normal - balance) * kept * kept
+            balance = pack.pressed_at_stop(torque, pack.stop_gains[0])
+            pressed = balance + (normal - balance) * kept * kept
             # the slip is exactly 0 where it sticks
             return torque, torque, self._of_pack * (needed - torque), self.rate, pressed, self.turn, 0.0
 

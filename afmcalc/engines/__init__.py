@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..spec import Spec, make_spec
-from .adapter import Clutch
+from .clutch import Clutch
 from .selection import accepted, quantities_of
 
 __all__ = ["Clutch", "build"]

@@ -9,7 +9,7 @@ from ..messages import say
 from ..spec import Spec, edit
 from ..spec.keys import is_whole
 from . import build
-from .adapter import Clutch
+from .clutch import Clutch
 
 BLOCK = 16_000
 """Points calculated at a time: as many as an array may have that the allocator keeps (128 KiB); a larger one it gives

@@ -10,8 +10,8 @@ from ..findings import Finding, finding
 from ..messages import translate
 from ..spec.catalogues import Disc
 from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Room
-from .adapter import Clutch
 from .checks import ROUNDING, Check, check_of
+from .clutch import Clutch
 from .layout import rooms_of
 from .quantities import Apply, call
 from .springs import LEAST_USED, MODULUS, MOST_USED, CoilCharacteristic, DiscCharacteristic, characteristic

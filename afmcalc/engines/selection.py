@@ -28,7 +28,7 @@ from .quantities import Case, Laws, Quantities
 
 if TYPE_CHECKING:
     from ..spec.models import Spec
-    from .adapter import Clutch
+    from .clutch import Clutch
 
 Part: TypeAlias = ModuleType | Mapping[str, Any]
 

@@ -95,7 +95,7 @@ def test_the_error_falls_with_the_step():
     pack = DirectPack(3000.0, 0.1, 0.0, 8.0, 0.5, 0.4, 0.4, 1.2, 0.1 / 0.3)
     for own, hub in ((pack, 0.0), (replace(SLEEVE, friction=0.4), 0.02)):
         train = replace(TRAIN, hub_inertia=hub, damping=1.0)
-        heats = [stepped(Motion(train, own, 0.05 / steps), 0.05).heat for steps in (512, 2048, 16384)]
+        heats = [stepped(Motion(train, own, 0.05 / steps), 0.05).heat for steps in (512, 2048, 8192)]
         coarse, fine = (abs(heat / heats[-1] - 1) for heat in heats[:-1])
         assert fine < min(coarse * 4**-0.8, 1e-4)
 

@@ -8,9 +8,9 @@ from drives import merged
 
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.check import check
+from afmcalc.analysis.drive_result import SimulateResult
 from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.synthesize import SynthesisResult
-from afmcalc.drive.result import SimulateResult
 from afmcalc.engines import build
 from afmcalc.engines.parts import checks_of_springs
 from afmcalc.spec import read_spec

@@ -1,4 +1,4 @@
-"""The clutch as drive and design ask it: its quantities by attributes, what depends on friction by methods."""
+"""A clutch: its spec and its quantities; what depends on friction is asked at a friction."""
 
 import math
 from dataclasses import dataclass
