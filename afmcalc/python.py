@@ -1,5 +1,6 @@
 """The calculator from Python: a clutch with a method for each calculation, and answers for notebooks."""
 
+import math
 import os
 import typing
 from collections.abc import Mapping, Sequence
@@ -13,7 +14,7 @@ from .engines.quantities import Quantities
 from .equations.arrays import Floats
 from .errors import BEYOND_NUMBERS, AfmcalcError, CalculationError, need
 from .findings import Finding
-from .messages import localized, named, native, translate
+from .messages import localized, named, native, say, translate
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
 from .spec.edit import Overrides, apply_overrides, respecified
@@ -165,11 +166,17 @@ class Clutch:
     def torque(self, friction: float, friction_driven: float | None = None) -> float: ...
     @typing.overload
     def torque(self, friction: Floats, friction_driven: Floats | float | None = None) -> Floats: ...
-    def torque(self, *friction: Any, **named: Any) -> object:
+    def torque(self, friction: Any = None, friction_driven: Any = None) -> object:
         """Slip torque, N·m, at a friction or an array of them; without one what the command gives."""
-        if friction or named:
-            return self._engine.torque(*friction, **named)
-        return self._ask("torque")
+        if friction is None and friction_driven is None:
+            return self._ask("torque")
+        driving = driven = _checked(friction)
+        if friction_driven is not None:
+            driven = _checked(friction_driven)
+            same: Any = driving == driven
+            if self.spec.kind.travels and not (same if isinstance(same, bool) else same.all()):
+                raise ValueError(say("an indirect clutch has one friction for all pairs"))
+        return self._engine.at_friction(driving, driven)["torque"]
 
     def at(self, case: str = "", /, **values: Any) -> Quantities:
         """Quantities in a case (``f_max``), or with other values of some (``friction``): numbers, or arrays of them.
@@ -177,7 +184,7 @@ class Clutch:
         Raises:
             LookupError: no such case or quantity; says what is near.
         """
-        return self._engine.quantities.at(case, **values)
+        return self._engine.at(case, **values)
 
     def __getitem__(self, name: str) -> Any:
         """Return a quantity that depends on no case, or in one: ``clutch["torque_at_f_max"]``.
@@ -185,7 +192,7 @@ class Clutch:
         Raises:
             LookupError: no such quantity, or one that needs a case; says what is near, or which cases there are.
         """
-        return self._engine.quantities[name]
+        return self._engine[name]
 
     def names(self) -> list[str]:
         """Quantities that can be asked, some of them only in a case or at a friction."""
@@ -297,6 +304,26 @@ def _rendered(output: Output, name: str) -> str:
     from .render import renderer
 
     return renderer(name)(output, False)
+
+
+def _checked(friction: Any) -> Any:
+    """Check a friction, or an array of them."""
+    if isinstance(friction, list | tuple):
+        import numpy as np
+
+        friction = np.asarray(friction, float)
+    if isinstance(friction, int | float) and not isinstance(friction, bool):
+        if 0 <= friction < math.inf:
+            return friction
+    elif hasattr(friction, "dtype"):
+        if friction.dtype.kind not in "fiu":
+            raise ValueError(say("friction must be numbers, not an array of {dtype}", dtype=friction.dtype))
+        if friction.size and not friction.min() >= 0:
+            raise ValueError(say("friction must be at least 0 everywhere"))
+        return friction
+    raise ValueError(
+        say("friction must be a finite number, at least 0, or an array of such; got {value!r}", value=friction)
+    )
 
 
 def _pairs(friction: Friction) -> "list[Pair]":

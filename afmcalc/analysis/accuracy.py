@@ -54,15 +54,15 @@ def accuracy(
     clutch: Clutch, sweeps: Sequence[Axis] = (), columns: Sequence[str] = ()
 ) -> tuple[AccuracyResult, list[Finding]]:
     """Calculate the accuracy of a clutch, and over the grid of ``sweeps``, there with ``columns`` of quantities."""
-    spec, own = clutch.spec, clutch.quantities
-    kind = with_columns(AccuracySweep, own, columns)
-    swept = series(kind, spec, sweeps, asked_by(kind, own))
-    slopes = elasticities(own)
+    spec = clutch.spec
+    kind = with_columns(AccuracySweep, clutch, columns)
+    swept = series(kind, spec, sweeps, asked_by(kind, clutch))
+    slopes = elasticities(clutch)
     result = answer(
-        AccuracyResult, own, **({} if _is_of_path(own) else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}),
-        sensitivity=dict(_told(slopes)), sweep=swept,
+        AccuracyResult, clutch, sensitivity=dict(_told(slopes)), sweep=swept,
+        **({} if _is_of_path(clutch) else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}),
     )  # fmt: skip
-    return result, [*clutch_findings(spec, own), *_findings(own, slopes, swept), *replaced(spec, sweeps)]
+    return result, [*clutch_findings(clutch), *_findings(clutch, slopes, swept), *replaced(spec, sweeps)]
 
 
 def _is_of_path(clutch: Quantities) -> bool:

@@ -45,30 +45,29 @@ class AdjustResult(Asking, Answer):
 
 def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     """Set the clutch by both methods for its nominal torque and compare the scatter bands."""
-    spec, own = clutch.spec, clutch.quantities
-    nominal = float(own["nominal_torque"])
-    clutches: dict[Method, Quantities] = {method: own.at(case) for method, case in METHODS.items()}
-    results = {method: _method(own, one) for method, one in clutches.items()}
+    nominal = float(clutch["nominal_torque"])
+    clutches: dict[Method, Quantities] = {method: clutch.at(case) for method, case in METHODS.items()}
+    results = {method: _method(clutch, one) for method, one in clutches.items()}
     at_min, at_mean = results.values()
     # the torque does not wander at all where friction does not, or pockets hold it
     wanders = at_min.scatter > 1e-12 * float(clutches["min-friction"]["torque_max"])
-    ratio = float(own["scatter_ratio"]) if wanders else None
+    ratio = float(clutch["scatter_ratio"]) if wanders else None
     narrower: Literal["min-friction", "mean-friction", "equal"] = "equal"
     if ratio is None and at_mean.scatter > 1e-12 * nominal:
         narrower = "min-friction"
     elif ratio is not None and abs(ratio - 1) > 1e-12:
         narrower = "min-friction" if ratio > 1 else "mean-friction"
     result = answer(
-        AdjustResult, own, min_friction=at_min, mean_friction=at_mean, scatter_ratio=ratio, narrower=narrower,
-        pairs_threshold=_threshold(own),
+        AdjustResult, clutch, min_friction=at_min, mean_friction=at_mean, scatter_ratio=ratio, narrower=narrower,
+        pairs_threshold=_threshold(clutch),
     )  # fmt: skip
-    findings = clutch_findings(spec, own)
+    findings = clutch_findings(clutch)
     if narrower != "equal" and not results[narrower].holds_nominal:
         findings.append(
             finding(
                 "narrower-below-nominal" if results[narrower].holds_machine else "narrower-below-nominal/machine",
                 # a warning where the clutch has that setting
-                "warning" if narrower == spec.adjustment.method else "info",
+                "warning" if narrower == clutch.spec.adjustment.method else "info",
                 value=float(clutches[narrower]["torque_min"]), limit=nominal, path="adjustment.method",
                 method=translate(narrower), machine=result.machine_torque,
             )
@@ -84,7 +83,7 @@ def _re_made(clutch: Clutch, first: Quantities, second: Quantities) -> Iterator[
         yield finding("control-spring-re-set", "info", value=control.force, path="control_spring.force", **forces)
     if unit is not None and unit.pocket is not None:
         slopes = {"at_min": float(first["gain_slope"]), "at_mean": float(second["gain_slope"])}
-        value = float(clutch.quantities["gain_slope"])
+        value = float(clutch["gain_slope"])
         yield finding("pockets-re-cut", "info", value=value, path="control_unit.pocket", **slopes)
 
 

@@ -40,4 +40,4 @@ class Answers:
     @cached_property
     def quiet(self) -> Clutch:
         """The clutch without notes of its steps."""
-        return self.clutch if self.clutch.quantities.steps is None else build(self.clutch.spec)
+        return self.clutch if self.clutch.steps is None else build(self.clutch.spec)

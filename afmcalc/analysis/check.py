@@ -7,6 +7,7 @@ from typing import Any, ClassVar, Literal
 from ..engines import Clutch
 from ..engines.checks import Beside, Check, Known, Part, checks_of, failures
 from ..engines.parts import checks_of_springs
+from ..engines.quantities import Quantities
 from ..engines.selection import by_rule
 from ..errors import SpecError
 from ..findings import Finding, Level, finding
@@ -147,8 +148,8 @@ def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
 
 def _remarks(answers: Answers, without: Collection[str]) -> list[Finding]:
     """Return the findings of every analysis that a check takes in and that applies to the clutch."""
-    clutch, own = answers.clutch, answers.quiet.quantities
-    findings = [*clutch_findings(clutch.spec, own), *unusual(clutch.spec, own)]
+    clutch, own = answers.clutch, answers.quiet
+    findings = [*clutch_findings(own), *unusual(own)]
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         findings.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
@@ -195,8 +196,7 @@ _SLIP_ENDS = deferred("an end of the slip: drive.cut_off, or a longer drive.even
 
 def lacks(clutch: Clutch, check: Check) -> str:
     """Say what a check that is not known needs: quantities that are not given, or a part."""
-    own = clutch.quantities
-    missing = own.missing(check.value) if check.needs is None or check.value in own.laws.laws else ()
+    missing = clutch.missing(check.value) if check.needs is None or check.value in clutch.laws.laws else ()
     return ", ".join(missing) or translate(_BLOCKS.get(check.needs, f"`{check.needs}`"))
 
 
@@ -210,7 +210,7 @@ _BLOCKS: Mapping[Part | None, str] = {
 def told(answers: Answers, part: Part | None) -> Known:
     """Return what a part tells of a clutch, by name."""
     clutch = answers.quiet
-    own = by_rule(clutch, answers.model)
+    own: Quantities = by_rule(clutch, answers.model)
     if part is None:
         undercut = "undercut_radius" in own and own["ball_radius_chosen"] >= own["undercut_radius"]
         return Beside({"contact_force_hertz": None, "contact_pressure": None}, own) if undercut else own
@@ -266,7 +266,7 @@ def _spring_rows(answers: Answers, without: Collection[str]) -> Iterator[CheckRo
     if ANALYSES["simulate"].applies(clutch) and "simulate" not in without:
         travels = answers.of(SimulateResult).travel_max
         travel = 0.0 if travels is None else max(vars(travels).values())
-    for path, each in checks_of_springs(clutch, travel, answers.clutch.quantities.apply):
+    for path, each in checks_of_springs(clutch, travel, answers.clutch.apply):
         rule, used = each.rule, each.utilisation
         if math.isfinite(used):
             spring = translate("closing spring" if path.startswith("closing") else "control spring")

@@ -4,31 +4,32 @@ from collections.abc import Iterator
 
 from ..engines import Clutch
 from ..engines.checks import failures_of
-from ..engines.quantities import Quantities
 from ..findings import Finding, finding
 from ..messages import translate
-from ..spec.models import Friction, Spec
+from ..spec.models import Friction
 
 
-def clutch_findings(spec: Spec, clutch: Quantities) -> list[Finding]:
+def clutch_findings(clutch: Clutch) -> list[Finding]:
     """Return the checks of the law that fail, and remarks on the law, on the setting, and on springs named as parts."""
-    found = [*spec.label.findings, *failures_of(spec, clutch, "torque"), *_remarks(spec, clutch)]
+    spec = clutch.spec
+    found = [*spec.label.findings, *failures_of(spec, clutch, "torque"), *_remarks(clutch)]
     found += material_findings(spec.friction)
     if spec.spring_parts:
         from ..engines.parts import part_findings
 
-        found += part_findings(Clutch(spec, clutch))
+        found += part_findings(clutch)
     return found
 
 
-def _remarks(spec: Spec, clutch: Quantities) -> Iterator[Finding]:
+def _remarks(clutch: Clutch) -> Iterator[Finding]:
     """Falling torque, hysteresis, springs that are not straight, a force that does not give the torque wished."""
+    spec = clutch.spec
     if spec.friction.unlike:
         most, at = float(clutch["torque_max"]), float(clutch["friction_of_torque_max"])
         if (factor := float(clutch["torque_at_f_max"]) / most) < 1:
             yield finding("torque-falls", "info", value=factor, limit=1.0, most=most, at=at)
     if spec.kind.travels:
-        yield from _of_sleeve(spec, clutch)
+        yield from _of_sleeve(clutch)
     nominal, wished = float(clutch["nominal_torque"]), spec.adjustment.nominal_torque
     if wished is not None and abs(nominal - wished) > 1e-4 * wished:
         path = "adjustment.nominal_torque"
@@ -37,9 +38,9 @@ def _remarks(spec: Spec, clutch: Quantities) -> Iterator[Finding]:
         yield finding("service-factor-assumed", "info", value=1.0, path="machine.service_factor")
 
 
-def _of_sleeve(spec: Spec, clutch: Quantities) -> Iterator[Finding]:
+def _of_sleeve(clutch: Clutch) -> Iterator[Finding]:
     """Curved springs, the key's hysteresis, a pocket in which the torque falls."""
-    discs = [name for name in ("closing_spring", "control_spring") if getattr(spec, name).disc is not None]
+    discs = [name for name in ("closing_spring", "control_spring") if getattr(clutch.spec, name).disc is not None]
     if discs:
         yield finding("curved-springs", "info", path=f"{discs[0]}.disc")
     if clutch["net_gain"] == 0:

@@ -77,8 +77,8 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
         if variant != clutch.spec.variant:
             try:
                 spec = as_variant(clutch.spec, variant)
-                by_torque = build(with_nominal_torque(spec, float(clutch.quantities["nominal_torque"])))
-                by_force = build(with_key(spec, "closing_spring.force", float(clutch.quantities["closing_force"])))
+                by_torque = build(with_nominal_torque(spec, float(clutch["nominal_torque"])))
+                by_force = build(with_key(spec, "closing_spring.force", float(clutch["closing_force"])))
             except SpecError as error:
                 lacks = "; ".join(map(str, error.problems))
                 missing.append(finding("variant-not-possible", "info", variant=translate(variant), lacks=lacks))
@@ -123,10 +123,10 @@ def _row(
     """Row of a clutch; and what it tells itself, and what else is counted, each with what the clutch is called."""
     judged, findings = check_at_once(Answers(clutch))
     counted = (remark for remark in findings if remark.level != "info")
-    own, travels = clutch.quantities, clutch.spec.kind.travels
+    travels = clutch.spec.kind.travels
     row = answer(
-        ComparedClutch, own, name=name and named(name), variant=clutch.spec.variant, basis=basis,
+        ComparedClutch, clutch, name=name and named(name), variant=clutch.spec.variant, basis=basis,
         **({} if travels else {"travel_max": None}), errors=judged.errors, warnings=judged.warnings,
         passed=judged.verdict.passed, sentence=judged.verdict.sentence, checks=judged.checks,
     )  # fmt: skip
-    return row, [(called, remark) for remark in dict.fromkeys((*clutch_findings(clutch.spec, own), *counted))]
+    return row, [(called, remark) for remark in dict.fromkeys((*clutch_findings(clutch), *counted))]

@@ -100,10 +100,10 @@ class OverloadCurve(ClutchCurve):
 
 def torque_curve(clutch: Clutch) -> TorqueCurve:
     """Calculate the torque from f_min to f_max, as set and by both adjustment methods for the same nominal torque."""
-    own, path = clutch.quantities, _path(clutch)
-    there = own.at(**path)
+    path = _path(clutch)
+    there = clutch.at(**path)
     friction, sustained, peak = (np.asarray(there[name]) for name in (next(iter(path)), "torque", "breakaway_torque"))
-    by_min, by_mean = (own.at(case).at(**path)["torque"].tolist() for case in METHODS.values())
+    by_min, by_mean = (clutch.at(case).at(**path)["torque"].tolist() for case in METHODS.values())
     return TorqueCurve(
         **_of(clutch),
         friction=friction.tolist(),
@@ -113,8 +113,8 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
         torque_mean_friction=by_mean,
         breakaway_torque=peak.tolist() if (peak > sustained * (1 + 1e-9)).any() else None,
         torque_returning=there["torque_returning"].tolist() if "torque_returning" in there else None,
-        nominal_torque=own["nominal_torque"],
-        margin=own["margin"],
+        nominal_torque=clutch["nominal_torque"],
+        margin=clutch["margin"],
         method=clutch.spec.adjustment.method,
     )
 
@@ -127,14 +127,13 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
     text = sweep or "C"
     axis = parse_axis(text, clutch.spec)
     # what the clutch has of the key, also where it follows from others
-    own = clutch.quantities
-    follows = {"control_unit.gain": own["gain"], "closing_spring.force": own["closing_force"]}
+    follows = {"control_unit.gain": clutch["gain"], "closing_spring.force": clutch["closing_force"]}
     value = follows.get(axis.key.path, current_value(clutch.spec, axis.key.path))
     current = None if value is None else float(value) / axis.scale
     if "=" not in text and not is_whole(axis.key.path):
         ends = [float(axis.values.min()), float(axis.values.max()), *([] if current is None else [current])]
         axis = axis._replace(values=np.linspace(min(ends), max(ends), POINTS))
-    limit = own["gain_limit"] if axis.key.path == "control_unit.gain" and "gain_limit" in own else None
+    limit = clutch["gain_limit"] if axis.key.path == "control_unit.gain" and "gain_limit" in clutch else None
     return AccuracyCurve(
         **_of(clutch),
         series=_over(axis, AccuracySweep, clutch),
@@ -142,7 +141,7 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
         symbol="zC" if axis.name == "zC" else axis.key.symbol or "",
         unit=axis.key.unit or "1",
         own=current,
-        accuracy_factor=own["accuracy_factor"],
+        accuracy_factor=clutch["accuracy_factor"],
         limit=None if limit is None else limit / axis.scale,
     )
 
@@ -156,14 +155,14 @@ def overload_curve(clutch: Clutch) -> OverloadCurve:
         CalculationError: a variant S22 does not treat.
     """
     refuse(clutch)
-    own, path = clutch.quantities, _path(clutch)
-    trip, set_at_min = own.at(**path), own.at("overload")
-    reduced = float(own["reduced_gain"])
+    path = _path(clutch)
+    trip, set_at_min = clutch.at(**path), clutch.at("overload")
+    reduced = float(clutch["reduced_gain"])
     gains = Axis(
         "zC",
         find_key("C", clutch.spec),
         np.linspace(0.0, max(5.0, 1.2 * reduced), 401),
-        1 / float(own["controlled_pairs"]),
+        1 / float(clutch["controlled_pairs"]),
     )
     names = ("expected_torque", "actuation_torque_published", "actuation_torque_equilibrium", "potential_torque")
     return OverloadCurve(
@@ -171,11 +170,11 @@ def overload_curve(clutch: Clutch) -> OverloadCurve:
         friction=path["friction"].tolist(),
         **{name: trip[name].tolist() for name in names},
         machine_torque=set_at_min["machine_torque"],
-        margin=own["margin"],
+        margin=clutch["margin"],
         accuracy=_over(gains, OverloadSweep, clutch),
-        bypass_pairs=int(own["bypass_pairs"]),
+        bypass_pairs=int(clutch["bypass_pairs"]),
         reduced_gain=reduced,
-        optimal_reduced_gain=own["optimal_reduced_gain"],
+        optimal_reduced_gain=clutch["optimal_reduced_gain"],
     )
 
 
@@ -220,7 +219,7 @@ def _of(clutch: Clutch) -> dict[str, Any]:
 
 def _over(axis: Axis, kind: type[S], clutch: Clutch) -> S:
     """Sweep over one axis what the series asks."""
-    return given(series(kind, clutch.spec, [axis], asked_by(kind, clutch.quantities)))[0]
+    return given(series(kind, clutch.spec, [axis], asked_by(kind, clutch)))[0]
 
 
 def _path(clutch: Clutch) -> dict[str, Floats]:

@@ -188,7 +188,7 @@ COLLIDE = Check("parts-collide", deferred("overlap of two parts"), "", "m", "", 
 
 def wired(spec: Spec) -> Quantities:
     """Return the quantities of a spec, whose numbers may be arrays; a ball not given is one that bears its force."""
-    own, unit = build(spec).quantities, spec.control_unit
+    own, unit = build(spec), spec.control_unit
     if unit is None or unit.ball_diameter is not None or "contact_force" not in own or "path_steepening" in own:
         return own
     if unit.allowable_contact_force is not None and unit.contact is None:
@@ -225,7 +225,7 @@ def _layout(spec: Spec, own: Quantities) -> list[SectionPart]:
     unit = spec.control_unit
     if unit is not None and unit.ball_diameter is None and "ball_diameter_standard" in own:
         spec = with_values(spec, {"control_unit.ball_diameter": own["ball_diameter_standard"]})
-    return parts_of(sizes_of(Clutch(spec, own)))
+    return parts_of(sizes_of(Clutch(spec, own.laws, own.given)))
 
 
 # survey and front

@@ -2,9 +2,12 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Literal, NamedTuple
 
 from ..engines import Clutch
+from ..engines.parts import following_stiffness, lost_by_wear
+from ..engines.selection import as_set
 from ..equations import effects as law
 from ..equations import pack
 from ..equations.arrays import Values
@@ -95,7 +98,7 @@ class EffectSource(NamedTuple):
     def missing(self, clutch: Clutch) -> list[str]:
         """Keys of the spec that are not given; a clutch of its own stiffness needs no key for it."""
         gone = [path for path in self.needs if value_at(clutch.spec, path) is None]
-        return [path for path in gone if path != STIFFNESS or clutch.following_stiffness is None]
+        return [path for path in gone if path != STIFFNESS or following_stiffness(clutch) is None]
 
 
 def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
@@ -115,11 +118,11 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
         raise SpecError(clutch.spec.label, [Problem(missing[0], None, hint)])
     result = EffectsResult(
         accuracy_factor=clutch.accuracy_factor,
-        torque=Triple.of(float(clutch.torque(*frictions)) for frictions in zip(*clutch.friction, strict=True)),
+        torque=Triple.of(_torque(clutch, *frictions) for frictions in zip(*clutch.spec.friction.groups, strict=True)),
         effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
     )
     remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
-    return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks, *_findings(clutch, result)]
+    return result, [*clutch_findings(clutch), *remarks, *_findings(clutch, result)]
 
 
 def effects_curve(clutch: Clutch) -> EffectsCurve:
@@ -141,9 +144,14 @@ def effects_curve(clutch: Clutch) -> EffectsCurve:
     return EffectsCurve(
         name=clutch.spec.name,
         friction=[frictions[0] for frictions in path],
-        torque=[float(clutch.torque(*frictions)) for frictions in path],
+        torque=[_torque(clutch, *frictions) for frictions in path],
         effects=curves,
     )
+
+
+def _torque(clutch: Clutch, driving: float, driven: float) -> float:
+    """Slip torque at f_1 and f_2, N·m."""
+    return float(clutch.at_friction(driving, driven)["torque"])
 
 
 def _brackets(clutch: Clutch) -> dict[EffectName, Bracket]:
@@ -164,9 +172,8 @@ def _effect(clutch: Clutch, name: EffectName, bracket: Bracket) -> Effect:
     # largest over smallest torque along the common path of f_1 and f_2
     torques = ([curve(*frictions) for frictions in _path(clutch)] for curve in bracket.curves)
     low, high = sorted(float(max(course) / min(course)) for course in torques)
-    at_ends = [
-        sorted(float(curve(*frictions)) for curve in bracket.curves) for frictions in zip(*clutch.friction, strict=True)
-    ]
+    ends = zip(*clutch.spec.friction.groups, strict=True)
+    at_ends = [sorted(float(curve(*frictions)) for curve in bracket.curves) for frictions in ends]
     return Effect(
         effect=name,
         torque_low=Triple.of(least for least, _ in at_ends),
@@ -221,7 +228,7 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
         """Share of the normal force of a pair that the spline of a disc can hold."""
         return float(law.spline_share(spline_friction, friction, float(clutch.mean_radius), radii[disc % 2]))
 
-    most = max(share(friction.max, disc) for friction in clutch.friction for disc in (0, 1))
+    most = max(share(friction.max, disc) for friction in clutch.spec.friction.groups for disc in (0, 1))
     if most >= 1:
         locks = finding("splines-lock", "error", value=most, limit=1.0, path="friction_group.spline_friction")
         return Bracket((), (locks,))
@@ -242,7 +249,7 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
 
     def closing(driving: float, driven: float) -> float:
         """Every disc was held on its way from the spring."""
-        return float(counted(forces(law.next_force_closing, driving, driven)).torque(driving, driven))
+        return _torque(counted(forces(law.next_force_closing, driving, driven)), driving, driven)
 
     def opening(driving: float, driven: float) -> float:
         """Every disc is held on its way back; none is pressed more than the pack was closed with."""
@@ -253,12 +260,15 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
         def pressed(first: float) -> Clutch:
             return counted([min(force, most_force / first) for force in chain])
 
-        def excess(first: float) -> float:
-            return float(pressed(first).normal_force(driving, driven)) - first
+        def normal_force(clutch: Clutch) -> float:
+            return float(clutch.at_friction(driving, driven)["normal_force"])
 
-        least = float(counted(chain).normal_force(driving, driven)) * (1 - 1e-9)  # below it whatever rounding does
+        def excess(first: float) -> float:
+            return normal_force(pressed(first)) - first
+
+        least = normal_force(counted(chain)) * (1 - 1e-9)  # below it whatever rounding does
         first = most_force if excess(most_force) >= 0 else brentq(excess, least, most_force, xtol=1e-300)
-        return float(pressed(first).torque(driving, driven))
+        return _torque(pressed(first), driving, driven)
 
     return Bracket((closing, opening))
 
@@ -272,7 +282,7 @@ def _centrifugal(clutch: Clutch, speed: float, balls: int, diameter: float, circ
 
 def _wear(clutch: Clutch, lining: float, *_: float) -> Bracket:
     """The pack new, and with its lining gone."""
-    return _weaker(clutch, float(clutch.lost_by_wear(lining)), "heat.lining")
+    return _weaker(clutch, float(lost_by_wear(clutch, lining)), "heat.lining")
 
 
 def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
@@ -280,18 +290,19 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
     force = float(clutch.pack_force_at_rest)
     if loss >= force:
         return Bracket((), (finding("force-used-up", "error", value=loss, limit=force, path=path),))
-    return Bracket((weakened(clutch, loss).torque, clutch.torque))
+    return Bracket((partial(_torque, weakened(clutch, loss)), partial(_torque, clutch)))
 
 
 def weakened(clutch: Clutch, loss: Values) -> Clutch:
     """The clutch with less force on its pack at rest, N."""
     name = "control_force_made" if clutch.spec.kind.travels else "closing_force"
-    return clutch.held(**{name: clutch.pack_force_at_rest - loss})
+    return as_set(clutch, **{name: clutch.pack_force_at_rest - loss})
 
 
-def with_pairs(clutch: Clutch, bypass: Values, controlled: Values) -> Clutch:
-    """The clutch with pairs that count in part, its springs as they are set."""
-    return clutch.held(pairs=bypass + controlled, bypass_pairs=0.0 if clutch.spec.kind.travels else bypass)
+def with_pairs(clutch: Clutch, bypass: Values, controlled: Values, **values: Values) -> Clutch:
+    """The clutch with pairs that count in part, and other values of some quantities, its springs as they are set."""
+    own = 0.0 if clutch.spec.kind.travels else bypass
+    return as_set(clutch, pairs=bypass + controlled, bypass_pairs=own, **values)
 
 
 SOURCES: Mapping[EffectName, EffectSource] = {

@@ -9,6 +9,7 @@ from ..drive.cases import case_of
 from ..drive.heat import Course, Layer, course_of, warming
 from ..engines import Clutch
 from ..engines.checks import failures_of
+from ..engines.parts import following_spring, following_stiffness, lost_by_wear
 from ..engines.quantities import Apply, Quantities
 from ..equations import heat as law
 from ..equations.arrays import Values
@@ -73,7 +74,7 @@ def remarks(clutch: Clutch, given: Heat, result: HeatResult) -> Iterator[Finding
     radii = [] if clutch.spec.friction_group.inner_radius is not None else ["inner_radius", "outer_radius"]
     missing = [f"friction_group.{key}" for key in radii]
     missing += [f"heat.{key}" for key in wanted if getattr(given, key) is None]
-    if clutch.following_stiffness is None:
+    if following_stiffness(clutch) is None:
         missing.append("closing_spring.stiffness")
     if missing:
         yield finding("heat-not-told", "info", listed=", ".join(missing))
@@ -96,7 +97,7 @@ def _most(ends: OpenTriple | None) -> float:
 
 def slack_before_worn(clutch: Clutch, own: Heat) -> float | None:
     """Wear of a pair at which the spring that follows the pack falls slack, m; None where the lining is gone before."""
-    spring = clutch.following_spring
+    spring = following_spring(clutch)
     if own.lining is None or (spring.disc is None and not spring.straight_stiffness):
         return None
     wear = float(spring.deflection) / clutch.spec.friction_group.pairs
@@ -178,7 +179,7 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
     own, limit, group = clutch.spec.heat or Heat(), limit_of(clutch), clutch.spec.friction_group
     pairs, area = group.pairs, None
     if group.inner_radius is not None and group.outer_radius is not None:
-        area = clutch.quantities.apply(law.friction_area, group.inner_radius, group.outer_radius, math.pi)
+        area = clutch.apply(law.friction_area, group.inner_radius, group.outer_radius, math.pi)
     for each in limits_of(clutch):
         if own.ambient is not None and own.ambient >= each.low:
             raise CalculationError(
@@ -214,7 +215,7 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
         trips_to_wear_out=worn_out,
         **_setting(clutch, own),
     )
-    return result, [*clutch_findings(clutch.spec, clutch.quantities), *ended, *remarks(clutch, own, result)]
+    return result, [*clutch_findings(clutch), *ended, *remarks(clutch, own, result)]
 
 
 def _how_many(slips: Mapping[str, Slip], of: Callable[[Slip], Values]) -> OpenTriple:
@@ -294,12 +295,12 @@ def _rate(own: Heat, slip: Slip, limit: float, ambient: float) -> float:
 
 def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
     """Force on the pack that its wear costs: what presses it at rest follows it."""
-    stiffness = clutch.following_stiffness
+    stiffness = following_stiffness(clutch)
     if stiffness is None:
         return {}
-    rest = clutch.quantities["pack_force_at_rest"]
-    loss = clutch.quantities.apply(law.setting_loss_per_wear, stiffness, clutch.spec.friction_group.pairs, rest)
-    worn = {} if own.lining is None else {"setting_loss_worn": clutch.lost_by_wear(own.lining) / rest}
+    rest = clutch["pack_force_at_rest"]
+    loss = clutch.apply(law.setting_loss_per_wear, stiffness, clutch.spec.friction_group.pairs, rest)
+    worn = {} if own.lining is None else {"setting_loss_worn": lost_by_wear(clutch, own.lining) / rest}
     return {"setting_loss_per_wear": loss, **worn}
 
 
@@ -370,7 +371,7 @@ def _carried(
 
 def _ends(clutch: Clutch) -> Iterator[tuple[str, Quantities]]:
     """Ends of the range of friction, and the clutch there."""
-    return ((end, clutch.quantities.at(f"f_{end}")) for end in _ENDS)
+    return ((end, clutch.at(f"f_{end}")) for end in _ENDS)
 
 
 def _simulated(answers: Answers) -> Trips:
@@ -384,5 +385,5 @@ def _simulated(answers: Answers) -> Trips:
 
 def _course(clutch: Clutch, end: str) -> Course:
     """Course of a simulated slip."""
-    rows = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().rows
+    rows = case_of(clutch, *(getattr(own, end) for own in clutch.spec.friction.groups)).run().rows
     return course_of((row.time, float(law.slip_power(row.torque_clutch, row.slip)), row.heat) for row in rows)

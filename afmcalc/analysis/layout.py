@@ -50,7 +50,7 @@ def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
         hub_inertia=inertia_of(parts, "hub") if clutch.spec.kind.travels else None,
         driven_inertia=inertia_of(parts, "driven"), parts=[*rows_of(parts)],
     )  # fmt: skip
-    return result, [*clutch_findings(clutch.spec, clutch.quantities), *_findings(clutch, result, parts)]
+    return result, [*clutch_findings(clutch), *_findings(clutch, result, parts)]
 
 
 def rows_of(parts: list[SectionPart]) -> Iterator[LayoutPart]:

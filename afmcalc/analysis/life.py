@@ -111,7 +111,7 @@ def life(
         judged = failures_of(spec, own, "life")
         judged += [remark for side, load in sides.items() for remark in _judged(load, model, side)]
     about = finding("slips-averaged" if model in _NEEDS else "mean-stress-rule", "info")
-    return result, [*clutch_findings(spec, own), *judged, *underrated, about, *replaced(spec, sweeps)]
+    return result, [*clutch_findings(clutch), *judged, *underrated, about, *replaced(spec, sweeps)]
 
 
 _SIDES = {
@@ -244,7 +244,7 @@ def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> l
 def band_axis(text: str, clutch: Clutch) -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
-    band = float(clutch.quantities["scatter"])
+    band = float(clutch["scatter"])
     _, separator, values_given = text.partition("=")
     values = parse_values(text, values_given, "N*m") if separator else np.linspace(0.5 * band, 2 * band, 26)
     if bool((values < 0).any()):

@@ -89,16 +89,16 @@ def overload(
     Raises CalculationError: a variant S22 does not treat.
     """
     refuse(clutch)
-    spec, own = clutch.spec, clutch.quantities
+    spec = clutch.spec
     points = pairs_asked(clutch, friction)
-    trips = [own.at(friction=value) for value, _ in points]
+    trips = [clutch.at(friction=value) for value, _ in points]
     result = answer(
-        OverloadResult, own, **({} if own["bypass_pairs"] else {"potential_torque_gain": None}),
-        friction_interval=_interval(own), points=[answer(OverloadPoint, trip) for trip in trips] or None,
+        OverloadResult, clutch, **({} if clutch["bypass_pairs"] else {"potential_torque_gain": None}),
+        friction_interval=_interval(clutch), points=[answer(OverloadPoint, trip) for trip in trips] or None,
         loads=[answer(RisenLoad, risen) for trip in trips for risen in _loads(trip)] or None,
-        sweep=series(OverloadSweep, spec, sweeps, asked_by(OverloadSweep, own)),
+        sweep=series(OverloadSweep, spec, sweeps, asked_by(OverloadSweep, clutch)),
     )  # fmt: skip
-    findings = [*clutch_findings(spec, own), finding("published-against-equilibrium", "info")]
+    findings = [*clutch_findings(clutch), finding("published-against-equilibrium", "info")]
     if spec.adjustment.method == "mean-friction":
         findings.append(finding("margin-role", "warning", value=spec.adjustment.margin, path="adjustment.method"))
     findings += [remark for pair in points for remark in outside_range(clutch, *pair)]

@@ -92,7 +92,7 @@ def _can_be_simulated(clutch: "Clutch") -> bool:
 
 def _can_be_synthesized(clutch: "Clutch") -> bool:
     unit = clutch.spec.control_unit
-    return unit is not None and unit.ball_circle_radius is not None and bool(clutch.quantities["gain"] > 0)
+    return unit is not None and unit.ball_circle_radius is not None and bool(clutch["gain"] > 0)
 
 
 def _heat_is_known(clutch: "Clutch") -> bool:

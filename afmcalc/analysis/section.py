@@ -154,12 +154,13 @@ def _completed(answers: Answers) -> tuple[Clutch, Sizes, dict[str, float]]:
     def fill(block: str, empty: Any = None, **values: float) -> Any:
         """Fill in the keys of a block that have no value, and return it."""
         nonlocal clutch
-        if value_at(clutch.spec, block) is None:
-            clutch = Clutch(with_values(clutch.spec, {block: empty}), clutch.quantities)
+        spec = clutch.spec
+        if value_at(spec, block) is None:
+            spec = with_values(spec, {block: empty})
         missing = {f"{block}.{name}": value for name, value in values.items()}
-        missing = {path: value for path, value in missing.items() if value_at(clutch.spec, path) is None}
+        missing = {path: value for path, value in missing.items() if value_at(spec, path) is None}
         assumed.update(missing)
-        clutch = build(with_values(clutch.spec, missing))
+        clutch = build(with_values(spec, missing))
         return value_at(clutch.spec, block)
 
     shaft = clutch.spec.shaft.diameter if clutch.spec.shaft else 0.0

@@ -22,7 +22,6 @@ from ..findings import Finding, Level, finding
 from ..messages import measured, say, translate
 from ..progress import counted
 from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
-from ..spec.edit import with_values
 from .clutch_findings import clutch_findings
 from .drive_result import SimulatePoint, SimulateResult, SimulateSweep
 from .effects import with_pairs
@@ -171,18 +170,18 @@ def let_go(case: Case) -> float | None:
 
 def event_values(clutch: Clutch, result: SimulateResult) -> dict[str, Any]:
     """Return what an event asks of the parts, the largest over the friction range, and what they bear."""
-    own, factor = clutch.quantities, result.largest_dynamic_factor
+    factor = result.largest_dynamic_factor
     assumed = clutch.spec.drive.dynamic_factor
     known: dict[str, Any] = {"peak_torque": result.judged_peak, "contact_force": None, "travel_max": None}
     known["dynamic_factor_of_event"] = assumed if assumed and assumed < factor <= assumed * (1 + _NEAR) else factor
-    if "shear_yield_strength" in own:
-        peak = max(float(own["torque_max"]), result.judged_peak)
-        known["event_stress"] = own.at(torque_high=peak)["stress_high"]
+    if "shear_yield_strength" in clutch:
+        peak = max(float(clutch["torque_max"]), result.judged_peak)
+        known["event_stress"] = clutch.at(torque_high=peak)["stress_high"]
     if result.contact_force is not None:
         known["contact_force"], known["at_contact"] = _largest(result.contact_force)
     if result.travel_max is not None:
         known["travel_max"], known["at_travel"] = _largest(result.travel_max)
-        known["travel_let_go"] = let_go(case_of(clutch, *(friction.max for friction in clutch.friction)))
+        known["travel_let_go"] = let_go(case_of(clutch, *(friction.max for friction in clutch.spec.friction.groups)))
     if ANALYSES["pocket"].applies(clutch):
         unit, _ = pocket(clutch)
         known["contact_force_allowable"] = unit.contact_force_allowable
@@ -229,7 +228,7 @@ def simulate(
         SpecError: the spec has no event.
     """
     train, points = train_of(clutch), pairs_asked(clutch, friction)
-    ends = counted(say("simulating the event"), list(zip(*clutch.friction, strict=True)))
+    ends = counted(say("simulating the event"), list(zip(*clutch.spec.friction.groups, strict=True)))
     outcomes = [outcome_of(clutch, *end) for end in ends]
     peaks = [one.event.peak for one in outcomes]
     # both step sizes, where the sleeve rattles against its stop; a slip that does not end gives heat without end
@@ -267,8 +266,8 @@ def simulate(
         sweep=sweep,
     )
     findings = [
-        *clutch_findings(clutch.spec, clutch.quantities),
-        *failures_of(clutch.spec, Beside(event_values(clutch, result), clutch.quantities), "simulate"),
+        *clutch_findings(clutch),
+        *failures_of(clutch.spec, Beside(event_values(clutch, result), clutch), "simulate"),
         *_springs(clutch, max(one.event.travel_max for one in outcomes)),
         *remarks_of(clutch, train, outcomes, result),
         *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
@@ -345,7 +344,7 @@ def _peaks_at_ends(clutch: Clutch) -> tuple[Event, Floats]:
 
 def at_ends(clutch: Clutch) -> tuple[Floats, Floats]:
     """f_1 and f_2 at f_min, mean friction and f_max, a row each."""
-    first, second = (np.stack(np.broadcast_arrays(*friction)) for friction in clutch.friction)
+    first, second = (np.stack(np.broadcast_arrays(*friction)) for friction in clutch.spec.friction.groups)
     return first.reshape(3, -1), second.reshape(3, -1)
 
 
@@ -377,15 +376,15 @@ def bypass_peak(clutch: Clutch) -> float | None:
 
 def _bypass_carries_more(clutch: Clutch) -> tuple[Any, Any, NDArray[np.bool_]]:
     """f_1 and f_2 at most, and whether the bypass pairs alone then carry more than the slipping clutch."""
-    first, second = (part.max for part in clutch.friction)
-    sliding, breakaway = clutch.torque(first, second), clutch.breakaway_torque(first, second)
+    first, second = (part.max for part in clutch.spec.friction.groups)
+    there = clutch.at_friction(first, second)
+    sliding, breakaway = there["torque"], there["breakaway_torque"]
     return first, second, np.atleast_1d(breakaway > sliding * (1 + 1e-9))
 
 
 def bypass_alone(clutch: Clutch) -> Clutch:
     """Return the clutch with its bypass pairs only; the load before the event stays that of the clutch as it is."""
-    loaded = with_values(clutch.spec, {"drive.load_torque": train_of(clutch).load})
-    return Clutch(loaded, with_pairs(clutch, clutch.bypass_pairs, 0.0).quantities)
+    return with_pairs(clutch, clutch["bypass_pairs"], 0.0, running_torque=train_of(clutch).load)
 
 
 class MomentRow(Result):
@@ -418,7 +417,7 @@ def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = Fals
         SpecError: the spec has no event.
     """
     unlike = clutch.spec.friction.unlike
-    ends = [(first, second if unlike else None) for first, second in zip(*clutch.friction, strict=True)]
+    ends = [(first, second if unlike else None) for first, second in zip(*clutch.spec.friction.groups, strict=True)]
     rows = []
     for pair in counted(say("simulating the event"), pairs_asked(clutch, friction) or ends):
         case = case_of(clutch, *pair)

@@ -185,7 +185,7 @@ def solve(
     solved = build(respecified(clutch.spec, {key.path: int(chosen) if whole else chosen}))
     units = {"unit": key.unit or "1", "target_unit": unit_of(target).removesuffix(" abs")}
     result = answer(
-        SolveResult, solved.quantities, parameter=name, path=key.path, value=chosen, target=target, wanted=wanted,
+        SolveResult, solved, parameter=name, path=key.path, value=chosen, target=target, wanted=wanted,
         reached=reached[chosen], low=low, high=high, roots=[Root(value=x, reached=reached[x], **units) for x in roots],
         **units,
     )  # fmt: skip
@@ -199,7 +199,7 @@ def solve(
     if not roots:
         about |= {"required": shown(wanted), "best": shown(reached[nearest]), "place": place(nearest)}
         remarks.append(finding("not-attainable", "error", value=reached[nearest], limit=wanted, path=key.path, **about))
-    return result, solved, [*clutch_findings(solved.spec, solved.quantities), *remarks]
+    return result, solved, [*clutch_findings(solved), *remarks]
 
 
 def _shown(unit: str | None) -> Callable[[float], str]:
@@ -210,7 +210,7 @@ def _present(clutch: Clutch, key: Key) -> float:
     """Value of a key, or of the quantity that it gives; 0 of one that may be left out for it."""
     value = value_at(clutch.spec, key.path)
     if value is None:
-        value = clutch.quantities.get(quantity_at(key.path), 0.0)
+        value = clutch.get(quantity_at(key.path), 0.0)
         try:
             build(respecified(clutch.spec, {key.path: value}))
         except SpecError:
@@ -222,12 +222,12 @@ def _present(clutch: Clutch, key: Key) -> float:
 
 def _in_arrays(clutch: Clutch, target: str) -> bool:
     """True if a target is a quantity, not asked of one clutch at a time; refuse one that the clutch does not have."""
-    if target in REQUIRED and (REQUIRED[target].needs or _asked(target) not in clutch.quantities):
+    if target in REQUIRED and (REQUIRED[target].needs or _asked(target) not in clutch):
         _judged_value(clutch, target)
         return False
     try:
         with suppress(ArithmeticError):  # there may be a number at other values of the key
-            clutch.quantities[_asked(target)]
+            clutch[_asked(target)]
     except LookupError as error:
         raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
     return True

@@ -227,7 +227,7 @@ def springs(
         **fields, nearest=nearest or None, named=in_use or None,
         utilisation=max((option.utilisation for option in in_use), default=None),
     )  # fmt: skip
-    return result, [*clutch_findings(clutch.spec, clutch.quantities), *remarks]
+    return result, [*clutch_findings(clutch), *remarks]
 
 
 def ranked(demand: SpringDemand, kind: SpringKind = "any", top: int | None = None) -> list[SpringOption]:

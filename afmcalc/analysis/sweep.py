@@ -130,7 +130,7 @@ def default_range(key: Key, spec: Spec) -> Floats:
     """Return a sensible range: the gain from 0 to its limit, counts one by one, else half to twice the value."""
     current, pairs = current_value(spec, key.path), spec.friction_group.pairs
     if key.path == "control_unit.gain":
-        own = build(spec).quantities
+        own = build(spec)
         start = float(own.get("gain_threshold", 0.0))
         return np.linspace(start, own.get("gain_limit", max(2 * float(own["gain"]), start + 5.0)), 26)
     if key.path == "control_unit.gain_slope":

@@ -71,7 +71,7 @@ def pocket(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Synthe
     """
     spec, unit = clutch.spec, _unit(clutch)
     sizes = balls or spec.lists.balls or diameters()
-    own = clutch.quantities.at(balls_listed=tuple(sizes))
+    own = clutch.at(balls_listed=tuple(sizes))
     diameter = float(own["ball_diameter_standard"])
     chosen = None if np.isnan(diameter) else diameter
     wall = wall_of(clutch, own["face_gap"], own["ball_radius_chosen"])
@@ -87,7 +87,7 @@ def pocket(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Synthe
         **_contact(own, unit, by_hertz=chosen is not None and wall.can_be_cut),
     )  # fmt: skip
     return result, [
-        *clutch_findings(spec, own), *failures_of(spec, own, "pocket"), *_remarks(spec, unit, result, sizes),
+        *clutch_findings(clutch), *failures_of(spec, own, "pocket"), *_remarks(spec, unit, result, sizes),
     ]  # fmt: skip
 
 
@@ -120,7 +120,7 @@ def _unit(clutch: Clutch) -> ControlUnit:
         raise spec.refused("variant", say("has no control unit, so no pockets"), spec.variant)
     if unit.ball_circle_radius is None:
         raise spec.refused("control_unit.ball_circle_radius", say("required by afmcalc pocket"))
-    if clutch.quantities["gain"] == 0:
+    if clutch["gain"] == 0:
         raise spec.refused("control_unit.gain", say("must be greater than 0 to have pockets"), "0")
     return unit
 

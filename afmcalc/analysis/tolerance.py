@@ -160,7 +160,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
         spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
     if spec.kind.travels:
         spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
-    if "gain_slope" in clutch.quantities:
+    if "gain_slope" in clutch:
         # pockets are cut once, for the nominal clutch
         spec = with_key(spec, "control_unit.gain_slope", float(clutch.gain_slope))
     return spec
@@ -222,7 +222,7 @@ def _torque(clutch: Clutch, sample: Sample) -> Values:
         possible = possible & (group.inner_radius < group.outer_radius)
     if clutch.spec.kind.travels:
         possible = possible & (clutch["net_gain"] > 0)
-    return np.where(possible, clutch.torque(*_at(clutch, sample)), np.nan)
+    return np.where(possible, clutch.at_friction(*_at(clutch, sample))["torque"], np.nan)
 
 
 def lives(model: Model, sample: Sample) -> tuple[Array, Array]:
@@ -241,9 +241,8 @@ def lives(model: Model, sample: Sample) -> tuple[Array, Array]:
     sample = {path: values[: SLIPS // len(nodes)] for path, values in sample.items()}
 
     def damage(clutch: Clutch, _: Sample) -> Values:
-        own = clutch.quantities
-        stress = own.at(torque=clutch.torque(*_at(clutch, slips)))["shear_stress"]
-        return (shares * own.at(damaging_stress=stress)["damage"]).sum(axis=0) / shares.sum()
+        stress = clutch.at_friction(*_at(clutch, slips))["shear_stress"]
+        return (shares * clutch.at(damaging_stress=stress)["damage"]).sum(axis=0) / shares.sum()
 
     protected = law.cycles_of_mean_damage(model.over(sample, damage, max(BLOCK // len(nodes), 1)))
     keys = ("drive.dynamic_factor", "fatigue.exponent")
@@ -261,10 +260,11 @@ def peaks(model: Model, clutch: Clutch, sample: Sample, torque: Array) -> Array:
     given = {path: float(np.median(values)) for path, values in sample.items() if path not in FRICTION}
     given["drive.load_torque"] = float(clutch.running_torque) if load is None else load
     nominal, share, sampled = build(with_values(model.spec, given)), np.linspace(0, 1, EVENTS), _at(clutch, sample)
-    lows = [min(own.min, np.min(values)) for own, values in zip(clutch.friction, sampled, strict=True)]
-    widths = [max(own.max, np.max(f)) - low for own, f, low in zip(clutch.friction, sampled, lows, strict=True)]
+    groups = clutch.spec.friction.groups
+    lows = [min(own.min, np.min(values)) for own, values in zip(groups, sampled, strict=True)]
+    widths = [max(own.max, np.max(f)) - low for own, f, low in zip(groups, sampled, lows, strict=True)]
     path = [low + share * width for low, width in zip(lows, widths, strict=True)]
-    peak, own = case_of(nominal, *path).peaks().peak, nominal.torque(*path)
+    peak, own = case_of(nominal, *path).peaks().peak, nominal.at_friction(*path)["torque"]
     places = [(values - low) / (width or 1.0) for values, low, width in zip(sampled, lows, widths, strict=True)]
     with np.errstate(all="ignore"):
         # a clutch that sticks passes no more with more torque, one that slips no more than in proportion to it
@@ -371,7 +371,7 @@ def tolerance(clutch: Clutch) -> tuple[ToleranceResult, list[Finding]]:
         inputs=[row for row, _ in inputs.values()], sobol=sobol_rows(model, given.sobol_base, random),
         quantiles=quantiles, histogram=histogram(torque), **fields,
     )  # fmt: skip
-    return result, [*clutch_findings(clutch.spec, clutch.quantities), *_findings(given, result, torque)]
+    return result, [*clutch_findings(clutch), *_findings(given, result, torque)]
 
 
 def _block(spec: Spec) -> Tolerance:

@@ -85,17 +85,17 @@ T = TypeVar("T")
 
 def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
     """Calculate torque and forces over the friction range, and at pairs (f, None) or (f_1, f_2) asked for."""
-    spec, own = clutch.spec, clutch.quantities
+    spec = clutch.spec
     points = pairs_asked(clutch, friction)
     left_out = {"friction": None} if spec.friction.unlike else {"friction_driving": None, "friction_driven": None}
     if not spec.kind.travels:
         left_out["pack_force_at_rest"] = None  # it is the spring's
     result = answer(
-        TorqueResult, own, torque_range=answer(TorqueExtremes, own),
-        points=[_point(own, *pair, unlike=spec.friction.unlike) for pair in points] or None, **left_out,
+        TorqueResult, clutch, torque_range=answer(TorqueExtremes, clutch),
+        points=[_point(clutch, *pair, unlike=spec.friction.unlike) for pair in points] or None, **left_out,
     )  # fmt: skip
     remarks = [remark for pair in points for remark in outside_range(clutch, *pair)]
-    return result, [*clutch_findings(spec, own), *remarks]
+    return result, [*clutch_findings(clutch), *remarks]
 
 
 def _point(clutch: Quantities, friction: float, friction_driven: float | None, *, unlike: bool) -> FrictionPoint:

@@ -6,19 +6,18 @@ The ranges are wide: they are no limits of a design, they find a millimetre writ
 import math
 from collections.abc import Iterator
 
-from ..engines.quantities import Quantities
+from ..engines import Clutch
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..spec.catalogues import friction_materials
 from ..spec.edit import value_at
-from ..spec.models import Spec
 
 
-def unusual(spec: Spec, clutch: Quantities) -> Iterator[Finding]:
+def unusual(clutch: Clutch) -> Iterator[Finding]:
     """Warn of each figure that is beyond what is usual."""
-    linings = (spec.lists.materials or friction_materials()).values()
+    linings = (clutch.spec.lists.materials or friction_materials()).values()
     least, most = min(lining.friction_min for lining in linings), max(lining.friction_max for lining in linings)
-    for code, path, value, low, high in _figures(spec, clutch):
+    for code, path, value, low, high in _figures(clutch):
         if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
             limit = low if value < low else high
             yield finding(
@@ -26,9 +25,9 @@ def unusual(spec: Spec, clutch: Quantities) -> Iterator[Finding]:
             )
 
 
-def _figures(spec: Spec, clutch: Quantities) -> Iterator[tuple[str, str, float, float, float]]:
+def _figures(clutch: Clutch) -> Iterator[tuple[str, str, float, float, float]]:
     """Figures of the design: code of its finding, key, value, and between what it usually lies."""
-    radius = float(clutch["mean_radius"])
+    spec, radius = clutch.spec, float(clutch["mean_radius"])
     blocks = ("friction.driving", "friction.driven") if spec.friction.unlike else ("friction",)
     for path, friction in zip(blocks, spec.friction.groups, strict=False):
         # the papers have 0.1 to 0.8; dry rubber and clean metal in a vacuum are beyond, neither is a friction lining

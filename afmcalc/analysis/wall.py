@@ -110,6 +110,5 @@ class Wall(NamedTuple):
 
 def wall_of(clutch: Clutch, face_gap: float, ball_radius: float = 0.0) -> Wall:
     """Return the wall of a clutch's pockets, for a ball."""
-    own = clutch.quantities
-    steepening = float(own["path_steepening"]) if "path_steepening" in own else 0.0
-    return Wall(float(own["tan_wall_angle"]), steepening, face_gap, ball_radius)
+    steepening = float(clutch["path_steepening"]) if "path_steepening" in clutch else 0.0
+    return Wall(float(clutch["tan_wall_angle"]), steepening, face_gap, ball_radius)

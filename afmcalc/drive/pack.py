@@ -402,7 +402,7 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
             control=np.broadcast_to(control, below.shape)[below].flat[0],
             closing=np.broadcast_to(closing, below.shape)[below].flat[0],
         )
-    return Sleeve(clutch.quantities, driving, _of_unit(clutch, "sleeve_mass"), *_static_and_lever(clutch))
+    return Sleeve(clutch, driving, _of_unit(clutch, "sleeve_mass"), *_static_and_lever(clutch))
 
 
 def ordinary_pack(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:

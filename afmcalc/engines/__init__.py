@@ -4,8 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..spec import Spec, make_spec
-from .clutch import Clutch
-from .selection import accepted, quantities_of
+from .selection import Clutch, accepted, quantities_of
 
 __all__ = ["Clutch", "build"]
 
@@ -17,4 +16,4 @@ def build(spec: Spec | Mapping[str, Any]) -> Clutch:
     """
     if not isinstance(spec, Spec):
         spec = make_spec(spec)
-    return Clutch(spec, accepted(spec, quantities_of(spec)))
+    return accepted(quantities_of(spec))

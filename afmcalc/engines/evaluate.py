@@ -8,8 +8,7 @@ from ..errors import AfmcalcError, SpecError
 from ..messages import say
 from ..spec import Spec, edit
 from ..spec.keys import is_whole
-from . import build
-from .clutch import Clutch
+from . import Clutch, build
 
 BLOCK = 16_000
 """Points calculated at a time: as many as an array may have that the allocator keeps (128 KiB); a larger one it gives
@@ -53,5 +52,5 @@ def evaluate(
             swept = edit.with_values(valid, {path: array[part] for path, array in arrays.items()})
             clutch = build(swept)
             for name, output in outputs.items():
-                answers[name][part] = clutch.quantities[output] if isinstance(output, str) else output(clutch)
+                answers[name][part] = clutch[output] if isinstance(output, str) else output(clutch)
     return answers

@@ -14,7 +14,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 from ..equations import control_unit, drive, effects, springs
 from ..equations.arrays import Values, larger, smaller
 from ..spec.models import DiscStack, Room, Spec, bore_of
-from .clutch import Clutch
+from .selection import Clutch
 from .springs import STEEL, characteristic
 
 FACE_GAP = 0.002

@@ -6,6 +6,7 @@ from typing import Any, Literal, NamedTuple
 
 from ..equations import springs as law
 from ..equations.arrays import Values, chosen, is_array, logarithm, sin, smaller
+from ..equations.effects import force_lost_by_wear
 from ..findings import Finding, finding
 from ..messages import translate
 from ..spec.catalogues import Disc
@@ -14,7 +15,8 @@ from .checks import ROUNDING, Check, check_of
 from .clutch import Clutch
 from .layout import rooms_of
 from .quantities import Apply, call
-from .springs import LEAST_USED, MODULUS, MOST_USED, CoilCharacteristic, DiscCharacteristic, characteristic
+from .selection import Clutch
+from .springs import LEAST_USED, MODULUS, MOST_USED, CoilCharacteristic, DiscCharacteristic, SetSpring, characteristic
 
 QUASI_STATIC = 1e4
 """Strokes up to which a spring counts as one that rests (EN 13906-1)."""
@@ -281,3 +283,27 @@ def _remarks(clutch: Clutch, demand: SpringDemand) -> Iterator[Finding]:
         if abs(demand.stiffness / slope - 1) > ROUNDED:
             path = f"{demand.name}_spring.stiffness"
             yield finding("stiffness-of-the-discs", "warning", value=demand.stiffness, limit=slope, path=path)
+
+
+def following_spring(clutch: Clutch) -> SetSpring:
+    """Return the spring that extends as the pack wears: of an indirect clutch the control one; the stop moves along."""
+    travels, coil = clutch.spec.kind.travels, clutch.spec.closing_spring.coil
+    name = "control" if travels else "closing"
+    stiffness = clutch.get(f"{name}_stiffness", None if travels or coil is None else coil.rate)
+    disc = clutch.given.get(f"{name}_disc")
+    noted = disc and DiscCharacteristic(disc.part, clutch.apply)
+    return SetSpring(clutch["pack_force_at_rest"], stiffness, noted)
+
+
+def following_stiffness(clutch: Clutch) -> Any:
+    """Return the stiffness of that spring, N/m; None where the spec does not give it."""
+    spring = following_spring(clutch)
+    return spring.straight_stiffness if spring.disc is None else spring.stiffness(0.0)
+
+
+def lost_by_wear(clutch: Clutch, wear: Any) -> Any:
+    """Return the force that the pack loses when every pair wears so far, N; needs the stiffness of that spring."""
+    spring, pairs = following_spring(clutch), clutch.spec.friction_group.pairs
+    if spring.disc is None:
+        return clutch.apply(force_lost_by_wear, spring.straight_stiffness, pairs, wear)
+    return spring.set_force - spring.force(-smaller(pairs * wear, spring.deflection))

@@ -20,7 +20,7 @@ from ..equations import (
     pressure,
     unlike,
 )
-from ..equations.arrays import is_array
+from ..equations.arrays import is_array, larger, smaller
 from ..messages import say
 from ..spec.lists import diameters
 from ..variants import VARIANTS, Variant
@@ -28,7 +28,6 @@ from .quantities import Case, Laws, Quantities
 
 if TYPE_CHECKING:
     from ..spec.models import Spec
-    from .clutch import Clutch
 
 Part: TypeAlias = ModuleType | Mapping[str, Any]
 
@@ -107,8 +106,33 @@ def _sleeve(keys: frozenset[str]) -> Iterator[Part]:
         yield curved.CONSTANT_TORQUE
 
 
-def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = False) -> Quantities:
-    """Return the quantities of the clutch of a spec.
+class Clutch(Quantities):
+    """The quantities of a clutch, and the spec that gives them."""
+
+    def __init__(self, spec: "Spec", laws: Laws, given: Mapping[str, Any], *, noted: bool = False) -> None:
+        """Begin with what the spec gives; ``noted``: keep the steps."""
+        super().__init__(laws, given, noted=noted)
+        self.spec = spec
+
+    def path(self, share: Any) -> tuple[Any, Any]:
+        """f_1 and f_2 at a share (0…1) of the common path, on which both rise from minimum through mean to maximum."""
+        first, second = self.spec.friction.groups
+        if not self.spec.friction.unlike:
+            return (first.min + share * (first.max - first.min),) * 2
+        bend = self["bend_of_path"]
+        below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
+        one, two = (own.min + below * (own.mean - own.min) + above * (own.max - own.mean) for own in (first, second))
+        return one, two
+
+    def at_friction(self, driving: Any, driven: Any) -> Quantities:
+        """Quantities at f_1 and f_2, twice the same where all pairs are alike."""
+        if self.spec.friction.unlike or (not self.spec.kind.travels and driving is not driven):
+            return self.at(friction_driving=driving, friction_driven=driven)
+        return self.at(friction=driving)
+
+
+def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = False) -> Clutch:
+    """Return the clutch of a spec.
 
     Args:
         spec: a valid one; its values may be arrays.
@@ -123,18 +147,17 @@ def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = Fals
     if unit is not None and unit.pocket is not None:
         keys.add(unit.pocket)
     laws = laws_for(spec.variant, spec.adjustment.method, frozenset(keys & _CHOOSING))
-    return Quantities(laws, found, noted=noted)
+    return Clutch(spec, laws, found, noted=noted)
 
 
-def by_rule(clutch: "Clutch", rule: str) -> Quantities:
-    """Return the quantities of a clutch with the laws of a rule for the damaging stress of a life."""
-    own = clutch.quantities
-    choose, variant, method, keys = own.laws.made_by or ()
+def by_rule(clutch: Clutch, rule: str) -> Clutch:
+    """Return a clutch with the laws of a rule for the damaging stress of a life."""
+    choose, variant, method, keys = clutch.laws.made_by or ()
     chosen = keys - {*RULES} | ({rule} & {*RULES})
     if chosen == keys:
-        return own
-    found = Quantities(choose(variant, method, chosen), own.given)
-    found.steps = own.steps
+        return clutch
+    found = Clutch(clutch.spec, choose(variant, method, chosen), clutch.given)
+    found.steps = clutch.steps
     return found
 
 
@@ -196,7 +219,7 @@ def _materials(spec: "Spec") -> Iterator[tuple[str, float]]:
         yield from ((names["min"], low), (names["max"], high))
 
 
-def as_set(clutch: Quantities, **values: Any) -> Quantities:
+def as_set(clutch: Clutch, **values: Any) -> Clutch:
     """Return the same clutch with other values of some quantities; its springs and pockets stay as they are."""
     laws = clutch.laws
     kept = {name: clutch[name] for name in ("closing_force", "gain_slope") if name in clutch}
@@ -205,16 +228,16 @@ def as_set(clutch: Quantities, **values: Any) -> Quantities:
         assert laws.made_by is not None
         function, variant, method, keys = laws.made_by
         laws = function(variant, method, keys | {"control_force_made"})
-    return Quantities(laws, clutch.given | kept | values)
+    return Clutch(clutch.spec, laws, clutch.given | kept | values)
 
 
-def accepted(spec: "Spec", clutch: Quantities) -> Quantities:
-    """Return the quantities of a spec; refuse what its rules cannot see, of numbers: arrays have NaN there.
+def accepted(clutch: Clutch) -> Clutch:
+    """Return a clutch; refuse what the rules of its spec cannot see, of numbers: arrays have NaN there.
 
     Raises SpecError: a gain below the threshold 2 R f_1/d, at which the sleeve would leave its stop at zero torque; no
     wall that holds the torque.
     """
-    unit = spec.control_unit
+    spec, unit = clutch.spec, clutch.spec.control_unit
     if not spec.kind.travels or unit is None or is_array(clutch["net_gain"]):
         return clutch
     if clutch["net_gain"] < 0:

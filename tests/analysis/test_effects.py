@@ -95,7 +95,7 @@ def test_splines_against_a_solution_of_the_pack_disc_by_disc(spec, mu, ratio):
     clutch = build(with_splines(spec, **changes))
     _, held, _ = one(clutch, "spline-friction")
     for end in ("min", "mean", "max"):
-        frictions = [getattr(own, end) for own in clutch.friction]
+        frictions = [getattr(own, end) for own in clutch.spec.friction.groups]
         rest = float(clutch.pack_force_at_rest)
         both = sorted(pressed(clutch, chain(mu, radius, rest, back=back), *frictions, radii) for back in (False, True))
         assert (getattr(held.torque_low, end), getattr(held.torque_high, end)) == pytest.approx(both, rel=1e-9)

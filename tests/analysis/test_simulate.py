@@ -105,7 +105,7 @@ def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcal
 def test_a_load_that_is_carried_but_for_rounding_is_carried():
     """Margin 1: a load of T_н, which is also what the clutch carries at f_min."""
     own = light()
-    carried = case_of(own, own.friction[0].min).pack.breakaway
+    carried = case_of(own, own.spec.friction.groups[0].min).pack.breakaway
     assert "slips-before-event" not in codes(light(drive={"load_torque": carried * (1 + 1e-12)}))
     assert "slips-before-event" in codes(light(drive={"load_torque": carried * (1 + 1e-6)}))
 

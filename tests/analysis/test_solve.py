@@ -29,7 +29,7 @@ def scan(spec, path, target, low, high):
         else np.union1d(np.linspace(low, high, 4001), np.geomspace(max(low, high / 1e6), high, 4001))
     )
     with np.errstate(all="ignore"):
-        many = build(with_key(spec, path, at)).quantities
+        many = build(with_key(spec, path, at))
         value = np.broadcast_to(np.asarray(many[target], float), at.shape)
         if spec.kind.gain_limit:
             value = np.where(many["gain"] <= np.asarray(many["gain_limit"]) * (1 + 1e-9), value, np.nan)
@@ -44,11 +44,11 @@ def questions(seed):
             clutch = build(spec := make_spec(data))
             name = rnd.choice([key for key in KEYS if value_at(spec, ALIASES[key]) is not None])
             target, path = rnd.choice(AIMS), ALIASES[name]
-            if target not in clutch.quantities or (spec.kind.gain_limit and clutch.gain > clutch.gain_limit):
+            if target not in clutch or (spec.kind.gain_limit and clutch.gain > clutch.gain_limit):
                 continue
             now = value_at(spec, path)
             near = round(0.8 * now) if is_whole(path) else 0.8 * now
-            here, there = (float(build(respecified(spec, {path: at})).quantities[target]) for at in (now, near))
+            here, there = (float(build(respecified(spec, {path: at}))[target]) for at in (now, near))
             if abs(there - here) > 1e-9 * here:
                 yield spec, name, target, rnd.choice([here * rnd.choice([0.3, 0.9, 1.1, 4]), there])
 
@@ -66,7 +66,7 @@ def judge(spec, name, target, wanted):
         assert best > 1e-9 * wanted
         return "none"
     assert result.value in roots
-    assert build(make_spec(solved.spec.model_dump(exclude_none=True))).quantities[target] == pytest.approx(
+    assert build(make_spec(solved.spec.model_dump(exclude_none=True)))[target] == pytest.approx(
         result.reached, rel=1e-9
     )
     crossed = np.flatnonzero(

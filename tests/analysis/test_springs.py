@@ -65,8 +65,8 @@ def test_what_the_springs_go_through():
     assert (direct.relaxes, direct.compresses, direct.follows) == (4e-3, 0, 8)
     own = clutch(INDIRECT, "heat.lining=0.5e-3")
     closing, control = spring_demands(own)
-    assert (closing.relaxes, closing.follows) == (own.at(0.8)["travel"], None)
-    assert (control.relaxes, control.compresses, control.follows) == (4e-3, own.at(0.8)["travel"], 8)
+    assert (closing.relaxes, closing.follows) == (own.at(friction=0.8)["travel"], None)
+    assert (control.relaxes, control.compresses, control.follows) == (4e-3, own.at(friction=0.8)["travel"], 8)
     assert control.force == own.control_force
 
 

@@ -36,7 +36,7 @@ def test_the_next_standard_ball_not_smaller(spec, gap, clearance):
     # the torque of the balls: F_n has the moment n F_n cos α r about the axis
     clutch = build(spec)
     moment = result.contact_force * spec.control_unit.balls * math.cos(result.wall_angle) * result.ball_circle_radius
-    assert moment == pytest.approx(clutch.torque(spec.friction.range.max), rel=1e-9)
+    assert moment == pytest.approx(clutch.at(friction=spec.friction.range.max)["torque"], rel=1e-9)
 
 
 def small_balls(given):

@@ -63,7 +63,7 @@ def test_a_lognormal_torque(percent):
     """T = z R f F is lognormal as its force."""
     base, share = read_spec(CONFIGS / "conventional.toml"), percent / 100
     fields = {FORCE: {"distribution": "lognormal", "spread": f"{percent} %"}}
-    nominal, variance = float(build(base).torque(base.friction.range.mean)), math.log1p(share**2)
+    nominal, variance = float(build(base).at(friction=base.friction.range.mean)["torque"]), math.log1p(share**2)
     limit = nominal * math.exp(math.sqrt(variance) - variance / 2)
     result, findings = study(base, fields, quantiles=[0.005, 0.05, 0.5, 0.95, 0.995], torque_limit=limit)
     for row in result.quantiles:
@@ -85,7 +85,7 @@ def test_lives_of_a_lognormal_torque():
     fields = {"friction": {"distribution": "uniform", "min": 0.2, "max": 0.4}}
     fields[FORCE] = {"distribution": "lognormal", "spread": "10 %"}
     result, _ = study(data, fields, quantiles=[0.01, 0.5])
-    per_friction = float(build(base).torque(1.0)) * math.exp(-variance / 2)
+    per_friction = float(build(base).at(friction=1.0)["torque"]) * math.exp(-variance / 2)
     median = 1e7 * (400e6 * 15e-6 / per_friction) ** 6 / ((0.4**7 - 0.2**7) / (7 * 0.2))
     for row in result.quantiles:
         expected = median * math.exp(6 * NormalDist().inv_cdf(row.probability) * math.sqrt(variance))
@@ -131,7 +131,11 @@ def test_the_two_frictions_of_unlike_materials(correlation):
     fields = {f"friction.{g}": {"distribution": "normal", "spread": "1 %"} for g in ("driving", "driven")}
     result, _ = study(base, fields, friction_correlation=correlation)
     first, second = (own.mean for own in base.friction.groups)
-    torque = build(base).torque
+    clutch = build(base)
+
+    def torque(*friction):
+        return clutch.at_friction(*friction)["torque"]
+
     a = (torque(first * 1.01, second) - torque(first * 0.99, second)) / 2
     b = (torque(first, second * 1.01) - torque(first, second * 0.99)) / 2
     assert result.standard_deviation == pytest.approx(math.sqrt(a**2 + b**2 + 2 * correlation * a * b), rel=1e-2)
@@ -153,7 +157,7 @@ def own_torques(spec, spreads, setting, count, rng):
     made = {FORCE: float(nominal.closing_force), "adjustment.nominal_torque": None} if as_made else {}
     if spec.kind.travels:
         made |= {"control_spring.force": float(nominal.control_force) if as_made else None}
-    if "gain_slope" in nominal.quantities:  # pockets are cut once
+    if "gain_slope" in nominal:  # pockets are cut once
         made |= {"control_unit.gain_slope": float(nominal.gain_slope), "control_unit.pocket": None}
     for path, value in made.items():
         put(base, path, value)
@@ -166,7 +170,7 @@ def own_torques(spec, spreads, setting, count, rng):
             for group in {"friction": (0, 1), "friction.driving": (0,), "friction.driven": (1,)}.get(path, ()):
                 frictions[group] += drawn
         with contextlib.suppress(SpecError):
-            torques[number] = float(build(data).torque(*frictions))
+            torques[number] = float(build(data).at_friction(*frictions)["torque"])
     return torques
 
 
@@ -222,9 +226,10 @@ def test_one_clutch_has_one_life(correlation):
     z, clutch = np.random.default_rng(2).standard_normal((2, 100_000)), build(make_spec(base))
     scores = z[0], correlation * z[0] + math.sqrt(1 - correlation**2) * z[1]
     frictions = [
-        own.mean * (0.8 + 0.4 * special.ndtr(score)) for own, score in zip(clutch.friction, scores, strict=True)
+        own.mean * (0.8 + 0.4 * special.ndtr(score))
+        for own, score in zip(clutch.spec.friction.groups, scores, strict=True)
     ]
-    damage = (clutch.torque(*frictions) / (400e6 * 15e-6)) ** 6 / 1e7
+    damage = (clutch.at_friction(*frictions)["torque"] / (400e6 * 15e-6)) ** 6 / 1e7
     error = damage.std() / math.sqrt(damage.size) / damage.mean()
     assert result.life_protected * damage.mean() == pytest.approx(1, abs=3 * error)
 

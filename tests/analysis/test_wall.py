@@ -156,8 +156,8 @@ def test_the_contact_where_it_is_used_most():
     assert found.contact_basis == "hertz-ball-on-curved-wall"
     used, forces = [], []
     for friction in np.linspace(0.1, 0.8, 200):
-        angle = math.atan((clutch.gain + clutch.gain_slope * clutch.at(friction)["travel"]) * 0.5)
-        force = clutch.torque(friction) / (6 * 0.05 * math.cos(angle))
+        angle = math.atan((clutch.gain + clutch.gain_slope * clutch.at(friction=friction)["travel"]) * 0.5)
+        force = clutch.at(friction=friction)["torque"] / (6 * 0.05 * math.cos(angle))
         forces.append(force)
         rho = 1 / (375 * 0.5 * math.cos(angle) ** 3)
         used.append(force / borne(found.ball_diameter / 2, rho))

@@ -101,7 +101,7 @@ def test_reference_drive(variant):
         assert (found.case.pack.sliding, found.event.peak) == pytest.approx((sliding, peak), rel=5e-3)
         assert found.event.residual < 1e-6
         # the clutch trips at its static friction, and never carries more
-        assert found.event.peak_clutch == pytest.approx(own.torque(1.2 * friction), rel=2e-3)
+        assert found.event.peak_clutch == pytest.approx(own.at(friction=1.2 * friction).torque, rel=2e-3)
 
 
 def test_the_ordinary_clutch_is_the_conventional_variant():
@@ -117,7 +117,7 @@ def test_slow_slip_takes_static_friction_back():
     found = outcome_of(own, 0.3).event
     assert found.settled
     speeds = np.linspace(0, 15, 200_001)[1:]
-    torque = own.torque(0.3 * (1 + 0.2 * np.exp(-0.1 * speeds / 0.3)))
+    torque = own.at(friction=0.3 * (1 + 0.2 * np.exp(-0.1 * speeds / 0.3))).torque
     # but for the stop of the tool
     assert found.slip_time == pytest.approx(trapezoid(30 / (torque - 150), speeds), rel=1e-3)
     assert found.heat == pytest.approx(trapezoid(30 * speeds * torque / (torque - 150), speeds), rel=5e-3)
@@ -185,7 +185,7 @@ def test_even_rise_against_the_solved_equation(lag, rate):
 def test_limits_of_the_lag():
     """s τ → 0 gives T_муф, s τ → ∞ T_п of S22 (5)."""
     own = clutch(**VARIANTS["all-driving"], friction={"static_ratio": None, "stribeck_speed": None})
-    expected = own.torque(0.3)
+    expected = own.at(friction=0.3).torque
     at_min = overload.loop_gain(8, 0.625, 0.1)
     potential = overload.potential_torque(8, own.closing_force, 0.1, 0.3, 4 / 3, at_min)
     assert trip_torque(1e-8, 1e4) == pytest.approx(expected, rel=CLOSE)
@@ -195,7 +195,7 @@ def test_limits_of_the_lag():
 
 def test_where_the_drive_trips_is_a_number():
     found = outcome_of(light(control_unit={"release_lag": 0.005}), 0.8)
-    expected = light().torque(1.2 * 0.8)
+    expected = light().at(friction=1.2 * 0.8).torque
     assert found.potential is not None
     assert found.trip_position == pytest.approx((found.trip_torque - expected) / (found.potential - expected))
     assert 0 < found.trip_position < 1

@@ -219,7 +219,7 @@ def test_the_key_loses_what_the_turns_of_the_sleeve_tell():
 def test_slow_slip_is_as_long_as_it_is():
     """example:drive at f_min, in quadruple precision (RK4): it ends in judder, which grows from the rest of the event."""
     own = build(read_spec("example:drive"))
-    found = case_of(own, own.friction[0].min).run()
+    found = case_of(own, own.spec.friction.groups[0].min).run()
     assert found.slip_time == pytest.approx(1.87255, rel=5e-3)
     assert found.heat == pytest.approx(3356.19, rel=1e-3)
     assert found.residual < 1e-6

@@ -147,29 +147,33 @@ class March:
 @example(p5(f"closing_spring.disc={SOFT}", "adjustment.method=mean-friction"))
 def test_the_first_place_that_holds_the_sleeve(spec):
     clutch = build(spec)
-    march, own = March(spec, clutch.quantities.get("gain_slope", 0.0)), clutch.friction[0]
+    march, own = March(spec, clutch.get("gain_slope", 0.0)), clutch.spec.friction.groups[0]
     assert clutch.control_force == pytest.approx(march.control)
     assert clutch.pack_force_at_rest == pytest.approx(march.control), "the balls bear nothing"
     for f in own.min + (own.max - own.min) * np.linspace(0.01, 1, 4):
         if (at := march.rising(f)) is None:
             continue
         torque = march.z * march.radius * f * at.pressed
-        assert clutch.at(f)["travel"] == pytest.approx(at.travel, rel=1e-6, abs=1e-7 * march.reach)
-        assert clutch.torque(f) == pytest.approx(torque, rel=1e-6)
-        assert clutch.at(f)["release_force"] == pytest.approx(
+        assert clutch.at(friction=f)["travel"] == pytest.approx(at.travel, rel=1e-6, abs=1e-7 * march.reach)
+        assert clutch.at(friction=f)["torque"] == pytest.approx(torque, rel=1e-6)
+        assert clutch.at(friction=f)["release_force"] == pytest.approx(
             torque * (march.gain + march.slope * at.travel) / march.radius
         )
         borne = at.pressed - march.pressed(at.travel)
-        assert clutch.at(f)["stop_reaction"] == pytest.approx(borne, abs=1e-6 * march.control)
+        assert clutch.at(friction=f)["stop_reaction"] == pytest.approx(borne, abs=1e-6 * march.control)
         left = march.pushed(at.travel) - at.pressed - torque * march.net(at.travel, OFF) / march.radius
         assert left == pytest.approx(0, abs=1e-6 * march.control)
     assume(at is not None)
     for f in np.geomspace(0.97 * own.max, 0.97 * own.min, 8):
         if (back := march.returning(f, at, own.max)) is None:
             continue
-        assert clutch.at(f)["torque_returning"] == pytest.approx(march.z * march.radius * f * back.pressed, rel=1e-6)
-        if spec.spring_parts and "gain_slope" in clutch.quantities:
-            assert clutch.at(f)["travel_returning"] == pytest.approx(back.travel, rel=1e-6, abs=1e-7 * march.reach)
+        assert clutch.at(friction=f)["torque_returning"] == pytest.approx(
+            march.z * march.radius * f * back.pressed, rel=1e-6
+        )
+        if spec.spring_parts and "gain_slope" in clutch:
+            assert clutch.at(friction=f)["travel_returning"] == pytest.approx(
+                back.travel, rel=1e-6, abs=1e-7 * march.reach
+            )
 
 
 def seated(low):
@@ -204,27 +208,24 @@ UNLIKE = direct_specs(variants=("unlike", "differentiated", "all-driving"))
 @PATIENT
 @given(st.one_of(sleeves(), sleeves(), UNLIKE))
 def test_no_friction_gives_more_or_less_and_a_step_aside_gives_as_much(spec):
-    clutch = build(spec)
-    own = clutch.quantities
+    clutch = own = build(spec)
     path = clutch.path(np.append(np.linspace(0.0, 1.0, 4_001), own.get("bend_of_path", 0.0)))
-    swept, first = np.asarray(clutch.torque(*path)), clutch.friction[0]
+    swept, first = np.asarray(clutch.at_friction(*path)["torque"]), clutch.spec.friction.groups[0]
     low, high = float(swept.min()), float(swept.max())
     assert low * (1 - 1e-3) <= own.torque_min <= low * (1 + 1e-9)
     assert high * (1 + 1e-3) >= own.torque_max >= high * (1 - 1e-9)
     assert clutch.scatter == pytest.approx(own.torque_max - own.torque_min, rel=1e-9, abs=1e-12 * high)
     assert clutch.accuracy_factor == pytest.approx(own.torque_max / own.torque_min, rel=1e-9)
-    bent = (
-        spec.spring_parts and "gain_slope" in clutch.quantities
-    )  # where the torque jumps it does so ever more steeply
+    bent = spec.spring_parts and "gain_slope" in clutch  # where the torque jumps it does so ever more steeply
     for at, extreme in ((own.friction_of_torque_min, own.torque_min), (own.friction_of_torque_max, own.torque_max)):
         assert first.min * (1 - 1e-9) <= at <= first.max * (1 + 1e-9)
         # within a step on either side; a step and a hair, for a jump is just there
         step = (first.max - first.min) / 4e3 + 1e-9
         near = np.clip(at + step * np.linspace(-1, 1, 4_001), first.min, first.max)
-        torques = [low, high] if spec.friction.unlike else clutch.torque(near)
+        torques = [low, high] if spec.friction.unlike else clutch.at(friction=near)["torque"]
         assert np.min(np.abs(np.asarray(torques) / extreme - 1)) < (1e-4 if bent else 1e-6)
     if spec.kind.travels:
-        back = float(np.min(clutch.at(path[0])["torque_returning"]))
+        back = float(np.min(clutch.at(friction=path[0])["torque_returning"]))
         assert clutch.torque_returning_min <= min(back, own.torque_min) * (1 + 1e-9)
         assert clutch.torque_returning_min == pytest.approx(back, rel=2e-2)
         assert clutch.accuracy_factor_hysteresis == pytest.approx(
@@ -236,10 +237,12 @@ def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
     disc = f"closing_spring.disc={{{', '.join(f'{name}={value}' for name, value in stack('B 40', 6) if value is not None)}}}"
     own = "closing_spring.stiffness=4e5", "control_spring.stiffness=2e5", "C=2", "control_unit.key_friction=0.01"
     clutch = build(p5(*own, disc, "control_unit.pocket=constant-torque"))
-    assert clutch.torque(0.8) == pytest.approx(clutch.torque(0.1), rel=1e-9), "the same at both ends"
-    swept = clutch.torque(np.linspace(0.1, 0.8, 10_001))
+    assert clutch.at(friction=0.8)["torque"] == pytest.approx(clutch.at(friction=0.1)["torque"], rel=1e-9), (
+        "the same at both ends"
+    )
+    swept = clutch.at(friction=np.linspace(0.1, 0.8, 10_001))["torque"]
     assert clutch.torque_min == pytest.approx(swept.min(), rel=1e-9), "between them"
-    assert clutch.torque(0.8) / 1.03 < clutch.torque_min < clutch.torque(0.8) / 1.001
+    assert clutch.at(friction=0.8)["torque"] / 1.03 < clutch.torque_min < clutch.at(friction=0.8)["torque"] / 1.001
 
 
 def test_a_jump_between_disc_springs_is_seen_from_both_sides():
@@ -255,10 +258,14 @@ def test_a_jump_between_disc_springs_is_seen_from_both_sides():
             "gain": 2.756, "gain_slope": 1231.0, "hub_diameter": 0.05, "key_friction": 0.01, "ball_circle_radius": 0.05,
         },
     })  # fmt: skip
-    own = clutch.quantities
+    own = clutch
     assert own.friction_of_torque_min == pytest.approx(own.friction_of_torque_max, rel=1e-9)
-    assert own.torque_max == pytest.approx(float(clutch.torque(own.friction_of_torque_max * (1 - 1e-9))), rel=1e-6)
-    assert own.torque_min == pytest.approx(float(clutch.torque(own.friction_of_torque_min * (1 + 1e-9))), rel=1e-6)
+    assert own.torque_max == pytest.approx(
+        float(clutch.at(friction=own.friction_of_torque_max * (1 - 1e-9))["torque"]), rel=1e-6
+    )
+    assert own.torque_min == pytest.approx(
+        float(clutch.at(friction=own.friction_of_torque_min * (1 + 1e-9))["torque"]), rel=1e-6
+    )
     assert own.torque_min < 0.2 * own.torque_max
 
 

@@ -30,7 +30,7 @@ def rate(wire, diameter, turns, count=1):
 
 def found_by(path, *overrides):
     spec = read_spec(path, overrides)
-    return {each.code: each for each in clutch_findings(spec, build(spec).quantities)}
+    return {each.code: each for each in clutch_findings(build(spec))}
 
 
 def test_check_judges_the_stress_of_a_coil(afmcalc):
@@ -84,7 +84,7 @@ def test_a_coil_that_the_sleeve_presses_solid():
     stiffness = rate(14e-3, 70e-3, 4)
     given = f"control_spring.stiffness={stiffness}"
     plain = build(read_spec(INDIRECT, [given]))
-    set_at, travel = plain.control_force / stiffness, plain.at(0.8)["travel"]
+    set_at, travel = plain.control_force / stiffness, plain.at(friction=0.8)["travel"]
     free = 6 * 14e-3 + set_at + travel / 2
     sizes = {"wire_diameter": 14e-3, "coil_diameter": 70e-3, "turns": 4, "free_length": free}
     told = found_by(INDIRECT, given, coil("control_spring", **sizes))["coil-solid"]
@@ -136,13 +136,11 @@ def test_a_coil_that_moves_at_every_trip(cycles, loading, level):
     assert (own.loading, own.stress_correction) == (loading, pytest.approx(factor))
     upper = 8 * 4500 * 36e-3 / (math.pi * 8e-3**3)
     assert own.stress == pytest.approx(factor * upper)
-    lower = upper * (1 - clutch.at(0.8)["travel"] * rate(8e-3, 36e-3, 5.5) / 4500)
+    lower = upper * (1 - clutch.at(friction=0.8)["travel"] * rate(8e-3, 36e-3, 5.5) / 4500)
     ultimate = 0.67 * (1980 - 740 * math.log10(8))
     alternating = factor * (upper - lower) / 2e6 / (241 / (1 - 379 / ultimate))
     assert alternating + factor * (upper + lower) / 2e6 / ultimate > 1 or level is None
-    assert {each.code: each.level for each in clutch_findings(clutch.spec, clutch.quantities)}.get(
-        "coil-fatigue"
-    ) == level
+    assert {each.code: each.level for each in clutch_findings(clutch)}.get("coil-fatigue") == level
 
 
 def test_a_stiffness_beside_a_coil_is_the_coil_s(afmcalc):

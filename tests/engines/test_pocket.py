@@ -23,7 +23,7 @@ def clutch(*overrides, **blocks):
 
 
 def told(own):
-    return codes(clutch_findings(own.spec, own.quantities))
+    return codes(clutch_findings(own))
 
 
 def codes(findings):
@@ -49,7 +49,7 @@ def test_life_where_the_torque_jumps():
         "closing_spring.stiffness=1500 N/mm", "control_spring.stiffness=750 N/mm", "fatigue.ultimate_strength=5 GPa",
     )  # fmt: skip
     assert "torque-jumps" in told(steep)
-    torque, part = steep.torque(np.linspace(0.1, 0.8, 400_001)), steep.spec.fatigue
+    torque, part = steep.at(friction=np.linspace(0.1, 0.8, 400_001))["torque"], steep.spec.fatigue
     assert torque.max() == pytest.approx(float(steep.torque_max), rel=1e-5)
     high = torque / part.polar_section_modulus / 2
     stress = high / (1 - high / part.ultimate_strength)
@@ -71,7 +71,7 @@ def test_a_pocket_is_cut_once(setting):
     made = with_setting(nominal, nominal.spec.tolerance)
     sample = build(with_values(made, {"closing_spring.stiffness": np.array([18e3, 22e3])}))
     assert sample.gain_slope == pytest.approx(BEST)
-    assert sample.torque(0.5) != pytest.approx(160, rel=1e-3)
+    assert sample.at(friction=0.5)["torque"] != pytest.approx(160, rel=1e-3)
     found, _ = tolerance(nominal)
     assert {row.path: row.center for row in found.inputs}["control_unit.gain_slope"] == pytest.approx(BEST)
     assert 1.01 < found.accuracy_factor_robust < 1.5

@@ -25,7 +25,7 @@ STEP = 1e-6
 
 def slopes(clutch):
     """Elasticities of the accuracy factor."""
-    return {path: each.slope for path, each in elasticities(clutch.quantities).items()}
+    return {path: each.slope for path, each in elasticities(clutch).items()}
 
 
 def difference(factor):
@@ -47,7 +47,7 @@ def apart(own):
 def test_elasticities_of_a_direct_clutch(spec):
     """Every continuous key; pairs are continuous for the law, those of the other group kept."""
     clutch = build(spec)
-    ranges = clutch.friction if spec.friction.unlike else ()
+    ranges = clutch.spec.friction.groups if spec.friction.unlike else ()
     # K_т = max/min has a kink where both are one, and at a mean that is an end
     assume(abs(clutch.accuracy_factor - 1) > 1e-6 and all(map(apart, ranges)))
     found = slopes(clutch)
@@ -58,7 +58,7 @@ def test_elasticities_of_a_direct_clutch(spec):
         return
 
     def factor(bypass, controlled):
-        return clutch.quantities.at(bypass_pairs=bypass, pairs=bypass + controlled)["accuracy_factor"]
+        return clutch.at(bypass_pairs=bypass, pairs=bypass + controlled)["accuracy_factor"]
 
     in_pairs = difference(lambda share: factor(z1, z2 + (z1 + z2) * (share - 1)))
     assert found["friction_group.pairs"] == pytest.approx(in_pairs, abs=2e-5)
@@ -69,15 +69,15 @@ def test_elasticities_of_a_direct_clutch(spec):
 
 def is_smooth(clutch):
     """Whether K_т has a derivative: no jump off the stop near by, and no two torques about to change places."""
-    own = clutch.friction[0]
+    own = clutch.spec.friction.groups[0]
     if own.max < own.min * 1.0001 or (clutch.spec.adjustment.method == "mean-friction" and not apart(own)):
         return False  # K_т has a kink where the sleeve leaves at an end
-    if "gain_slope" not in clutch.quantities:
+    if "gain_slope" not in clutch:
         return True
     at_stop = clutch.friction_leaving
-    ends = [float(clutch.torque(own.min)), float(clutch.torque(own.max))]
+    ends = [float(clutch.at(friction=own.min)["torque"]), float(clutch.at(friction=own.max)["torque"])]
     differ = abs(np.log(ends[1] / ends[0])) > 1e-4
-    differ &= not own.min < at_stop < own.max or abs(np.log(clutch.torque(at_stop) / ends[1])) > 1e-4
+    differ &= not own.min < at_stop < own.max or abs(np.log(clutch.at(friction=at_stop)["torque"] / ends[1])) > 1e-4
     return differ and clutch.gain_slope < 0.9 * clutch.jumping_slope
 
 
@@ -101,7 +101,7 @@ def disc_springs(count):
             return
         if "disc" in data["closing_spring"]:
             with contextlib.suppress(SpecError):
-                yield build(make_spec(data)).quantities
+                yield build(make_spec(data))
                 count -= 1
 
 
@@ -142,9 +142,9 @@ def test_arrays_and_floats_agree_bit_for_bit(spec, friction):
     own = ("travel", "torque_returning") if spec.kind.travels else ("breakaway_torque",)
     array = np.array(friction).reshape(1, -1, 1)
     for name in ("torque", "normal_force", "release_force", *own):
-        values = clutch.at(array)[name]
+        values = clutch.at_friction(array, array)[name]
         assert values.shape == array.shape
-        assert values.ravel().tolist() == [clutch.at(f)[name] for f in friction], name
+        assert values.ravel().tolist() == [clutch.at_friction(f, f)[name] for f in friction], name
 
 
 def test_the_threshold_of_the_gain(afmcalc):
@@ -154,14 +154,14 @@ def test_the_threshold_of_the_gain(afmcalc):
         assert (run.code, run.out, "control_unit.gain" in run.err) == (2, "", True)
     clutch = build(read_spec(S21, ["control_unit.gain=0.6"]))
     assert clutch.accuracy_factor == pytest.approx(8.0)
-    assert [finding.code for finding in clutch_findings(clutch.spec, clutch.quantities)] == ["feedback-idle"]
-    assert clutch.at(0.8)["travel"] == pytest.approx(0, abs=1e-15)
+    assert [finding.code for finding in clutch_findings(clutch)] == ["feedback-idle"]
+    assert clutch.at(friction=0.8)["travel"] == pytest.approx(0, abs=1e-15)
 
 
 def test_wall_angle_in_place_of_the_gain():
     plain = build(read_spec(S21))
     angled = build(read_spec(S21, ["C=", f"control_unit.wall_angle={float(np.arctan(0.5))!r}"]))
-    assert angled.torque(0.5) == pytest.approx(plain.torque(0.5))
+    assert angled.at(friction=0.5)["torque"] == pytest.approx(plain.at(friction=0.5)["torque"])
     both = slopes(plain)["control_unit.gain"] + slopes(plain)["friction_group.mean_radius"]
     assert slopes(angled)["friction_group.mean_radius"] == pytest.approx(both)
 

@@ -31,12 +31,14 @@ def test_bands_by_formula_and_by_direct_comparison(spec, margin):
     result, _ = adjust(clutch)
     forces = [setting.closing_force for setting in (result.min_friction, result.mean_friction)]
     at_min, at_mean = (changed(clutch.spec, closing_spring={"force": force}) for force in forces)
-    assert at_min.torque(own.min) == pytest.approx(result.nominal_torque, rel=1e-12)
-    assert at_mean.torque(own.mean) == pytest.approx(margin * result.nominal_torque, rel=1e-12)
-    bands = [each.torque(own.max) - each.torque(own.min) for each in (at_min, at_mean)]
+    assert at_min.at(friction=own.min)["torque"] == pytest.approx(result.nominal_torque, rel=1e-12)
+    assert at_mean.at(friction=own.mean)["torque"] == pytest.approx(margin * result.nominal_torque, rel=1e-12)
+    bands = [each.at(friction=own.max)["torque"] - each.at(friction=own.min)["torque"] for each in (at_min, at_mean)]
     assert [result.min_friction.scatter, result.mean_friction.scatter] == pytest.approx(bands, rel=1e-9)
     assert result.scatter_ratio == pytest.approx(bands[1] / bands[0], rel=1e-9)
-    assert result.scatter_ratio == pytest.approx(at_mean.torque(own.min) / result.nominal_torque, rel=1e-9)
+    assert result.scatter_ratio == pytest.approx(
+        at_mean.at(friction=own.min)["torque"] / result.nominal_torque, rel=1e-9
+    )
     assert result.force_ratio == pytest.approx(forces[0] / forces[1] * margin)
     for one in (result.min_friction, result.mean_friction):
         assert one.accuracy_factor == pytest.approx(clutch.accuracy_factor, rel=1e-12)
@@ -59,7 +61,9 @@ def test_methods_differ_on_indirect_clutches(spec):
         data["closing_spring"]["force"], data["adjustment"]["method"] = kept.closing_force, method
         clutch = build(make_spec(data))
         assert kept.accuracy_factor == pytest.approx(clutch.accuracy_factor)
-        assert kept.scatter == pytest.approx(clutch.torque(own.max) - clutch.torque(own.min), rel=1e-9, abs=1e-9)
+        assert kept.scatter == pytest.approx(
+            clutch.at(friction=own.max)["torque"] - clutch.at(friction=own.min)["torque"], rel=1e-9, abs=1e-9
+        )
     assert (result.pairs_threshold, result.force_ratio) == (None, None)
 
 
@@ -97,7 +101,7 @@ def test_a_slip_at_a_time(model, endurance, source):
     clutch = changed(spec, fatigue={**FATIGUE, key: value, "endurance_limit": endurance})
     result, _ = life(clutch, model)
     share = (np.arange(4_000) + 0.5) / 4_000
-    high = clutch.torque(*(r.min + share * (r.max - r.min) for r in clutch.friction)) / 15e-6
+    high = clutch.at_friction(*(r.min + share * (r.max - r.min) for r in clutch.spec.friction.groups))["torque"] / 15e-6
     for side, factor in (("protected", 1.0), ("unprotected", clutch.spec.drive.dynamic_factor)):
         stress = equivalent(factor * high / 2, factor * high / 2)
         damage = np.where(stress > endurance, (stress / endurance) ** 6 / 1e7, 0).mean()
@@ -117,12 +121,14 @@ def test_equilibrium_is_the_expected_torque_for_every_margin(spec, margin, share
         return z * f * radius * (clutch.closing_force - load * share_of_balls * clutch.gain / radius)
 
     slope = capacity(0.0, f) - capacity(1.0, f)
-    assert capacity(0.0, f) / (1 + slope) == pytest.approx(clutch.torque(f), rel=1e-9)
+    assert capacity(0.0, f) / (1 + slope) == pytest.approx(clutch.at(friction=f)["torque"], rel=1e-9)
     result, _ = overload(clutch)
     for at in ("min", "mean", "max"):
         end = getattr(own, at)
-        assert getattr(result.actuation_torque_equilibrium, at) == pytest.approx(clutch.torque(end), rel=1e-9)
-        potential = capacity(clutch.torque(own.min) / margin, end)
+        assert getattr(result.actuation_torque_equilibrium, at) == pytest.approx(
+            clutch.at(friction=end)["torque"], rel=1e-9
+        )
+        potential = capacity(clutch.at(friction=own.min)["torque"] / margin, end)
         assert getattr(result.potential_torque, at) == pytest.approx(potential, rel=1e-9)
         published = getattr(result.expected_torque, at) * getattr(result.actuation_factor, at)
         assert getattr(result.actuation_torque_published, at) == pytest.approx(published, rel=1e-9, abs=1e-9)

@@ -94,7 +94,7 @@ def test_names_that_are_read_stand_for_one_material():
 def test_what_a_name_is_read_as_is_said():
     spec = read_spec(CONFIGS / "default.toml", NO_RANGE | {"friction.material": "чугун"})
     assert spec.friction.range == (0.15, 0.2, 0.25)
-    (told,) = (each for each in clutch_findings(spec, build(spec).quantities) if each.code == "material")
+    (told,) = (each for each in clutch_findings(build(spec)) if each.code == "material")
     assert "чугун is read as metal-dry (cast iron or hard steel, dry)" in told.message
     assert make_spec(resolved(spec)) == spec
 
@@ -105,7 +105,7 @@ def test_of_several_materials_a_clutch_has_the_worst_in_everything():
     several = ["cork-dry", "sintered-dry", "wood-dry"]
     spec = read_spec(CONFIGS / "default.toml", given | {"friction.material": several})
     assert spec.friction.range == (0.15, 0.325, 0.5)
-    (told,) = (each for each in clutch_findings(spec, build(spec).quantities) if each.code == "lining-unknown")
+    (told,) = (each for each in clutch_findings(build(spec)) if each.code == "lining-unknown")
     assert "cork-dry, sintered-dry, wood-dry" in told.message
     alone = [friction_materials()[name] for name in several]
     for names, rows in ((several, alone), (several[1::-1], alone[1::-1])):

@@ -74,14 +74,13 @@ def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[
 
 def noting(spec: Spec) -> Clutch:
     """Return a clutch that notes the laws it applies."""
-    clutch = build(spec)
-    vars(clutch)["quantities"] = quantities_of(spec, noted=True)  # kept in the place of those it would make
-    return clutch
+    build(spec)  # refuses what is no clutch
+    return quantities_of(spec, noted=True)
 
 
 def steps_of(clutch: Clutch) -> list[NotedStep]:
     """Return the steps that a clutch has noted."""
-    return clutch.quantities.steps or []
+    return clutch.steps or []
 
 
 def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:

@@ -39,7 +39,7 @@ def test_the_torque_of_a_plate():
     assert torque.motor_torque == pytest.approx(9550 * 3 / 1430, rel=1e-4)
     assert torque.torque_asked_for == pytest.approx(RATED, rel=1e-12)
     assert torque.starting_torque is None
-    assert (required.value, required.passed) == (answers.clutch.quantities["machine_torque"], True)
+    assert (required.value, required.passed) == (answers.clutch["machine_torque"], True)
     assert (required.value, required.limit) == (pytest.approx(LOW / 1.25), pytest.approx(RATED))
     assert limits["torque that the machine asks for"].utilisation == pytest.approx(RATED / LOW)
     assert findings["service-factor-assumed"].value == 1

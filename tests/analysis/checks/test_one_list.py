@@ -79,9 +79,9 @@ def test_numbers_and_arrays_pass_alike(seed, count):
         more = spec.requirements.model_copy(update=asked)
         own = spec.model_copy(update={"requirements": more})
         forces = spec.closing_spring.force * np.array([0.8, 1.0, 1.3])
-        many = build(with_values(own, {"closing_spring.force": forces})).quantities
+        many = build(with_values(own, {"closing_spring.force": forces}))
         for place, force in enumerate(forces):
-            one = build(with_key(own, "closing_spring.force", float(force))).quantities
+            one = build(with_key(own, "closing_spring.force", float(force)))
             for each in (each for each in checks_of(own) if each.needs is None):
                 value, limit = each.value_of(one), each.limit_of(one)
                 assert (value is None) == (each.value_of(many) is None)

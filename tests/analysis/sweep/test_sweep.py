@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from afmcalc import load
-from afmcalc.engines import build
 from afmcalc.engines.evaluate import evaluate
 from afmcalc.spec import read_spec
 
@@ -89,6 +88,6 @@ def test_what_is_swept_heads_its_column(afmcalc):
     run = afmcalc("accuracy", "example:all-driving", "--sweep", "zC=1:2:2", "--format", "csv")
     head, first, _ = run.out.splitlines()
     assert head.startswith("reduced_gain [1],accuracy_factor [1]")
-    low, high = (getattr(build(read_spec("example:all-driving")).friction[0], end) for end in ("min", "max"))
+    low, high = (getattr(read_spec("example:all-driving").friction.range, end) for end in ("min", "max"))
     told = [float(each) for each in first.split(",")[:2]]
     assert told == pytest.approx([1.0, high * (1 + low) / (low * (1 + high))])
