@@ -60,8 +60,6 @@ class ShopDrawing(NamedTuple):
     """Of the parts with pockets, kg; none where there is no layout."""
     contours: list[Contour]
     synthesis: SynthesisResult
-    chord: float
-    """How far a chord may lie off the wall, m."""
 
 
 def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
@@ -101,7 +99,6 @@ def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
             Contour("PATH", path, closed=False),
         ],
         synthesis=unit,
-        chord=wall.chord,
     )
 
 

@@ -1,19 +1,14 @@
 """The wall of a pocket at the ball circle, for drawings: where the ball is and touches, from the stop to the face."""
 
 import math
-from bisect import bisect_left
 from typing import NamedTuple
 
 from ..engines import Clutch
 from ..equations import curved_wall as law
 from ..result import Result, quantity
 
-CHORD = 1e-6
-"""Largest distance of a chord from the wall, m."""
-CHORD_SHARE = 1e-5
-"""The same of a ball above 200 mm, of its radius: a wall of some metres needs no more chords."""
-_WITHIN = 8
-"""Places of a chord at which it is held against the wall."""
+CHORDS = 128
+"""Chords that a curved wall is drawn by: within a micrometre of it for balls up to 60 mm."""
 
 
 class WallPoint(Result):
@@ -76,36 +71,10 @@ class Wall(NamedTuple):
         """ξ at which the ball would touch the edge of the pocket, m."""
         return float(law.travel_to_mouth(self.ball_radius, self.tangent, self.steepening, self.face_gap))
 
-    @property
-    def chord(self) -> float:
-        """Largest distance of a chord from the wall, m."""
-        return max(CHORD, CHORD_SHARE * self.ball_radius)
-
     def points(self) -> list[WallPoint]:
-        """Places from the stop to the mouth, so near that chords between them keep within ``chord`` of the wall."""
-        end, enough, chord = self.mouth, 1, self.chord
-        while self._farthest_off(end, enough) > chord:
-            enough *= 2
-        counts = range(enough // 2 + 1, enough + 1)
-        count = counts[bisect_left(counts, -chord, key=lambda number: -self._farthest_off(end, number))]
+        """Places from the stop to the mouth, ends of chords."""
+        end, count = self.mouth, CHORDS if self.steepening else 1
         return [self.at(end * i / count) for i in range(count + 1)]
-
-    def _farthest_off(self, end: float, count: int) -> float:
-        """Largest distance of the wall up to a place from its chords, so many of them, m."""
-        if self.steepening == 0:
-            return 0.0
-        return max(self._off(end * i / count, end * (i + 1) / count) for i in range(count))
-
-    def _off(self, start: float, stop: float) -> float:
-        """Largest distance of the wall between two places from its chord, m."""
-        first, last = self.at(start), self.at(stop)
-        along, around = last.wall_axial - first.wall_axial, last.wall_around - first.wall_around
-        between = (self.at(start + (stop - start) * i / _WITHIN) for i in range(1, _WITHIN))
-        crosses = (
-            along * (place.wall_around - first.wall_around) - around * (place.wall_axial - first.wall_axial)
-            for place in between
-        )
-        return max(map(abs, crosses)) / math.hypot(along, around)
 
 
 def wall_of(clutch: Clutch, face_gap: float, ball_radius: float = 0.0) -> Wall:

@@ -141,9 +141,8 @@ def notes(drawing: ShopDrawing) -> list[str]:
         wall = say("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
     else:
         wall = say(
-            "curved wall, angle to the axis {angle:.4f deg} at the stop, {most:.4f deg} at x = {travel:.4f mm}; "
-            "chords within {chord:g mm}",
-            angle=ball.wall_angle, most=ball.wall_angle_max, travel=ball.travel_max, chord=drawing.chord,
+            "curved wall, angle to the axis {angle:.4f deg} at the stop, {most:.4f deg} at x = {travel:.4f mm}",
+            angle=ball.wall_angle, most=ball.wall_angle_max, travel=ball.travel_max,
         )  # fmt: skip
     return [
         say("{name}: pocket, cylindrical section at the ball circle, radius {radius:.4f mm}, unrolled; mm, sleeves at "

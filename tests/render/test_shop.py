@@ -15,7 +15,7 @@ from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.section import section
 from afmcalc.analysis.shop import shop_drawing
 from afmcalc.analysis.synthesize import pocket as designed
-from afmcalc.analysis.wall import CHORD, wall_of
+from afmcalc.analysis.wall import wall_of
 from afmcalc.engines import build
 from afmcalc.render.dxf import dxf
 from afmcalc.render.shop import pocket
@@ -82,7 +82,7 @@ def test_the_contours_are_the_wall(drawn):
     assert off == pytest.approx(0, abs=1e-9)
     between = (touching[1:] + touching[:-1]) / 2
     inside = distances(between * [-1, 1], own, 0.0, own.mouth + 1e-3)
-    assert np.abs(inside).max() <= CHORD * 1e3 * 1.001
+    assert np.abs(inside).max() <= 1e-3
     assert points[:, 1] == pytest.approx(-points[::-1, 1], abs=1e-12), "both hands alike"
     assert np.ptp(points[:, 1]) == pytest.approx(found.pocket_width * 1e3, abs=1e-9)
     assert np.ptp(points[:, 0]) == pytest.approx((found.pocket_depth_cut + drawing.sleeve.relief) * 1e3, abs=1e-9)
