@@ -1,22 +1,25 @@
 """Data of each kind of plot, gathered from the answers of a clutch."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from itertools import groupby
+from typing import Any, NamedTuple
 
 from ..errors import AfmcalcError, CalculationError
 from ..messages import did_you_mean
+from ..papers.claims import paper_figure
+from ..spec import Spec
+from .answers import Answers
+from .curves import LifeCurve, accuracy_curve, life_curve, overload_curve, torque_curve
+from .design import DesignResult, design
+from .drive_result import SimulateResult
+from .effects import effects_curve
 from .registry import ANALYSES, PLOTS, Plot, StressRule
-
-if TYPE_CHECKING:
-    from ..spec import Spec
-    from .answers import Answers
-    from .curves import LifeCurve
-    from .design import DesignResult
-    from .drive_result import SimulateResult
-    from .shop import ShopDrawing
-    from .simulate import MomentRow
-    from .synthesize import SynthesisResult
-    from .tolerance_result import ToleranceResult
+from .section import section
+from .shop import ShopDrawing, shop_drawing
+from .simulate import MomentRow, history
+from .springs import springs_curve
+from .synthesize import SynthesisResult
+from .tolerance_result import ToleranceResult
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "search": "SPEC"}
 """Name of the one argument of a plot, as the help calls it."""
@@ -36,7 +39,7 @@ class PocketSection(NamedTuple):
 
     name: str | None
     balls: int | None
-    synthesis: "SynthesisResult"
+    synthesis: SynthesisResult
 
 
 class ToleranceFigure(NamedTuple):
@@ -45,7 +48,7 @@ class ToleranceFigure(NamedTuple):
     name: str | None
     nominal_torque: float
     seed: int
-    result: "ToleranceResult"
+    result: ToleranceResult
 
 
 class SimulateFigure(NamedTuple):
@@ -56,8 +59,8 @@ class SimulateFigure(NamedTuple):
     """Of event."""
     load: float
     """Before it, N·m."""
-    result: "SimulateResult"
-    courses: "list[list[MomentRow]]"
+    result: SimulateResult
+    courses: list[list[MomentRow]]
     """At f_min, mean friction and f_max."""
 
 
@@ -65,7 +68,7 @@ class ParetoFigure(NamedTuple):
     """The front of a design with two objectives or more."""
 
     name: str | None
-    result: "DesignResult"
+    result: DesignResult
 
 
 def plot_of(name: str) -> Plot:
@@ -115,20 +118,12 @@ def gathered(name: str, request: Request) -> Any:
     subject = request.subjects[0]
     match name:
         case "section":
-            from .section import section
-
             return section(subject)
         case "torque":
-            from .curves import torque_curve
-
             return [torque_curve(answers.clutch) for answers in request.subjects]
         case "accuracy":
-            from .curves import accuracy_curve
-
             return [accuracy_curve(answers.clutch, request.sweep) for answers in request.subjects]
         case "overload":
-            from .curves import overload_curve
-
             return overload_curve(subject.clutch)
         case "life":
             return _life(request)
@@ -136,12 +131,8 @@ def gathered(name: str, request: Request) -> Any:
             (synthesis, _), spec = subject.ask("pocket"), subject.clutch.spec  # refuses a clutch without balls
             return PocketSection(spec.name, spec.control_unit.balls, synthesis)
         case "effects":
-            from .effects import effects_curve
-
             return effects_curve(subject.clutch)
         case "springs":
-            from .springs import springs_curve
-
             return springs_curve(subject.clutch)
         case "tolerance":
             return _tolerance(subject)
@@ -150,14 +141,10 @@ def gathered(name: str, request: Request) -> Any:
         case "pareto":
             return _pareto(subject)
         case _:  # the last of PLOTS, "paper"
-            from ..papers.claims import paper_figure
-
             return paper_figure(subject)
 
 
-def _life(request: Request) -> "list[LifeCurve]":
-    from .curves import life_curve
-
+def _life(request: Request) -> list[LifeCurve]:
     curves = [life_curve(answers, request.sweep) for answers in request.subjects]
     drawn = [cycles for curve in curves for cycles in curve.series.protected]
     if len(curves) == 1:
@@ -170,9 +157,7 @@ def _life(request: Request) -> "list[LifeCurve]":
     return curves
 
 
-def _tolerance(answers: "Answers") -> ToleranceFigure:
-    from .tolerance_result import ToleranceResult
-
+def _tolerance(answers: Answers) -> ToleranceFigure:
     result, spec = answers.of(ToleranceResult), answers.clutch.spec
     if not result.histogram:
         raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
@@ -180,11 +165,7 @@ def _tolerance(answers: "Answers") -> ToleranceFigure:
     return ToleranceFigure(spec.name, float(answers.clutch.nominal_torque), spec.tolerance.seed, result)
 
 
-def _simulate(answers: "Answers") -> SimulateFigure:
-    from itertools import groupby
-
-    from .drive_result import SimulateResult
-    from .simulate import history
+def _simulate(answers: Answers) -> SimulateFigure:
 
     spec, result = answers.clutch.spec, answers.of(SimulateResult)
     rows = history(answers.clutch, short=True).moments
@@ -193,9 +174,7 @@ def _simulate(answers: "Answers") -> SimulateFigure:
     return SimulateFigure(spec.name, spec.drive.event.kind, result.load_torque, result, courses)
 
 
-def _pareto(spec: "Spec") -> ParetoFigure:
-    from .design import design
-
+def _pareto(spec: Spec) -> ParetoFigure:
     result, findings = design(spec)
     if len(set(result.objectives)) < 2:
         raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
@@ -204,13 +183,12 @@ def _pareto(spec: "Spec") -> ParetoFigure:
     return ParetoFigure(spec.name, result)
 
 
-def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
+def shop_drawing_of(name: str, request: Request) -> ShopDrawing:
     """Lay out the pockets of a clutch for the shop; ``name``: the plot that was asked.
 
     Raises:
         AfmcalcError: no one clutch with a control unit, or a pocket that cannot be cut.
     """
-    from .shop import shop_drawing
 
     check_request(name, request)
     (answers,) = request.subjects

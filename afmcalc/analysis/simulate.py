@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..drive.cases import Case, Outcome, case_of, outcome_of
 from ..drive.integrator import CLOSE, CLOSE_CLUTCH, CLOSED, SPREAD, Event, Row, peak_time
@@ -235,7 +234,8 @@ def simulate(
     rattles = any(one.rattles for one in outcomes)
     peaks_by_step = [(one.event.peak, one.event.other.peak) for one in outcomes if rattles]
     heats_by_step = [tuple(math.inf if heat is None else heat for heat in one.energies) for one in outcomes if rattles]
-    bypass = bypass_peak(clutch)
+    (peak,) = bypass_peaks(clutch).tolist()
+    bypass = None if math.isnan(peak) else peak
     sweep, rising = swept(clutch, sweeps)
     travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
     late = unit is not None and bool(unit.release_lag)
@@ -355,31 +355,17 @@ def dynamic_factors(clutch: Clutch) -> Floats:
 
 
 def bypass_peaks(clutch: Clutch) -> Floats:
-    """Peaks in the shaft if the bypass pairs alone carry, as of ``bypass_peak``; NaN where they carry less, N·m."""
-    first, second, more = _bypass_carries_more(clutch)
+    """Return the peaks in the shaft if the bypass pairs alone carry, at f_max where they carry most, N·m.
+
+    By the law breakaway is at most what they carry with the spring not yet released (handbook, chapter 3); that they
+    go on carrying it in slip is the worst there may be. NaN where the slipping clutch carries more than they do.
+    """
+    first, second = (part.max for part in clutch.spec.friction.groups)
+    there = clutch.at_friction(first, second)
+    more = np.atleast_1d(there["breakaway_torque"] > there["torque"] * (1 + 1e-9))
     if not more.any():
         return np.full(more.shape, np.nan)
     return np.where(more, case_of(bypass_alone(clutch), first, second).peaks().peak, np.nan)
-
-
-def bypass_peak(clutch: Clutch) -> float | None:
-    """Return the peak torque in the shaft if the bypass pairs alone carry, at f_max where they carry most, N·m.
-
-    By the law breakaway is at most what they carry with the spring not yet released (handbook, chapter 3); that they
-    go on carrying it in slip is the worst there may be. None where the slipping clutch carries more than they do.
-    """
-    first, second, more = _bypass_carries_more(clutch)
-    if not more.any():
-        return None
-    return float(case_of(bypass_alone(clutch), first, second).peaks().peak)
-
-
-def _bypass_carries_more(clutch: Clutch) -> tuple[Any, Any, NDArray[np.bool_]]:
-    """f_1 and f_2 at most, and whether the bypass pairs alone then carry more than the slipping clutch."""
-    first, second = (part.max for part in clutch.spec.friction.groups)
-    there = clutch.at_friction(first, second)
-    sliding, breakaway = there["torque"], there["breakaway_torque"]
-    return first, second, np.atleast_1d(breakaway > sliding * (1 + 1e-9))
 
 
 def bypass_alone(clutch: Clutch) -> Clutch:

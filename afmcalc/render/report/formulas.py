@@ -9,8 +9,8 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from ...messages import localized, translate
-from ..symbols import native_latex
+from ...messages import localized
+from ..symbols import latex_in_numbers
 
 Tree = list[Any]
 
@@ -31,11 +31,7 @@ def formula(latex: str) -> Formula:
     >>> formula(r"F = \\sqrt{2} \\cdot 10^{3}\\,\\text{N}").alt
     'F = √(2)·10^3\u2009N'
     """
-    # a unit follows its number after a gap; an index does not
-    latex = re.sub(
-        r"\\,\\text\{([^}]*)\}", lambda unit: rf"\,\text{{{translate(unit[1], 'unit')}}}", native_latex(latex)
-    )
-    tree = _Reader(latex).row()
+    tree = _Reader(latex_in_numbers(latex)).row()
     return Formula(tree, plain(tree))
 
 
