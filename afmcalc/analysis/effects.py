@@ -290,13 +290,9 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
     force = float(clutch.pack_force_at_rest)
     if loss >= force:
         return Bracket((), (finding("force-used-up", "error", value=loss, limit=force, path=path),))
-    return Bracket((partial(_torque, weakened(clutch, loss)), partial(_torque, clutch)))
-
-
-def weakened(clutch: Clutch, loss: Values) -> Clutch:
-    """The clutch with less force on its pack at rest, N."""
     name = "control_force_made" if clutch.spec.kind.travels else "closing_force"
-    return as_set(clutch, **{name: clutch.pack_force_at_rest - loss})
+    weakened = as_set(clutch, **{name: force - loss})
+    return Bracket((partial(_torque, weakened), partial(_torque, clutch)))
 
 
 def with_pairs(clutch: Clutch, bypass: Values, controlled: Values, **values: Values) -> Clutch:

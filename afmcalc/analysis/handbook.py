@@ -9,7 +9,6 @@ lines are steps of a derivation, with ``sh`` command lines; ``{plot torque defau
 
 import re
 import tomllib
-from collections.abc import Callable
 from functools import cache
 from importlib.resources import files
 from itertools import product
@@ -27,7 +26,7 @@ from ..variants import VARIANTS
 from .answers import Answers
 from .asking import names_asked
 from .explain.explain import noting, shown, steps_of
-from .explain.formula import FormulaText, Leaf, symbol_latex
+from .explain.formula import FormulaText, symbol_latex
 from .figures import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
@@ -134,31 +133,15 @@ def _entry(equation: Equation) -> Entry:
     symbols = {key: term.symbol for key, term in terms.items()}
     units = {key: term.unit for key, term in terms.items()}
     numbers = step.values if step else dict.fromkeys(terms, 1.0)
-    texts = [FormulaText(part, symbols, numbers, units) for part in _parts(equation)]
+    text = FormulaText(equation.function, symbols, numbers, units)
     printed = [entry for entry in register() if entry.function == equation.name]
     symbol = symbol_latex(equation.result.symbol)
     return Entry(
-        equation=equation, latex=_set(symbol, [text.latex() for text in texts]), example=example,
-        worked=f"{symbol} = {texts[0].latex_with_numbers()}" if step else "", value=float(step.value) if step else 0.0,
+        equation=equation, latex=f"{symbol} = {text.latex()}", example=example,
+        worked=f"{symbol} = {text.latex_with_numbers()}" if step else "", value=float(step.value) if step else 0.0,
         printed=printed, proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
         commands=commands_of(equation.name),
     )  # fmt: skip
-
-
-def _set(symbol: str, formulas: list[str]) -> str:
-    """The formula; of several, highest power first, each in a line with its index."""
-    if len(formulas) == 1:
-        return f"{symbol} = {formulas[0]}"
-    lines = (f"{symbol}_{place} = {text}" for place, text in zip(range(len(formulas))[::-1], formulas, strict=True))
-    return r"{\begin{array}{l} " + r" \\ ".join(lines) + r" \end{array}}"
-
-
-def _parts(equation: Equation) -> list[Callable[..., Any]]:
-    """The equation; of one that gives several numbers a function for each."""
-    one = equation.function(**{name: Leaf(term.symbol) for name, term in equation.arguments.items()})
-    if not isinstance(one, tuple):
-        return [equation.function]
-    return [lambda place=place, **terms: equation.function(**terms)[place] for place in range(len(one))]
 
 
 def commands_of(name: str) -> list[str]:

@@ -15,7 +15,7 @@ from ..messages import say
 from ..result import Answer, described, quantity
 from ..spec import Spec
 from ..spec.edit import with_key
-from ..spec.lists import ball_designation, diameters
+from ..spec.lists import ball_designation
 from ..spec.models import ControlUnit
 from .asking import Asking, answer, asked
 from .clutch_findings import clutch_findings
@@ -64,31 +64,28 @@ class SynthesisResult(Asking, Answer):
         return 2 * self.ball_radius if self.ball_diameter_standard is None else self.ball_diameter_standard
 
 
-def pocket(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
-    """Design the control unit of a clutch, with ``balls`` to choose from, m, ascending; None: those of the spec.
+def pocket(clutch: Clutch) -> tuple[SynthesisResult, list[Finding]]:
+    """Design the control unit of a clutch.
 
     Raises SpecError: the spec lacks what synthesis needs.
     """
     spec, unit = clutch.spec, _unit(clutch)
-    sizes = balls or spec.lists.balls or diameters()
-    own = clutch.at(balls_listed=tuple(sizes))
-    diameter = float(own["ball_diameter_standard"])
+    diameter = float(clutch["ball_diameter_standard"])
     chosen = None if np.isnan(diameter) else diameter
-    wall = wall_of(clutch, own["face_gap"], own["ball_radius_chosen"])
+    wall = wall_of(clutch, clutch["face_gap"], clutch["ball_radius_chosen"])
     unknown = dict[str, Any]()
     if unit.balls is None or unit.balls == 1:
         unknown |= {"ball_pitch": None, "web": None}
     if chosen is None:
         unknown |= {"edge_clearance_standard": None}
     result = answer(
-        SynthesisResult, own, ball_diameter_standard=chosen,
+        SynthesisResult, clutch, ball_diameter_standard=chosen,
         ball_designation=None if chosen is None else ball_designation(chosen),
         wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None, **unknown,
-        **_contact(own, unit, by_hertz=chosen is not None and wall.can_be_cut),
+        **_contact(clutch, unit, by_hertz=chosen is not None and wall.can_be_cut),
     )  # fmt: skip
-    return result, [
-        *clutch_findings(clutch), *failures_of(spec, own, "pocket"), *_remarks(spec, unit, result, sizes),
-    ]  # fmt: skip
+    remarks = _remarks(spec, unit, result, clutch["balls_listed"])
+    return result, [*clutch_findings(clutch), *failures_of(spec, clutch, "pocket"), *remarks]
 
 
 def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[str, Any]:

@@ -7,8 +7,8 @@ from ..engines import Clutch
 from ..equations import curved_wall as law
 from ..result import Result, quantity
 
-CHORDS = 128
-"""Chords that a curved wall is drawn by: within a micrometre of it for balls up to 60 mm."""
+CHORDS = 32
+"""Chords that a curved wall is drawn by: within 0.01 mm of it for balls up to 60 mm."""
 
 
 class WallPoint(Result):

@@ -131,17 +131,16 @@ class Clutch(Quantities):
         return self.at(friction=driving)
 
 
-def quantities_of(spec: "Spec", *, rule: str = "mean-stress", noted: bool = False) -> Clutch:
+def quantities_of(spec: "Spec", *, noted: bool = False) -> Clutch:
     """Return the clutch of a spec.
 
     Args:
         spec: a valid one; its values may be arrays.
-        rule: rule for the damaging stress of a life.
         noted: keep the steps of the calculation.
     """
     found = given(spec)
     group, unit = spec.friction_group, spec.control_unit
-    keys = {*found, rule}
+    keys = {*found}
     if group.inner_radius is not None:
         keys.add(group.radius_model or "uniform-wear")
     if unit is not None and unit.pocket is not None:

@@ -38,7 +38,7 @@ def svg(drawing: Drawing, title: str = "") -> str:
     return "\n".join([*filter(None, parts), "</svg>", ""])
 
 
-def picture(drawing: Drawing, ending: str, title: str = "", dpi: int = 150) -> bytes:
+def picture(drawing: Drawing, ending: str, title: str = "") -> bytes:
     """Return a file of a drawing, on white: as SVG, or set from that by Typst with the fonts of matplotlib."""
     text = svg(drawing, title)
     if ending == "svg":
@@ -48,7 +48,7 @@ def picture(drawing: Drawing, ending: str, title: str = "", dpi: int = 150) -> b
 
     source = b"#set page(width: auto, height: auto, margin: 0pt)\n#image(bytes(sys.inputs.svg))"
     return typst.compile(  # type: ignore[call-overload]
-        source, format=ending, ppi=dpi, sys_inputs={"svg": text}, ignore_system_fonts=True, timestamp=0,
+        source, format=ending, ppi=150, sys_inputs={"svg": text}, ignore_system_fonts=True, timestamp=0,
         font_paths=[f"{get_data_path()}/fonts/ttf"],
     )  # fmt: skip
 

@@ -21,14 +21,14 @@ _TITLE, _COLUMN = 62, 36
 """Letters of a line of the title, and of an entry of a legend in two columns."""
 
 
-def save(sheet: Sheet, ending: str, dpi: int = 150) -> bytes:
-    """Return a file of a sheet with its title and caption, on white; ``dpi`` is that of a PNG.
+def save(sheet: Sheet, ending: str) -> bytes:
+    """Return a file of a sheet with its title and caption, on white.
 
     Without date or version: the file depends on the sheet only.
     """
     if isinstance(sheet.panels[0], Drawing):
-        return picture(sheet.panels[0].captioned(sheet.title, named(sheet.name), sheet.below), ending, sheet.title, dpi)
-    return _drawn(sheet, ending, {"savefig.dpi": dpi})
+        return picture(sheet.panels[0].captioned(sheet.title, named(sheet.name), sheet.below), ending, sheet.title)
+    return _drawn(sheet, ending, {})
 
 
 def inline_svg(sheet: Sheet) -> str:

@@ -80,8 +80,6 @@ class _Reader:
                 self._tokens.pop()
                 rows.append(self.row(r"\end{array}"))
             return {"rows": rows}
-        if token == "{":
-            return {"row": self.row("}")}
         if token == r"\frac":
             return {"fraction": [self._argument(), self._argument()]}
         if token == r"\sqrt":

@@ -71,8 +71,6 @@ def _node(node: Any) -> str:
             return gap + element("mi", body, mathvariant="normal") + gap
         case "space":
             return element("mspace", width=f"{body}em")
-        case "row":
-            return _row(body)
         case "root":
             return element("msqrt", *map(_node, body))
         case "brackets":
