@@ -88,7 +88,7 @@ def parts_of_search(spec: Spec) -> list[Part]:
     if not spec.search:
         raise spec.refused("search", say('required by design: which keys vary, such as "control_unit.gain" = "0:1:21"'))
     axes = {path: values for path, values in spec.search.items() if path != SPRINGS}
-    names = {path: values for path, values in axes.items() if _is_name(path)}
+    names = {path: values for path, values in axes.items() if keys()[path].about is None}
     parts = []
     for chosen in product(*names.values()):
         named = dict(zip(names, map(str, chosen), strict=True))
@@ -107,10 +107,6 @@ def parts_of_search(spec: Spec) -> list[Part]:
         Part(_base(spec, named, taken), named, {path: np.array(values, float) for path, values in taken.items()})
         for named, taken in parts
     ]
-
-
-def _is_name(path: str) -> bool:
-    return keys()[path].about is None
 
 
 def _takes(variant: str, path: str) -> bool:

@@ -378,12 +378,8 @@ def _simulated(answers: Answers) -> Trips:
     (found, said), slips = answers.ask("simulate"), {}
     for end, there in counted(say("simulating the event"), [*_ends(answers.clutch)]):
         time, energy = getattr(found.slip_time, end), getattr(found.slip_energy, end)
-        slips[end] = Slip(time, energy, _course(answers.quiet, end), there.apply)
+        rows = case_of(answers.quiet, *(getattr(own, end) for own in answers.clutch.spec.friction.groups)).run().rows
+        moments = ((row.time, float(law.slip_power(row.torque_clutch, row.slip)), row.heat) for row in rows)
+        slips[end] = Slip(time, energy, course_of(moments), there.apply)
     ended = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))
     return Trips("simulate", slips, ended)
-
-
-def _course(clutch: Clutch, end: str) -> Course:
-    """Course of a simulated slip."""
-    rows = case_of(clutch, *(getattr(own, end) for own in clutch.spec.friction.groups)).run().rows
-    return course_of((row.time, float(law.slip_power(row.torque_clutch, row.slip)), row.heat) for row in rows)

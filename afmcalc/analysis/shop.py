@@ -147,12 +147,9 @@ def _pocket(wall: Wall, depth: float, relief: float) -> Points:
     """Contour of a pocket: up one wall and down the other, the groove between them, open side at the face."""
     floor, half = depth + wall.face_gap / 2, _floor_half(wall, depth)
     above = [(-place.wall_axial, place.wall_around) for place in wall.points()]
-    return _both_sides([(floor + relief, half), (floor, half), *above])
-
-
-def _both_sides(upper: Points) -> Points:
-    """A line on one side of the axis, and back on the other; a place on the axis is there once."""
-    return [(along, -around) for along, around in reversed(upper)] + upper[abs(upper[0][1]) < 1e-12 :]
+    upper = [(floor + relief, half), (floor, half), *above]
+    # a place on the axis is there once
+    return [(along, -around) for along, around in reversed(upper)] + upper[abs(half) < 1e-12 :]
 
 
 def _mirrored(points: Points) -> Points:

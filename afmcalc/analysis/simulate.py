@@ -365,12 +365,9 @@ def bypass_peaks(clutch: Clutch) -> Floats:
     more = np.atleast_1d(there["breakaway_torque"] > there["torque"] * (1 + 1e-9))
     if not more.any():
         return np.full(more.shape, np.nan)
-    return np.where(more, case_of(bypass_alone(clutch), first, second).peaks().peak, np.nan)
-
-
-def bypass_alone(clutch: Clutch) -> Clutch:
-    """Return the clutch with its bypass pairs only; the load before the event stays that of the clutch as it is."""
-    return with_pairs(clutch, clutch["bypass_pairs"], 0.0, running_torque=train_of(clutch).load)
+    # the load before the event stays that of the clutch as it is
+    alone = with_pairs(clutch, clutch["bypass_pairs"], 0.0, running_torque=train_of(clutch).load)
+    return np.where(more, case_of(alone, first, second).peaks().peak, np.nan)
 
 
 class MomentRow(Result):

@@ -107,10 +107,6 @@ def _arguments(law: Law) -> tuple[str, ...]:
     return law.__code__.co_varnames[: law.__code__.co_argcount] if callable(law) else ()
 
 
-def _identity(value: Any) -> Any:
-    return id(value) if is_array(value) else value
-
-
 Apply = Callable[..., Any]
 
 
@@ -206,7 +202,7 @@ class Quantities(Named):
     def _scope(self, own: dict[str, Any], bound: dict[str, tuple[str, str]], family: dict[Any, Any]) -> "Quantities":
         bound = {name: bound[name] for name in own if name in bound}
         root = self._root
-        key = frozenset((name, value if type(value) is float else _identity(value)) for name, value in own.items())
+        key = frozenset((name, id(value) if is_array(value) else value) for name, value in own.items())
         if self.steps is not None:  # equal frictions stand for different quantities
             key |= frozenset(bound.items())
         if key not in family:
