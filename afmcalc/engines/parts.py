@@ -12,7 +12,6 @@ from ..messages import translate
 from ..spec.catalogues import Disc
 from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Room
 from .checks import ROUNDING, Check, check_of
-from .clutch import Clutch
 from .layout import rooms_of
 from .quantities import Apply, call
 from .selection import Clutch
