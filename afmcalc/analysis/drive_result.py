@@ -37,7 +37,6 @@ class SimulateSweep(Series):
     peak_torque_max: list[float] = quantity("N*m", "T_peak(f_max)", "peak torque in the shaft at f_max")
     peak_torque_mean: list[float] = quantity("N*m", "T_peak(f_cp)", "peak torque in the shaft at the mean friction")
     peak_torque_min: list[float] = quantity("N*m", "T_peak(f_min)", "peak torque in the shaft at f_min")
-    peak_torque_clutch: list[float] = quantity("N*m", "T_peak,c", "peak torque at the clutch at f_max")
     peak_torque_bypass: list[float | None] | None = quantity(
         "N*m", "T_peak,1", "peak torque in the shaft at f_max if the bypass pairs alone carry", optional=True
     )

@@ -324,7 +324,6 @@ def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] |
         "peak_torque_max": lambda point: of(point)[0].peak[2],
         "peak_torque_mean": lambda point: of(point)[0].peak[1],
         "peak_torque_min": lambda point: of(point)[0].peak[0],
-        "peak_torque_clutch": lambda point: of(point)[0].peak_clutch[2],
         "dynamic_factor": lambda point: of(point)[0].peak[2] / of(point)[1][2],
         "inertia_torque": lambda point: train_of(point).inertia_torque,
     }

@@ -50,7 +50,8 @@ def slips_below(motion: Motion, powered: Any, peak: Values) -> Flags:
     train, pack = motion.train, motion.pack
     sliding, breakaway = pack.sliding, pack.breakaway
     behind, front = train.hub_inertia + train.driven_inertia, train.front
-    swing = np.hypot(motion.elastic - motion.clutch, motion.driven * (train.stiffness * behind) ** 0.5)
+    impedance = (train.stiffness * behind) ** 0.5
+    swing = np.hypot(motion.elastic - motion.clutch, motion.driven * impedance)
     top = np.maximum(np.abs(motion.clutch) + _top(train, behind, swing), breakaway)
     # as the slip ends the stalled motor may swing the shaft up, until it slips again
     rest = np.where(powered, train.engine.at(0.0 * motion.motor), 0.0)
@@ -60,10 +61,12 @@ def slips_below(motion: Motion, powered: Any, peak: Values) -> Flags:
     if pack.travels:
         # in the end the springs give back their energy
         again = np.maximum(again, np.hypot(motion.clutch, (2 * train.stiffness * pack.work(motion.travel)) ** 0.5))
+    # friction that falls with the slip feeds the swing of a slow slip: up to one as fast as that slip is
+    slow = pack.juddering_slip(train.damping)
+    fed = np.hypot(breakaway - sliding, np.where(slow > 0, slow * impedance + swing, 0.0))
+    again = np.maximum(again, sliding + _top(train, behind, fed))
     standing = np.abs(motion.tool) <= _STANDING * train.speed
-    goes_on = (motion.slip > 0) & (motion.rate == 0) & (motion.time > train.time)
-    # friction that falls with the slip feeds the swing
-    goes_on = goes_on & (pack.judder(0.0) <= train.damping)
+    goes_on = (motion.slip > slow + swing / impedance * (slow > 0)) & (motion.rate == 0) & (motion.time > train.time)
     found: Flags = standing & goes_on & (np.maximum(top, again) <= peak * (1 + CLOSE))
     return found
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..engines.quantities import Quantities
 from ..equations import direct
+from ..equations.arrays import is_array
 from .pack import DirectPack, Sleeve
 from .train import Train
 
@@ -45,9 +46,10 @@ def _any(condition: Any) -> bool:
 
 
 def cut(whole: Any, lanes: Any, shape: tuple[int, ...]) -> Any:
-    """Record with only some lanes of every array in it, also of arrays in nested records."""
+    """Record with only some lanes of every array in it, or with numbers of one, also in nested records."""
     if isinstance(whole, np.ndarray):
-        return np.broadcast_to(whole, shape).reshape(-1)[lanes]
+        part = np.broadcast_to(whole, shape).reshape(-1)[lanes]
+        return part if is_array(part) else part.item()
     if isinstance(whole, Quantities):
         return Quantities(whole.laws, {name: cut(value, lanes, shape) for name, value in whole.given.items()})
     if not is_dataclass(whole) or isinstance(whole, type):

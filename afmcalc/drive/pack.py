@@ -125,6 +125,11 @@ class Pack(ABC):
         decay = self.decay_rate * (np.asarray(self.static_ratio) > 1)
         return self.growth * (self.static_ratio - 1) * decay * np.exp(-decay * slip)
 
+    def juddering_slip(self, damping: Any) -> Any:
+        """Slip below which it judders, rad/s; 0 where it never does."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(self.judder(0.0) > damping, np.log(self.judder(0.0) / damping) / self.decay_rate, 0.0)
+
     @abstractmethod
     def sticks_up_to(self, turn: Values, normal: Values) -> Values:
         """Torque up to which nothing of a stuck clutch slips or moves, N·m."""
