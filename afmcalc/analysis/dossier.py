@@ -9,10 +9,10 @@ from ..findings import Finding
 from ..messages import filled, translate
 from ..result import Result
 from ..spec import Spec
-from .answers import Answers
+from .asking import Answers
 from .check import CheckResult
 from .explain.explain import Derivation, derivations, noting, steps_of
-from .figures import Request, gathered
+from .plot_data import Request, gathered
 from .registry import ANALYSES, Analysis, StressRule, Told
 
 

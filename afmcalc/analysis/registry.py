@@ -130,7 +130,7 @@ def _heated(found: Any) -> str:
 
 
 def _any_effect(clutch: "Clutch") -> bool:
-    from .effects import SOURCES
+    from .neglected import SOURCES
 
     return any(not source.missing(clutch) for source in SOURCES.values())
 
@@ -185,7 +185,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("torque", "torque against friction, scatter band, both adjustment methods"),
         ),
         Analysis(
-            "accuracy", "analysis.accuracy", "AccuracyResult", "clutch", explained=True,
+            "accuracy", "analysis.accuracy_factor", "AccuracyResult", "clutch", explained=True,
             section=Section(
                 "Accuracy",
                 "K_т is the largest over the smallest torque in service; 1 would be perfect.",
@@ -207,7 +207,7 @@ ANALYSES: dict[str, Analysis] = {
             ),
         ),
         Analysis(
-            "overload", "analysis.overload", "OverloadResult", "clutch",
+            "overload", "analysis.trip", "OverloadResult", "clutch",
             lambda clutch: clutch.spec.kind.overload and not clutch.spec.friction.unlike, explained=True,
             section=Section(
                 "Overload",
@@ -232,7 +232,7 @@ ANALYSES: dict[str, Analysis] = {
             ),
         ),
         Analysis(
-            "life", "analysis.life", "LifeResult", "clutch", lambda clutch: clutch.spec.fatigue is not None,
+            "life", "analysis.fatigue", "LifeResult", "clutch", lambda clutch: clutch.spec.fatigue is not None,
             ("model", "answers"), explained=True, judged=True,
             section=Section(
                 "Life", "Cycles to failure on both sides of the clutch, by the rule {model}.", _lasting, ("S19",),
@@ -261,7 +261,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "effects", "analysis.effects", "EffectsResult", "drive", _any_effect, judged=True,
+            "effects", "analysis.neglected", "EffectsResult", "drive", _any_effect, judged=True,
             section=Section(
                 "What the law neglects",
                 "Each effect as what the torque and K_т lie between, springs as set; the bypass pairs are farthest "
@@ -285,7 +285,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
         Analysis(
-            "layout", "analysis.layout", "LayoutResult", "drive", lambda clutch: clutch.spec.envelope is not None,
+            "layout", "analysis.half_section", "LayoutResult", "drive", lambda clutch: clutch.spec.envelope is not None,
             judged=True,
             section=Section(
                 "Layout",

@@ -65,8 +65,8 @@ def misprints() -> list[Misprint]:
     return [Misprint(**{"status": "in print", "proof": None, **entry}) for entry in data("misprints.toml")["misprint"]]
 
 
-def data(name: str) -> dict[str, list[dict[str, str]]]:
-    """Read one of the lists of this package: kind of entry → its entries, in order."""
+def data(name: str) -> dict[str, Any]:
+    """Read one of the lists of this package."""
     return tomllib.loads(files("afmcalc.papers").joinpath(name).read_text(encoding="utf-8"))
 
 
@@ -82,8 +82,7 @@ def citations() -> dict[str, tuple[str, bool]]:
 
 @cache
 def _sources() -> dict[str, Any]:
-    entries: Any = data("references.toml")
-    return entries
+    return data("references.toml")
 
 
 def check_papers(papers: list[str]) -> None:

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.accuracy import accuracy
+from afmcalc.analysis.accuracy_factor import accuracy
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.explain.formula import Expression, FormulaText, Leaf
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED

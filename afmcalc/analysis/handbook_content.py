@@ -23,11 +23,10 @@ from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
 from ..variants import VARIANTS
-from .answers import Answers
-from .asking import names_asked
+from .asking import Answers, names_asked
 from .explain.explain import noting, shown, steps_of
 from .explain.formula import FormulaText, symbol_latex
-from .figures import Request, gathered
+from .plot_data import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
 _FOLDER = files("afmcalc.papers").joinpath("handbook")

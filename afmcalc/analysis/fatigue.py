@@ -22,8 +22,7 @@ from ..result import Answer, Result, Series, described, quantity
 from ..spec.fields import Key
 from ..spec.models import Method, Spec
 from .adjust import METHODS
-from .answers import Answers
-from .asking import Asking, answer, asked
+from .asking import Answers, Asking, answer, asked
 from .clutch_findings import clutch_findings
 from .drive_result import SimulateResult, dynamic_factor
 from .registry import StressRule

@@ -13,11 +13,11 @@ from ..errors import CalculationError
 from ..messages import translate
 from ..spec.edit import value_at, with_values
 from ..spec.models import DiscStack, Envelope, Room, Spec
-from .answers import Answers
-from .layout import LayoutPart, rows_of
+from .asking import Answers
+from .half_section import LayoutPart, rows_of
+from .pocket_wall import wall_of
 from .registry import ANALYSES
 from .synthesize import pocket
-from .wall import wall_of
 
 
 class MainDimension(NamedTuple):
