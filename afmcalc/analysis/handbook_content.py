@@ -25,7 +25,7 @@ from ..spec import read_spec
 from ..variants import VARIANTS
 from .asking import Answers, names_asked
 from .explain.explain import noting, shown, steps_of
-from .explain.formula import FormulaText, symbol_latex
+from .explain.formula import formula_of, latex, symbol_latex
 from .plot_data import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
@@ -128,16 +128,13 @@ def _steps() -> dict[str, list[tuple[str, str, NotedStep]]]:
 def _entry(equation: Equation) -> Entry:
     steps = _steps().get(equation.name, [])
     example, _, step = steps[0] if steps else ("", "", None)
-    terms = equation.arguments
-    symbols = {key: term.symbol for key, term in terms.items()}
-    units = {key: term.unit for key, term in terms.items()}
-    numbers = step.values if step else dict.fromkeys(terms, 1.0)
-    text = FormulaText(equation.function, symbols, numbers, units)
+    terms = {key: (term.symbol, term.unit) for key, term in equation.arguments.items()}
+    formula = formula_of(equation.function, terms, step.values if step else dict.fromkeys(terms, 1.0))
     printed = [entry for entry in register() if entry.function == equation.name]
     symbol = symbol_latex(equation.result.symbol)
     return Entry(
-        equation=equation, latex=f"{symbol} = {text.latex()}", example=example,
-        worked=f"{symbol} = {text.latex_with_numbers()}" if step else "", value=float(step.value) if step else 0.0,
+        equation=equation, latex=f"{symbol} = {latex(formula)}", example=example,
+        worked=f"{symbol} = {latex(formula, numbers=True)}" if step else "", value=float(step.value) if step else 0.0,
         printed=printed, proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
         commands=commands_of(equation.name),
     )  # fmt: skip

@@ -1,16 +1,18 @@
 """Effects that the torque law neglects, for one clutch, in numbers (handbook, chapter 13)."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
 
 from ..engines import Clutch
 from ..engines.parts import following_stiffness, lost_by_wear
 from ..engines.selection import as_set
 from ..equations import effects as law
 from ..equations import pack
-from ..equations.arrays import Values
+from ..equations.arrays import Floats, Values
 from ..errors import CalculationError, Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import deferred, say, translate
@@ -72,7 +74,7 @@ class EffectCurve(Result):
 
 
 class EffectsCurve(Result):
-    """The law's torque and what each effect makes of it."""
+    """The law's torque along the path, and what each effect makes of it."""
 
     name: str | None = described("name of the clutch", optional=True)
     friction: list[float] = quantity("1", "f", "coefficient of friction")
@@ -81,10 +83,14 @@ class EffectsCurve(Result):
 
 
 class Bracket(NamedTuple):
-    """Two curves that the torque lies between, none where no clutch is left, and what is to be said of them."""
+    """Two curves that the torque lies between, or none and the reason why no clutch is left."""
 
     curves: Sequence[Torque]
     remarks: tuple[Finding, ...] = ()
+
+    def ends(self, path: Iterable[tuple[float, float]]) -> list[list[float]]:
+        """Smaller and larger torque at each pair of frictions, N·m."""
+        return [sorted(float(curve(*frictions)) for curve in self.curves) for frictions in path]
 
 
 class EffectSource(NamedTuple):
@@ -118,7 +124,7 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
         raise SpecError(clutch.spec.label, [Problem(missing[0], None, hint)])
     result = EffectsResult(
         accuracy_factor=clutch.accuracy_factor,
-        torque=Triple.of(_torque(clutch, *frictions) for frictions in zip(*clutch.spec.friction.groups, strict=True)),
+        torque=Triple.of(_torque(clutch, *frictions) for frictions in _range(clutch)),
         effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
     )
     remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
@@ -136,16 +142,12 @@ def effects_curve(clutch: Clutch) -> EffectsCurve:
         raise CalculationError("plot effects: the spec gives the data of no effect (afmcalc effects says which)")
     if path[0] == path[-1]:
         raise CalculationError("the friction does not wander (min = max): there is no curve over it")
-    curves = []
-    for name, bracket in brackets.items():
-        if bracket.curves:
-            both = [sorted(float(curve(*frictions)) for curve in bracket.curves) for frictions in path]
-            curves.append(EffectCurve(effect=name, low=[low for low, _ in both], high=[high for _, high in both]))
+    courses = {name: zip(*bracket.ends(path), strict=True) for name, bracket in brackets.items() if bracket.curves}
     return EffectsCurve(
         name=clutch.spec.name,
-        friction=[frictions[0] for frictions in path],
+        friction=[first for first, _ in path],
         torque=[_torque(clutch, *frictions) for frictions in path],
-        effects=curves,
+        effects=[EffectCurve(effect=name, low=[*low], high=[*high]) for name, (low, high) in courses.items()],
     )
 
 
@@ -168,19 +170,17 @@ def _path(clutch: Clutch) -> list[tuple[float, float]]:
     return [(float(first), float(second)) for first, second in path]
 
 
+def _range(clutch: Clutch) -> Iterator[tuple[float, float]]:
+    """f_1 and f_2 at f_min, their means and f_max."""
+    return zip(*clutch.spec.friction.groups, strict=True)
+
+
 def _effect(clutch: Clutch, name: EffectName, bracket: Bracket) -> Effect:
     # largest over smallest torque along the common path of f_1 and f_2
     torques = ([curve(*frictions) for frictions in _path(clutch)] for curve in bracket.curves)
-    low, high = sorted(float(max(course) / min(course)) for course in torques)
-    ends = zip(*clutch.spec.friction.groups, strict=True)
-    at_ends = [sorted(float(curve(*frictions)) for curve in bracket.curves) for frictions in ends]
-    return Effect(
-        effect=name,
-        torque_low=Triple.of(least for least, _ in at_ends),
-        torque_high=Triple.of(most for _, most in at_ends),
-        accuracy_factor_low=low,
-        accuracy_factor_high=high,
-    )
+    least, most = sorted(float(max(course) / min(course)) for course in torques)
+    low, high = map(Triple.of, zip(*bracket.ends(_range(clutch)), strict=True))
+    return Effect(effect=name, torque_low=low, torque_high=high, accuracy_factor_low=least, accuracy_factor_high=most)
 
 
 def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
@@ -224,28 +224,27 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
     bypass, pairs = int(clutch.bypass_pairs), clutch.spec.friction_group.pairs
     most_force = float(clutch.pack_force_at_rest)
 
-    def share(friction: float, disc: int) -> float:
+    def share(friction: Any, radius: Any) -> Any:
         """Share of the normal force of a pair that the spline of a disc can hold."""
-        return float(law.spline_share(spline_friction, friction, float(clutch.mean_radius), radii[disc % 2]))
+        return law.spline_share(spline_friction, friction, float(clutch.mean_radius), radius)
 
-    most = max(share(friction.max, disc) for friction in clutch.spec.friction.groups for disc in (0, 1))
+    most = float(max(share(friction.max, radius) for friction in clutch.spec.friction.groups for radius in radii))
     if most >= 1:
         locks = finding("splines-lock", "error", value=most, limit=1.0, path="friction_group.spline_friction")
         return Bracket((), (locks,))
     if pairs > _MOST_PAIRS:
         raise CalculationError("effects: splines are followed disc by disc, at most {most:,} pairs", most=_MOST_PAIRS)
+    of_discs = np.resize(radii, pairs - 1)
 
-    def forces(next_force: Callable[..., Values], driving: float, driven: float) -> list[float]:
+    def forces(next_force: Callable[..., Any], driving: float, driven: float) -> Floats:
         """Forces on the pairs over that of the first, from the spring on: the controlled pairs, then the others."""
-        frictions = [driven] * (pairs - bypass) + [driving] * bypass
-        chain = [1.0]
-        for disc, (near, far) in enumerate(zip(frictions, frictions[1:], strict=False)):
-            chain.append(float(next_force(chain[-1], share(near, disc), share(far, disc))))
-        return chain
+        frictions = np.repeat([driven, driving], [pairs - bypass, bypass])
+        ratios = next_force(1.0, share(frictions[:-1], of_discs), share(frictions[1:], of_discs))
+        return np.cumprod([1.0, *ratios])
 
-    def counted(chain: list[float]) -> Clutch:
+    def counted(chain: Floats) -> Clutch:
         """The clutch whose pairs count by their forces."""
-        return with_pairs(clutch, sum(chain[pairs - bypass :]), sum(chain[: pairs - bypass]))
+        return with_pairs(clutch, float(chain[pairs - bypass :].sum()), float(chain[: pairs - bypass].sum()))
 
     def closing(driving: float, driven: float) -> float:
         """Every disc was held on its way from the spring."""
@@ -258,7 +257,7 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
         chain = forces(law.next_force_opening, driving, driven)
 
         def pressed(first: float) -> Clutch:
-            return counted([min(force, most_force / first) for force in chain])
+            return counted(np.minimum(chain, most_force / first))
 
         def normal_force(clutch: Clutch) -> float:
             return float(clutch.at_friction(driving, driven)["normal_force"])
