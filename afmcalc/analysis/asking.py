@@ -94,11 +94,6 @@ def asked_by(kind: type[Result], clutch: Quantities) -> dict[str, str]:
     return {field: name for field, name in names.items() if name in clutch}
 
 
-def names_asked(kind: type[Result]) -> list[str]:
-    """Return the quantities that the fields of a result ask for."""
-    return [name for question in _questions(kind) for name in question.names]
-
-
 def with_columns(kind: type[R], clutch: Quantities, names: Iterable[str]) -> type[R]:
     """Return the class of a sweep with a column for each of some quantities, such as ``torque_at_f_max``.
 
