@@ -20,7 +20,7 @@ class Result(BaseModel):
     model_config = ConfigDict(frozen=True, allow_inf_nan=False, extra="forbid", defer_build=True)
 
     def words(self, name: str) -> str | None:
-        """Return what people are told instead of a field's value; None: the value; "": nothing."""
+        """Words for people in place of a field's value; None for the value itself, "" for nothing."""
         return None
 
     def to_dict(self) -> dict[str, Any]:
@@ -30,7 +30,7 @@ class Result(BaseModel):
 
 @dataclass(frozen=True)
 class Shown:
-    """How a field of a result is shown; called by pydantic, it writes unit and symbol into the JSON Schema."""
+    """Presentation of a result field; called by pydantic, it writes unit and symbol into the JSON Schema."""
 
     unit: str = ""
     """SI unit; "1" of a pure number, empty of what is no quantity."""

@@ -112,13 +112,13 @@ def with_columns(kind: type[R], clutch: Quantities, names: Iterable[str]) -> typ
 
 
 class Answers:
-    """A clutch with the answers to what was asked of it; each is calculated when first asked for, and kept.
+    """Cache of the analyses of one clutch, each run when it is first asked for.
 
-    Of a clutch that notes its steps (``explain``) an analysis that is not explained asks another, which does not.
+    Where the clutch notes its steps (``explain``), analyses that are not explained run on a copy that notes none.
     """
 
     def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress") -> None:
-        """Ask of ``clutch``, the life by ``model``."""
+        """Begin with no analysis run; ``model`` is the rule of the life."""
         self.clutch, self.model = clutch, model
         self._options = {"model": model, "answers": self}
         self._answers: dict[str, tuple[Any, list[Finding]]] = {}

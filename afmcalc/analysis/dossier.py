@@ -1,4 +1,4 @@
-"""All that is to be said of one clutch, gathered for a report."""
+"""Content of a report: every analysis that applies to one clutch."""
 
 from contextlib import suppress
 from typing import Any, NamedTuple
@@ -13,7 +13,7 @@ from .asking import Answers
 from .check import CheckResult
 from .explain.explain import Derivation, derivations, noting, steps_of
 from .plot_data import Request, gathered
-from .registry import ANALYSES, Analysis, StressRule, Told
+from .registry import ANALYSES, Analysis, Sentences, StressRule
 
 
 class Topic(NamedTuple):
@@ -33,7 +33,7 @@ class Topic(NamedTuple):
 
 
 class Dossier(NamedTuple):
-    """All that is to be said of one clutch."""
+    """Content of a report on one clutch."""
 
     spec: Spec
     check: CheckResult
@@ -44,7 +44,7 @@ class Dossier(NamedTuple):
 
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
-    """Ask everything of a clutch that applies to it, each thing once; ``explained``: also how it was calculated."""
+    """Run every analysis that applies to a clutch, once; ``explained`` adds the derivations."""
     if explained:
         answers, derived = _explained(spec, model)
     else:
@@ -64,7 +64,7 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
 
 
 def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
-    """Ask what can be explained, and note the laws applied; each formula is shown where it first stands."""
+    """Run the analyses that can be explained, and derive their results; each formula is shown where it first stands."""
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
     answers, sections = Answers(noting(spec), model=model), {}
     for each in wanted:
@@ -93,7 +93,7 @@ def _drawn(plot: str, answers: Answers) -> Any:
     return None
 
 
-def _said(told: Told, result: Result) -> str:
+def _said(template: Sentences, result: Result) -> str:
     """Fill what a section says with the fields of its result."""
     values = {name: translate(each) if isinstance(each, str) else each for name, each in dict(result).items()}
-    return filled(told(result) if callable(told) else told, values)
+    return filled(template(result) if callable(template) else template, values)

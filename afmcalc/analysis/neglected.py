@@ -95,7 +95,7 @@ class Bracket(NamedTuple):
 
 
 class EffectSource(NamedTuple):
-    """Where an effect comes from: the keys it needs, the first of them its own, its bracket, and words for it."""
+    """Definition of an effect: the keys it needs, its own first, its bracket, and its name."""
 
     needs: tuple[str, ...]
     bracket: Callable[..., Bracket]
@@ -249,11 +249,11 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
         return with_pairs(clutch, others, controlled).at_friction(driving, driven)
 
     def closing(driving: Floats, driven: Floats) -> Floats:
-        """Every disc was held on its way from the spring."""
+        """Torques with every disc held on its way from the spring."""
         return counted(forces(law.next_force_closing, driving, driven), driving, driven)["torque"]
 
     def opening(driving: Floats, driven: Floats) -> Floats:
-        """Every disc is held on its way back; none is pressed more than the pack was closed with."""
+        """Torques with every disc held on its way back, none pressed more than the pack was closed with."""
         chain = forces(law.next_force_opening, driving, driven)
 
         def pressed(first: Floats) -> Quantities:

@@ -25,7 +25,7 @@ from .drive_result import SimulateResult
 from .fatigue import LifeResult, LifeSweep, band_axis, life_sweep
 from .neglected import effects_curve
 from .pocket_contours import ShopDrawing, shop_drawing
-from .registry import ANALYSES, PLOTS, Plot, StressRule
+from .registry import PLOTS, Plot, StressRule
 from .simulate import MomentRow, history
 from .springs import springs_curve
 from .sweep import Axis, S, current_value, find_key, parse_axis, series
@@ -267,21 +267,15 @@ class ParetoFigure(NamedTuple):
 
 
 def plot_of(name: str) -> Plot:
-    """Return the plot of a name: its own, that of the command whose result it draws, or "front".
+    """Return the plot of a name.
 
     Raises:
         AfmcalcError: there is none.
     """
-    of_commands = {each.name: each.plot for each in ANALYSES.values() if each.plot}
-    plots = of_commands | {"front": PLOTS["pareto"]} | PLOTS
-    if name not in plots:
-        raise AfmcalcError(
-            "no plot {name!r}{hint}; there are: {kinds}",
-            name=name,
-            hint=did_you_mean(name, plots),
-            kinds=", ".join(PLOTS),
-        )
-    return plots[name]
+    if name not in PLOTS:
+        hint, kinds = did_you_mean(name, PLOTS), ", ".join(PLOTS)
+        raise AfmcalcError("no plot {name!r}{hint}; there are: {kinds}", name=name, hint=hint, kinds=kinds)
+    return PLOTS[name]
 
 
 def check_request(name: str, request: Request) -> None:

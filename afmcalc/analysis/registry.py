@@ -1,6 +1,6 @@
-"""Every analysis there is, as one record: what commands, schemas, explanations, plots and reports are read off.
+"""List of analyses, one record each, from which commands, schemas, explanations, plots and reports are built.
 
-Nothing is imported until it is asked for, so that a start-up may read the list.
+An analysis is imported when it is asked for, so that the start-up may read the list.
 """
 
 from collections.abc import Callable
@@ -33,39 +33,37 @@ class Plot(NamedTuple):
     applies: Callable[["Clutch"], bool] = lambda clutch: True
 
 
-Told = str | Callable[[Any], str]
-"""A template over the fields of a result, or a function of the result that chooses one."""
+Sentences = str | Callable[[Any], str]
+"""A template that the fields of a result fill, or a function that chooses one by the result."""
 
 
 class Section(NamedTuple):
     """Section of a report on an analysis, in whole sentences."""
 
     title: str
-    about: Told
+    about: Sentences
     """Subject of the calculation."""
-    conclusion: Told
+    conclusion: Sentences
     """Conclusion from the result."""
     sources: tuple[str, ...] = ()
     """Keys of the references it rests on."""
     sources_indirect: tuple[str, ...] = ()
     """The same for an indirect clutch, where its law is another."""
     applies: Callable[["Clutch"], bool] = lambda clutch: True
-    """True if a report speaks of it, of what can be asked."""
+    """True if a report includes the section, of an analysis that applies."""
 
 
 class Analysis(NamedTuple):
-    """One thing to ask; ``home`` is the module, from the package, that holds the function of that name."""
+    """One analysis; ``home`` is the module, from the package, that holds the function of its name."""
 
     name: str
     home: str
     result: str
     """Class of its result, in ``home``."""
-    group: str
-    """Commands that belong together: what a command takes."""
     applies: Callable[[Any], bool] = lambda clutch: True
     """True if a clutch can be asked."""
     options: tuple[str, ...] = ()
-    """Its arguments beside the clutch, of those that ``Answers`` has."""
+    """Further arguments of the function, which ``Answers`` supplies."""
     explained: bool = False
     """True if its steps can be shown."""
     judged: bool = False
@@ -175,7 +173,7 @@ ANALYSES: dict[str, Analysis] = {
     each.name: each
     for each in (
         Analysis(
-            "torque", "analysis.torque", "TorqueResult", "clutch", explained=True,
+            "torque", "analysis.torque", "TorqueResult", explained=True,
             section=Section(
                 "Torque and forces",
                 "The slipping clutch at the smallest, the mean and the largest friction, spring as set.",
@@ -185,7 +183,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("torque", "torque against friction, scatter band, both adjustment methods"),
         ),
         Analysis(
-            "accuracy", "analysis.accuracy_factor", "AccuracyResult", "clutch", explained=True,
+            "accuracy", "analysis.accuracy_factor", "AccuracyResult", explained=True,
             section=Section(
                 "Accuracy",
                 "K_т is the largest over the smallest torque in service; 1 would be perfect.",
@@ -199,7 +197,7 @@ ANALYSES: dict[str, Analysis] = {
             ),
         ),
         Analysis(
-            "adjust", "analysis.adjust", "AdjustResult", "clutch", explained=True,
+            "adjust", "analysis.adjust", "AdjustResult", explained=True,
             section=Section(
                 "Both settings of the spring",
                 "The same nominal torque, reached at the smallest friction or, with the margin, at the mean friction.",
@@ -207,7 +205,7 @@ ANALYSES: dict[str, Analysis] = {
             ),
         ),
         Analysis(
-            "overload", "analysis.trip", "OverloadResult", "clutch",
+            "overload", "analysis.trip", "OverloadResult",
             lambda clutch: clutch.spec.kind.overload and not clutch.spec.friction.unlike, explained=True,
             section=Section(
                 "Overload",
@@ -221,7 +219,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("overload", "trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
         ),
         Analysis(
-            "pocket", "analysis.synthesize", "SynthesisResult", "clutch", _can_be_synthesized, explained=True,
+            "pocket", "analysis.synthesize", "SynthesisResult", _can_be_synthesized, explained=True,
             judged=True,
             section=Section(
                 "Control unit", "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
@@ -232,7 +230,7 @@ ANALYSES: dict[str, Analysis] = {
             ),
         ),
         Analysis(
-            "life", "analysis.fatigue", "LifeResult", "clutch", lambda clutch: clutch.spec.fatigue is not None,
+            "life", "analysis.fatigue", "LifeResult", lambda clutch: clutch.spec.fatigue is not None,
             ("model", "answers"), explained=True, judged=True,
             section=Section(
                 "Life", "Cycles to failure on both sides of the clutch, by the rule {model}.", _lasting, ("S19",),
@@ -240,7 +238,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
         ),
         Analysis(
-            "simulate", "analysis.simulate", "SimulateResult", "drive", _can_be_simulated,
+            "simulate", "analysis.simulate", "SimulateResult", _can_be_simulated,
             section=Section(
                 "Drive",
                 "The given event of the drive in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
@@ -252,7 +250,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "heat", "analysis.heat", "HeatResult", "drive", _heat_is_known, ("answers",), explained=True,
+            "heat", "analysis.heat", "HeatResult", _heat_is_known, ("answers",), explained=True,
             judged=True,
             section=Section(
                 "Heat and wear", "What one trip turns into heat, what it warms the discs by, and how often it may be.",
@@ -261,7 +259,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "effects", "analysis.neglected", "EffectsResult", "drive", _any_effect, judged=True,
+            "effects", "analysis.neglected", "EffectsResult", _any_effect, judged=True,
             section=Section(
                 "What the law neglects",
                 "Each effect as what the torque and K_т lie between, springs as set; the bypass pairs are farthest "
@@ -273,7 +271,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "springs", "analysis.springs", "SpringsResult", "drive",
+            "springs", "analysis.springs", "SpringsResult",
             section=Section(
                 "Springs",
                 "The springs named, as set and in service; η is the largest share used of range or stress allowed.",
@@ -285,7 +283,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
         Analysis(
-            "layout", "analysis.half_section", "LayoutResult", "drive", lambda clutch: clutch.spec.envelope is not None,
+            "layout", "analysis.half_section", "LayoutResult", lambda clutch: clutch.spec.envelope is not None,
             judged=True,
             section=Section(
                 "Layout",
@@ -295,10 +293,10 @@ ANALYSES: dict[str, Analysis] = {
                 ("F11", "S19"), ("S21",),
             ),
         ),
-        Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
-        Analysis("solve", "analysis.solve", "SolveResult", "design"),
+        Analysis("compare", "analysis.compare", "CompareResult"),
+        Analysis("solve", "analysis.solve", "SolveResult"),
         Analysis(
-            "tolerance", "analysis.tolerance", "ToleranceResult", "design",
+            "tolerance", "analysis.tolerance", "ToleranceResult",
             lambda clutch: clutch.spec.tolerance is not None,
             section=Section(
                 "Tolerances and scatter",
@@ -310,20 +308,20 @@ ANALYSES: dict[str, Analysis] = {
             example="tolerance",
         ),
         Analysis(
-            "design", "analysis.design", "DesignResult", "design",
+            "design", "analysis.design", "DesignResult",
             plot=Plot("pareto", "Pareto front of a design, every clutch with its number", "search"),
         ),
-        Analysis("explain", "analysis.explain.explain", "ExplainResult", "papers"),
-        Analysis("papers", "papers.register", "EquationsResult", "papers"),
+        Analysis("explain", "analysis.explain.explain", "ExplainResult"),
+        Analysis("papers", "papers.register", "EquationsResult"),
         Analysis(
-            "claims", "papers.claims", "ReproduceResult", "papers",
+            "claims", "papers.claims", "ReproduceResult",
             plot=Plot("paper", "a figure of the papers from the formulas: F11-2, S19-2, S21-2, …", "names"),
         ),
-        Analysis("examples", "analysis.shipped", "ExamplesResult", "specs"),
-        Analysis("materials", "analysis.shipped", "MaterialsResult", "specs"),
-        Analysis("discs", "analysis.shipped", "DiscsResult", "specs"),
-        Analysis("balls", "analysis.shipped", "BallsResult", "specs"),
-        Analysis("check", "analysis.check", "CheckResult", "specs", options=("answers",), explained=True),
+        Analysis("examples", "analysis.shipped", "ExamplesResult"),
+        Analysis("materials", "analysis.shipped", "MaterialsResult"),
+        Analysis("discs", "analysis.shipped", "DiscsResult"),
+        Analysis("balls", "analysis.shipped", "BallsResult"),
+        Analysis("check", "analysis.check", "CheckResult", options=("answers",), explained=True),
     )
 }  # fmt: skip
 """Name → analysis, in the order of the help and of a report. A new one is its file and a row here."""

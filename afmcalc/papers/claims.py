@@ -1,4 +1,4 @@
-"""Every printed figure and claim of the papers recomputed: what follows from the formulas, and what does not.
+"""Claims and figures of the papers, recomputed from their formulas.
 
 Figures are recalculated with the misprints mended.
 """

@@ -54,14 +54,14 @@ class EquationsResult(Answer):
 
 @cache
 def register() -> list[Formula]:
-    """Every entry, in the order of the papers."""
+    """Entries of the register, in the order of the papers."""
     optional = ("misprint", "function", "proof", "printed", "correct", "covered_by")
     return [Formula(**{**dict.fromkeys(optional), **entry}) for entry in data("register.toml")["formula"]]
 
 
 @cache
 def misprints() -> list[Misprint]:
-    """Every misprint, in order; a withdrawn one keeps its number."""
+    """Misprints in the order of their numbers; a withdrawn one keeps its own."""
     return [Misprint(**{"status": "in print", "proof": None, **entry}) for entry in data("misprints.toml")["misprint"]]
 
 

@@ -83,7 +83,7 @@ def steps_of(clutch: Clutch) -> list[NotedStep]:
 
 
 def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
-    """Return steps; of those of a ball along its wall the force where it is largest, the rest where the pressure is."""
+    """Return the steps with one number each: along a wall that of the largest contact force, or else pressure."""
     steps = list(steps)
     largest = {
         step.name: int(step.value.argmax()) for step in steps if step.case == "along_wall" and step.name in _LARGEST
@@ -101,7 +101,7 @@ _LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
 
 
 def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
-    """Return the steps that a formula with numbers can show, each once."""
+    """Return the steps that are a formula with finite numbers, each once."""
     found: dict[tuple[object, ...], NotedStep] = {}
     for step in steps:
         numbers = (*step.values.values(), step.value)
@@ -118,9 +118,9 @@ def _has_formula(step: NotedStep) -> bool:
 
 
 def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[NotedStep]]:
-    """Return what is shown of steps by its law: what it uses before it, else in the order in which laws were applied.
+    """Group the steps shown by law, each group after the steps that it uses.
 
-    A group is parted where it must be: a setting follows from a torque, and gives torques of its own.
+    A group is split where that needs it: a setting follows from a torque, and gives torques of its own.
     """
     left, parts, before = dict[tuple[str, str], list[NotedStep]](), list[list[NotedStep]](), dict[int, set[int]]()
     of_quantity, kept = dict[str, set[int]](), {*map(id, shown)}
