@@ -70,7 +70,7 @@ def _tables() -> Iterator[Key]:
     abouts = (kind for kind, _ in EXAMPLES.values()), (plot.about for plot in PLOTS.values())
     checks = (text for check in (*CHECKS, *RULES) for text in (check.name, check.symbol))
     sections = [each.section for each in ANALYSES.values() if each.section]
-    titles = (text for each in sections for text in (each.title, each.about, each.conclusion) if isinstance(text, str))
+    titles = (text for each in sections for text in (each.title, each.about, *each.conclusion.values()))
     yield from (("", text) for table in (*tables, *abouts, checks, get_args(Grade), titles) for text in table)
     yield from (("value", name) for name in VARIANTS)
 

@@ -1,5 +1,6 @@
 """Content of a report: every analysis that applies to one clutch."""
 
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import Any, NamedTuple
 
@@ -13,7 +14,7 @@ from .asking import Answers
 from .check import CheckResult
 from .explain.explain import Derivation, derivations, noting, steps_of
 from .plot_data import Request, gathered
-from .registry import ANALYSES, Analysis, Sentences, StressRule
+from .registry import ANALYSES, Analysis, StressRule
 
 
 class Topic(NamedTuple):
@@ -23,7 +24,7 @@ class Topic(NamedTuple):
     title: str
     about: str
     conclusion: str
-    sources: tuple[str, ...]
+    sources: Sequence[str]
     result: Result
     derivations: list[Derivation]
     """Derivations, less those that topics before it show."""
@@ -52,7 +53,7 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     applying = [
         analysis
         for analysis in ANALYSES.values()
-        if (section := analysis.section) and analysis.applies(answers.clutch) and section.applies(answers.clutch)
+        if analysis.section and analysis.applies(answers.clutch) and analysis.reported(answers.clutch)
     ]
     verdict, findings = answers.ask("check")
     findings = [*findings, *(finding for analysis in applying for finding in answers.ask(analysis.name)[1])]
@@ -80,7 +81,7 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
     figure = _drawn(plot.name, answers) if plot and plot.applies(answers.clutch) else None
     return Topic(
         name=analysis.name, title=section.title, about=_said(section.about, result),
-        conclusion=_said(section.conclusion, result),
+        conclusion=_said(section.conclusion[analysis.conclusion(result)], result),
         sources=section.sources_indirect or section.sources if answers.clutch.spec.kind.travels else section.sources,
         result=result, derivations=derived, plot=plot.name if plot else "", figure=figure,
     )  # fmt: skip
@@ -93,7 +94,7 @@ def _drawn(plot: str, answers: Answers) -> Any:
     return None
 
 
-def _said(template: Sentences, result: Result) -> str:
+def _said(template: str, result: Result) -> str:
     """Fill what a section says with the fields of its result."""
     values = {name: translate(each) if isinstance(each, str) else each for name, each in dict(result).items()}
-    return filled(template(result) if callable(template) else template, values)
+    return filled(template, values)
