@@ -195,7 +195,7 @@ class Answer(Result):
             import pandas
         except ModuleNotFoundError:
             raise AfmcalcError("to_dataframe() needs pandas, not installed here: pip install pandas") from None
-        frame = pandas.read_csv(io.StringIO(self._render(self._output, "csv")), float_precision="round_trip")
+        frame = pandas.read_csv(io.StringIO(self._render(self._output, "csv")))
         heads = [column.rstrip("]").partition(" [") for column in frame.columns]
         frame.columns = [name for name, _, _ in heads]
         units = {name: unit for name, _, unit in heads if unit}
