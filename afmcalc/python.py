@@ -20,23 +20,23 @@ from .spec import Spec, read_spec, resolved
 from .spec.edit import Overrides, apply_overrides, respecified
 
 if TYPE_CHECKING:
-    from .analysis.accuracy import AccuracyResult
+    from .analysis.accuracy_factor import AccuracyResult
     from .analysis.adjust import AdjustResult
     from .analysis.check import CheckResult
     from .analysis.compare import CompareResult
     from .analysis.design import DesignResult
     from .analysis.drive_result import HeatResult, SimulateResult
-    from .analysis.effects import EffectsResult
     from .analysis.explain.explain import ExplainResult
-    from .analysis.layout import LayoutResult
-    from .analysis.life import LifeResult
-    from .analysis.overload import OverloadResult
+    from .analysis.fatigue import LifeResult
+    from .analysis.half_section import LayoutResult
+    from .analysis.neglected import EffectsResult
     from .analysis.solve import SolveResult
     from .analysis.springs import SpringsResult
     from .analysis.sweep import Axis
     from .analysis.synthesize import SynthesisResult
     from .analysis.tolerance_result import ToleranceResult
     from .analysis.torque import Pair, TorqueResult
+    from .analysis.trip import OverloadResult
 
 Sweep: TypeAlias = str | Sequence[str]
 """``"C"``, ``"C=0:1.25:6"``, or several as on the command line; they make a grid."""
@@ -217,8 +217,8 @@ class Clutch:
         Raises:
             AfmcalcError: no plot of that name or file of that ending.
         """
-        from .analysis.answers import Answers
-        from .analysis.figures import Request, gathered
+        from .analysis.asking import Answers
+        from .analysis.plot_data import Request, gathered
         from .render.plot import sheet_of
         from .render.plot.figure import save
 
@@ -251,7 +251,7 @@ class Clutch:
 
     def _summary(self) -> list[tuple[str, str]]:
         """Return what a clutch is in a few lines: torques, accuracy, verdict but for what takes long."""
-        from .analysis.answers import Answers
+        from .analysis.asking import Answers
         from .analysis.check import check_at_once
         from .render.units import measured
 
@@ -281,7 +281,7 @@ class Clutch:
     def _axes(self, sweep: Sweep, *, band: bool = False) -> "list[Axis]":
         if not sweep:
             return []
-        from .analysis.life import parse_axes
+        from .analysis.fatigue import parse_axes
 
         return parse_axes([sweep] if isinstance(sweep, str) else sweep, self._engine, band=band)
 

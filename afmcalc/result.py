@@ -20,7 +20,7 @@ class Result(BaseModel):
     model_config = ConfigDict(frozen=True, allow_inf_nan=False, extra="forbid", defer_build=True)
 
     def words(self, name: str) -> str | None:
-        """Return what people are told instead of a field's value; None: the value; "": nothing."""
+        """Words for people in place of a field's value; None for the value itself, "" for nothing."""
         return None
 
     def to_dict(self) -> dict[str, Any]:
@@ -30,7 +30,7 @@ class Result(BaseModel):
 
 @dataclass(frozen=True)
 class Shown:
-    """How a field of a result is shown; called by pydantic, it writes unit and symbol into the JSON Schema."""
+    """Presentation of a result field; called by pydantic, it writes unit and symbol into the JSON Schema."""
 
     unit: str = ""
     """SI unit; "1" of a pure number, empty of what is no quantity."""
@@ -131,14 +131,6 @@ class Series(Result):
     values: list[float] = described("value at every point")
 
 
-def _cell(text: str) -> float | str | None:
-    """Return a cell of CSV: a number, words, or None of an empty one."""
-    try:
-        return float(text)
-    except ValueError:
-        return text or None
-
-
 @dataclass(frozen=True)
 class Output:
     """Output of every command."""
@@ -197,27 +189,24 @@ class Answer(Result):
         Columns are named as the fields; ``attrs["units"]`` has their SI units, ``attrs["values"]`` what holds for all
         frictions.
         """
-        import csv
         import io
 
         try:
             import pandas
         except ModuleNotFoundError:
             raise AfmcalcError("to_dataframe() needs pandas, not installed here: pip install pandas") from None
-        head, *lines = csv.reader(io.StringIO(self._render(self._output, "csv")))
-        heads = [column.rstrip("]").partition(" [") for column in head]
-        frame = pandas.DataFrame([[*map(_cell, line)] for line in lines], columns=[name for name, _, _ in heads])
-        frame.attrs["units"] = {name: unit for name, _, unit in heads if unit}
-        ends = ("min", "mean", "max")
-        triples = [name for name, value in self if isinstance(value, AtEnds) and len(frame) == 1]
-        if not triples:
+        frame = pandas.read_csv(io.StringIO(self._render(self._output, "csv")))
+        heads = [column.rstrip("]").partition(" [") for column in frame.columns]
+        frame.columns = [name for name, _, _ in heads]
+        units = {name: unit for name, _, unit in heads if unit}
+        ends = {name: dict(value) for name, value in self if isinstance(value, AtEnds) and len(frame) == 1}
+        if not ends:
+            frame.attrs["units"] = units
             return frame
-        rows = pandas.DataFrame(
-            {name: [frame[f"{name}.{end}"].iloc[0] for end in ends] for name in triples}, index=ends
-        )
-        taken = {f"{name}.{end}" for name in triples for end in ends}
-        rows.attrs["units"] = {name: frame.attrs["units"].get(f"{name}.min", "1") for name in triples}
-        rows.attrs["values"] = {name: frame[name].iloc[0] for name in frame.columns if name not in taken}
+        rows = pandas.DataFrame(ends)
+        rows.attrs["units"] = {name: units.get(f"{name}.min", "1") for name in ends}
+        single = [name for name in frame.columns if name.rpartition(".")[0] not in ends]
+        rows.attrs["values"] = {name: frame[name].iloc[0] for name in single}
         return rows
 
     def __repr__(self) -> str:

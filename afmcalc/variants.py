@@ -1,6 +1,6 @@
-"""The variants of a clutch: one record each, asked by everything that treats them differently.
+"""Variants of a clutch, one record each; whatever treats them differently reads the record.
 
-A further variant of a law is one more record in ``VARIANTS``, and nothing else: no other module names one.
+A new variant of a law is one more record in ``VARIANTS``; no other module names a variant.
 """
 
 from collections.abc import Callable

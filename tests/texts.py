@@ -70,7 +70,7 @@ def _tables() -> Iterator[Key]:
     abouts = (kind for kind, _ in EXAMPLES.values()), (plot.about for plot in PLOTS.values())
     checks = (text for check in (*CHECKS, *RULES) for text in (check.name, check.symbol))
     sections = [each.section for each in ANALYSES.values() if each.section]
-    titles = (text for each in sections for text in (each.title, each.about, each.conclusion) if isinstance(text, str))
+    titles = (text for each in sections for text in (each.title, each.about, *each.conclusion.values()))
     yield from (("", text) for table in (*tables, *abouts, checks, get_args(Grade), titles) for text in table)
     yield from (("value", name) for name in VARIANTS)
 
@@ -122,14 +122,21 @@ def _terms() -> Iterator[Key]:
 
 
 def _papers() -> Iterator[Key]:
-    from afmcalc.papers import register
+    from afmcalc.papers import FIGURES, register
+    from afmcalc.papers.claims import paper_figure
 
     entries = (*register.misprints(), *register.register())
     names = ["where", "printed", "correct", "why", "reading", "says", "covered_by", "not_reached"]
     yield from (("", text) for each in entries for name in names if (text := getattr(each, name, None)))
     claims = register.data("claims.toml")["claim"]
-    names = ["source", "inputs", "printed", "why", "correction"]
+    names = ["source", "inputs", "printed", "computed", "why", "correction"]
     yield from (("", claim[name]) for claim in claims for name in names if name in claim)
+    for figure in map(paper_figure, FIGURES):
+        labels = (curve.label for panel in figure.panels for curve in panel)
+        axes = (axis.name for axis in (figure.x, *figure.y))
+        yield from (
+            ("", text) for text in (figure.title, figure.inputs, figure.assumed, *figure.corrections, *labels, *axes)
+        )
 
 
 def _examples() -> Iterator[Key]:

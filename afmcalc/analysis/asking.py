@@ -2,15 +2,18 @@
 
 from collections.abc import Iterable
 from dataclasses import replace
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, NamedTuple, TypeVar, get_args
 
 from pydantic import Field, create_model
 
+from ..engines import Clutch, build
 from ..engines.quantities import Quantities
 from ..equations.terms import term_of
 from ..errors import AfmcalcError
+from ..findings import Finding
 from ..result import Result, Shown, Triple, shown_as
+from .registry import ANALYSES, StressRule
 
 R = TypeVar("R", bound=Result)
 ENDS = ("f_min", "f_mean", "f_max")
@@ -91,11 +94,6 @@ def asked_by(kind: type[Result], clutch: Quantities) -> dict[str, str]:
     return {field: name for field, name in names.items() if name in clutch}
 
 
-def names_asked(kind: type[Result]) -> list[str]:
-    """Return the quantities that the fields of a result ask for."""
-    return [name for question in _questions(kind) for name in question.names]
-
-
 def with_columns(kind: type[R], clutch: Quantities, names: Iterable[str]) -> type[R]:
     """Return the class of a sweep with a column for each of some quantities, such as ``torque_at_f_max``.
 
@@ -111,3 +109,35 @@ def with_columns(kind: type[R], clutch: Quantities, names: Iterable[str]) -> typ
             raise AfmcalcError("--columns {name}: is no number", name=name)
     columns: dict[str, Any] = {name: (list[float], asked()) for name in wanted}
     return create_model(kind.__name__, __base__=kind, **columns) if columns else kind
+
+
+class Answers:
+    """Cache of the analyses of one clutch, each run when it is first asked for.
+
+    Where the clutch notes its steps (``explain``), analyses that are not explained run on a copy that notes none.
+    """
+
+    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress") -> None:
+        """Begin with no analysis run; ``model`` is the rule of the life."""
+        self.clutch, self.model = clutch, model
+        self._options = {"model": model, "answers": self}
+        self._answers: dict[str, tuple[Any, list[Finding]]] = {}
+
+    def ask(self, name: str) -> tuple[Any, list[Finding]]:
+        """Return result and findings of an analysis, run at most once."""
+        if name not in self._answers:
+            analysis = ANALYSES[name]
+            options = {option: self._options[option] for option in analysis.options}
+            clutch = self.clutch if analysis.explained else self.quiet
+            self._answers[name] = analysis.function(clutch, **options)
+        return self._answers[name]
+
+    def of(self, kind: type[R]) -> R:
+        """Return the result of that class."""
+        name = next(each.name for each in ANALYSES.values() if each.result == kind.__name__)
+        return self.ask(name)[0]
+
+    @cached_property
+    def quiet(self) -> Clutch:
+        """The clutch without notes of its steps."""
+        return self.clutch if self.clutch.steps is None else build(self.clutch.spec)

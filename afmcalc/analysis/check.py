@@ -13,11 +13,11 @@ from ..errors import SpecError
 from ..findings import Finding, Level, finding
 from ..messages import deferred, percent, say, translate
 from ..result import Answer, Result, described, quantity
-from .answers import Answers
+from .asking import Answers
 from .clutch_findings import clutch_findings
 from .drive_result import SimulateResult
+from .fatigue import UNLIMITED
 from .heat import heat_values
-from .life import UNLIMITED
 from .registry import ANALYSES
 from .simulate import event_values
 from .unusual import unusual
@@ -228,7 +228,7 @@ def told(answers: Answers, part: Part | None) -> Known:
         of_limit = required is not None and result.torque_limit == required.torque_max
         return {"exceedance": result.probability_above_limit if of_limit else None}
     if part == "effects":
-        from .effects import torque_after_wear
+        from .neglected import torque_after_wear
 
         return {"torque_after_wear": torque_after_wear(clutch, result)}
     return {"outer_diameter": result.outer_diameter, "length": result.length}

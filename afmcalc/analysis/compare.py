@@ -12,8 +12,7 @@ from ..messages import deferred, named, translate
 from ..result import Answer, Triple, described
 from ..spec.edit import as_variant, with_key, with_nominal_torque
 from ..variants import VARIANTS
-from .answers import Answers
-from .asking import Asking, answer, asked
+from .asking import Answers, Asking, answer, asked
 from .check import CheckRow, check_at_once
 from .clutch_findings import clutch_findings
 

@@ -1,5 +1,6 @@
-"""All that is to be said of one clutch, gathered for a report."""
+"""Content of a report: every analysis that applies to one clutch."""
 
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import Any, NamedTuple
 
@@ -9,11 +10,11 @@ from ..findings import Finding
 from ..messages import filled, translate
 from ..result import Result
 from ..spec import Spec
-from .answers import Answers
+from .asking import Answers
 from .check import CheckResult
 from .explain.explain import Derivation, derivations, noting, steps_of
-from .figures import Request, gathered
-from .registry import ANALYSES, Analysis, StressRule, Told
+from .plot_data import Request, gathered
+from .registry import ANALYSES, Analysis, StressRule
 
 
 class Topic(NamedTuple):
@@ -23,7 +24,7 @@ class Topic(NamedTuple):
     title: str
     about: str
     conclusion: str
-    sources: tuple[str, ...]
+    sources: Sequence[str]
     result: Result
     derivations: list[Derivation]
     """Derivations, less those that topics before it show."""
@@ -33,7 +34,7 @@ class Topic(NamedTuple):
 
 
 class Dossier(NamedTuple):
-    """All that is to be said of one clutch."""
+    """Content of a report on one clutch."""
 
     spec: Spec
     check: CheckResult
@@ -44,7 +45,7 @@ class Dossier(NamedTuple):
 
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
-    """Ask everything of a clutch that applies to it, each thing once; ``explained``: also how it was calculated."""
+    """Run every analysis that applies to a clutch, once; ``explained`` adds the derivations."""
     if explained:
         answers, derived = _explained(spec, model)
     else:
@@ -52,7 +53,7 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     applying = [
         analysis
         for analysis in ANALYSES.values()
-        if (section := analysis.section) and analysis.applies(answers.clutch) and section.applies(answers.clutch)
+        if analysis.section and analysis.applies(answers.clutch) and analysis.reported(answers.clutch)
     ]
     verdict, findings = answers.ask("check")
     findings = [*findings, *(finding for analysis in applying for finding in answers.ask(analysis.name)[1])]
@@ -64,7 +65,7 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
 
 
 def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
-    """Ask what can be explained, and note the laws applied; each formula is shown where it first stands."""
+    """Run the analyses that can be explained, and derive their results; each formula is shown where it first stands."""
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
     answers, sections = Answers(noting(spec), model=model), {}
     for each in wanted:
@@ -80,7 +81,7 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
     figure = _drawn(plot.name, answers) if plot and plot.applies(answers.clutch) else None
     return Topic(
         name=analysis.name, title=section.title, about=_said(section.about, result),
-        conclusion=_said(section.conclusion, result),
+        conclusion=_said(section.conclusion[analysis.conclusion(result)], result),
         sources=section.sources_indirect or section.sources if answers.clutch.spec.kind.travels else section.sources,
         result=result, derivations=derived, plot=plot.name if plot else "", figure=figure,
     )  # fmt: skip
@@ -93,7 +94,7 @@ def _drawn(plot: str, answers: Answers) -> Any:
     return None
 
 
-def _said(told: Told, result: Result) -> str:
+def _said(template: str, result: Result) -> str:
     """Fill what a section says with the fields of its result."""
     values = {name: translate(each) if isinstance(each, str) else each for name, each in dict(result).items()}
-    return filled(told(result) if callable(told) else told, values)
+    return filled(template, values)

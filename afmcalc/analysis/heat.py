@@ -21,7 +21,7 @@ from ..result import OpenTriple, Triple
 from ..spec.catalogues import Material, friction_materials
 from ..spec.models import Drive, Heat, missing_of
 from ..units import ZEROS
-from .answers import Answers
+from .asking import Answers
 from .clutch_findings import clutch_findings
 from .drive_result import EnergySource, HeatResult
 from .registry import ANALYSES

@@ -2,6 +2,7 @@
 
 import tomllib
 from collections.abc import Mapping, Sequence
+from typing import Any, TypeVar
 
 from ..findings import Finding
 from ..result import Answer, Result, described, quantity
@@ -9,6 +10,8 @@ from ..spec.catalogues import Disc, Material, friction_materials
 from ..spec.catalogues import discs as standard_discs
 from ..spec.lists import ball_designation, diameters
 from ..spec.parse import example_names, example_text
+
+R = TypeVar("R", bound=Result)
 
 
 class ExampleRow(Result):
@@ -27,10 +30,10 @@ class ExamplesResult(Answer):
 
 def examples() -> tuple[ExamplesResult, list[Finding]]:
     """List the examples."""
-    texts = ((name, example_text(name)) for name in example_names())
+    texts = {name: example_text(name) for name in example_names()}
     rows = [
         ExampleRow(name=name, variant=tomllib.loads(text).get("variant"), about=text.splitlines()[0].removeprefix("# "))
-        for name, text in texts
+        for name, text in texts.items()
     ]
     return ExamplesResult(examples=rows), []
 
@@ -61,9 +64,13 @@ class MaterialsResult(Answer):
 def materials(listed: Mapping[str, Material] | None = None) -> tuple[MaterialsResult, list[Finding]]:
     """List the catalogue that ships, or one's own."""
     entries = (friction_materials() if listed is None else listed).values()
-    told = [{name: getattr(entry, name) for name in MaterialRow.model_fields} for entry in entries]
-    rows = [MaterialRow(**row | {"also": ", ".join(row["also"])}) for row in told]
+    rows = [_row(MaterialRow, entry, also=", ".join(entry.also)) for entry in entries]
     return MaterialsResult(materials=rows, sources=list(dict.fromkeys(entry.citation for entry in entries))), []
+
+
+def _row(kind: type[R], entry: object, **values: Any) -> R:
+    """Row of a list: the attributes of an entry, and other values of some."""
+    return kind(**{name: getattr(entry, name) for name in kind.model_fields} | values)
 
 
 class DiscRow(Result):
@@ -84,8 +91,7 @@ class DiscsResult(Answer):
 
 def discs(listed: Sequence[Disc] | None = None) -> tuple[DiscsResult, list[Finding]]:
     """List the disc springs that ship, or one's own."""
-    sizes = ({name: getattr(each, name) for name in DiscRow.model_fields} for each in listed or standard_discs())
-    return DiscsResult(discs=[DiscRow(**size) for size in sizes]), []
+    return DiscsResult(discs=[_row(DiscRow, disc) for disc in listed or standard_discs()]), []
 
 
 class BallRow(Result):

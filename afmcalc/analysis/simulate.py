@@ -23,12 +23,12 @@ from ..progress import counted
 from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
 from .clutch_findings import clutch_findings
 from .drive_result import SimulatePoint, SimulateResult, SimulateSweep
-from .effects import with_pairs
+from .neglected import with_pairs
+from .pocket_wall import wall_of
 from .registry import ANALYSES
 from .sweep import Axis, replaced, series
 from .synthesize import pocket
 from .torque import Pair, friction_fields, outside_range, pairs_asked
-from .wall import wall_of
 
 
 def _end_symbols() -> tuple[str, str, str]:

@@ -24,8 +24,7 @@ from ..spec.fields import Key
 from ..spec.keys import is_whole, keys, path_of
 from ..spec.quantity import asked_unit, parse_quantity
 from ..units import ENGINEER
-from .answers import Answers
-from .asking import Asking, answer, asked
+from .asking import Answers, Asking, answer, asked
 from .check import lacks, simulating, told
 from .clutch_findings import clutch_findings
 from .sweep import feasible, find_key

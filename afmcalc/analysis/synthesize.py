@@ -19,7 +19,7 @@ from ..spec.lists import ball_designation
 from ..spec.models import ControlUnit
 from .asking import Asking, answer, asked
 from .clutch_findings import clutch_findings
-from .wall import WallPoint, wall_of
+from .pocket_wall import WallPoint, wall_of
 
 Basis = Literal["given", "hertz-ball-on-flat", "hertz-ball-on-curved-wall"]
 _GAINS = 1.02 ** np.arange(1, 121)

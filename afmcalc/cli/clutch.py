@@ -165,7 +165,7 @@ def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) ->
     """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
     if not sweep:
         return []
-    from ..analysis.life import parse_axes
+    from ..analysis.fatigue import parse_axes
 
     return parse_axes(sweep, clutch, band=band)
 

@@ -61,8 +61,8 @@ def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = No
 
 def _draw_pocket(clutch: "Clutch", kind: str, common: Common) -> None:
     """Write the pocket in true millimetres, a sheet for the shop."""
-    from ..analysis.answers import Answers
-    from ..analysis.figures import Request, shop_drawing_of
+    from ..analysis.asking import Answers
+    from ..analysis.plot_data import Request, shop_drawing_of
     from ..render import shop
     from ..render.dxf import dxf
     from ..render.svg import svg
@@ -75,8 +75,8 @@ def _draw_pocket(clutch: "Clutch", kind: str, common: Common) -> None:
 
 def _draw_section(clutch: "Clutch", kind: str, common: Common) -> None:
     """Write the section of a clutch, with its part list, to scale."""
-    from ..analysis.answers import Answers
-    from ..analysis.figures import Request, gathered
+    from ..analysis.asking import Answers
+    from ..analysis.plot_data import Request, gathered
     from ..render import shop
     from ..render.dxf import dxf
     from ..render.plot import sheet_of

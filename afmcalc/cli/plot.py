@@ -11,8 +11,8 @@ from .names import DRAWINGS, completing
 from .options import Common, common_options, need_drawing
 
 if TYPE_CHECKING:
-    from ..analysis.answers import Answers
-    from ..analysis.figures import Request
+    from ..analysis.asking import Answers
+    from ..analysis.plot_data import Request
 
 _KINDS = [name for name in PLOTS if name not in DRAWINGS and name != "paper"]
 
@@ -51,7 +51,7 @@ def plot(
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
     """  # noqa: D301
-    from ..analysis.figures import Request, check_request, gathered, plot_of
+    from ..analysis.plot_data import Request, check_request, gathered, plot_of
     from ..render.plot import sheet_of
     from ..render.plot.figure import save
 
@@ -82,7 +82,7 @@ def plot(
 
 def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":
     """Read and build the clutches that are drawn."""
-    from ..analysis.answers import Answers
+    from ..analysis.asking import Answers
 
     clutches = [common.build(source, what) for source in request.subjects]
     common.note_default()

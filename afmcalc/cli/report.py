@@ -102,7 +102,7 @@ def handbook(
     afmcalc handbook -o handbook.pdf
     """  # noqa: D301
     need_drawing("report")
-    from ..analysis.handbook import handbook as gathered
+    from ..analysis.handbook_content import handbook as gathered
     from ..render.handbook import book
 
     if common.overrides:

@@ -98,21 +98,22 @@ class Named:
     friction_along_wall: Values  # f_w, 1: frictions at which the ball comes along the wall
     friction_at_equal_potential: Values  # f_low, 1: friction at which T_п = T_н.маш
     friction_at_unit_loop_gain: Values  # f_high, 1: friction at which v = 1
+    friction_between: Values  # f_turn, 1: friction (f_1) where the torque may turn within the range
     friction_bound: Values  # f_lim, 1: friction below which S22 (10) is positive
     friction_driven: Values  # f_2, 1: friction of the driven pairs
+    friction_driven_least: Values  # f_2,0, 1: friction of the controlled pairs that the path begins with
     friction_driven_max: Values  # f_2max, 1: largest friction of the controlled pairs
     friction_driven_mean: Values  # f_2cp, 1: mean friction of the controlled pairs
     friction_driven_min: Values  # f_2min, 1: smallest friction of the controlled pairs
     friction_driven_set: Values  # f_2set, 1: friction of the controlled pairs at the setting
     friction_driven_slips: Values  # f_2, 1: friction of the controlled pairs in each slip
-    friction_driven_slips_from_mean: Values  # f_2, 1: friction of the controlled pairs in each slip, from the mean on
     friction_driving: Values  # f_1, 1: friction of the driving pairs
+    friction_driving_least: Values  # f_1,0, 1: friction of the bypass pairs that the path begins with
     friction_driving_max: Values  # f_1max, 1: largest friction of the bypass pairs
     friction_driving_mean: Values  # f_1cp, 1: mean friction of the bypass pairs
     friction_driving_min: Values  # f_1min, 1: smallest friction of the bypass pairs
     friction_driving_set: Values  # f_1set, 1: friction of the bypass pairs at the setting
     friction_driving_slips: Values  # f_1, 1: friction of the bypass pairs in each slip
-    friction_driving_slips_from_mean: Values  # f_1, 1: friction of the bypass pairs in each slip, from the mean on
     friction_leaving: Values  # f_L, 1: friction at which the sleeve leaves its stop
     friction_leaving_from_mean: Values  # f_L, 1: friction from the mean on at which the sleeve leaves its stop
     friction_leaving_in_range: Values  # f_L, 1: friction within the range at which the sleeve leaves its stop
@@ -126,7 +127,7 @@ class Named:
     friction_ratio_min: Values  # p, 1: f_2min/f_1min
     friction_set: Values  # f_set, 1: friction at the setting (f_min or f_cp)
     friction_slips: Values  # f, 1: friction in each slip
-    friction_slips_from_mean: Values  # f, 1: friction in each slip, from the mean on
+    friction_slips_least: Values  # f_0, 1: smallest friction of the slips
     friction_unlocking: Values  # f_u, 1: friction at which the key lets the sleeve go
     gain: Values  # C, 1: feedback gain
     gain_acting: Values  # C(x), 1: gain where the sleeve has travelled to
@@ -238,6 +239,7 @@ class Named:
     tangent_stiffness_squared: Values  # k_t², N^2/m^2: square of the stiffness of the balance where the sleeve is
     torque: Values  # T, N*m: slip torque
     torque_asked_for: Values  # T_маш, N*m: torque that the machine asks for
+    torque_between: Values  # T_turn, N*m: slip torque where it may turn within the range
     torque_high: Values  # T_high, N*m: largest torque of the load
     torque_low: Values  # T_low, N*m: smallest torque of the load
     torque_low_of_side: Values  # T_min, N*m: smallest torque of the load on the side in question

@@ -56,8 +56,7 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
     kind = VARIANTS[variant]
     parts: list[Part] = [*_parts_of(kind), METHODS[method]]
     if unlike_materials:
-        parts.append(unlike)
-        parts.append(_METHODS_UNLIKE[method])
+        parts += [accuracy.TURNING, unlike, _METHODS_UNLIKE[method]]
         slips = unlike.OF_SLIPS
         slips_from_mean = {"torque_high": "torque_max_from_mean", **unlike.OF_SLIPS_FROM_MEAN}
     else:
@@ -93,7 +92,7 @@ def _sleeve(keys: frozenset[str]) -> Iterator[Part]:
         yield indirect.CONTROL_FORCE_MADE
     walls, discs = not keys.isdisjoint(CURVED), not keys.isdisjoint(DISCS)
     if walls:
-        yield from (curved, curved_wall)
+        yield from (accuracy.TURNING, curved, curved_wall)
     elif not discs:
         yield indirect.STRAIGHT
     if discs:

@@ -1,5 +1,6 @@
 """Accuracy: one quotient of torques in several cases, and what it would be without feedback (handbook, chapter 3)."""
 
+from .arrays import larger, place_of_largest, place_of_smallest, smaller
 from .wiring import Same
 
 
@@ -44,6 +45,43 @@ def accuracy_factor_of_path(bypass_pairs, controlled_pairs, gain, friction_drivi
     feedback = controlled_pairs * gain
     return largest * (1 + feedback * friction_driven_min) / (least * (1 + feedback * friction_driven_max))
 
+
+# where the torque may turn within the range: unlike materials at their means, behind curved pockets at f_L; on either
+# side of it T is monotone
+
+
+def _torque_min(torque_at_f_min, torque_between, torque_at_f_max):
+    """Smallest slip torque, at an end of the range or where the torque may turn.
+    Source: F11 (12); handbook, chapters 3 and 12. Validity: f_1 and f_2 move together; straight springs."""
+    return smaller(torque_at_f_min, torque_between, torque_at_f_max)
+
+
+def _torque_max(torque_at_f_min, torque_between, torque_at_f_max):
+    """Largest slip torque, at an end of the range or where the torque may turn; of a jump the torque just before it.
+    Source: F11 (12); handbook, chapters 3 and 12. Validity: f_1 and f_2 move together; straight springs."""
+    return larger(torque_at_f_min, torque_between, torque_at_f_max)
+
+
+def _friction_of_torque_min(torque_at_f_min, torque_between, torque_at_f_max, friction_driving_min, friction_between,
+                            friction_driving_max):  # fmt: skip
+    """Friction (f_1) where the torque is smallest.
+    Source: F11 (12); handbook, chapters 3 and 12. Validity: f_1 and f_2 move together; straight springs."""
+    frictions = friction_driving_min, friction_between, friction_driving_max
+    return place_of_smallest((torque_at_f_min, torque_between, torque_at_f_max), frictions)
+
+
+def _friction_of_torque_max(torque_at_f_min, torque_between, torque_at_f_max, friction_driving_min, friction_between,
+                            friction_driving_max):  # fmt: skip
+    """Friction (f_1) where the torque is largest.
+    Source: F11 (12); handbook, chapters 3 and 12. Validity: f_1 and f_2 move together; straight springs."""
+    frictions = friction_driving_min, friction_between, friction_driving_max
+    return place_of_largest((torque_at_f_min, torque_between, torque_at_f_max), frictions)
+
+
+TURNING = {
+    "torque_min": _torque_min, "torque_max": _torque_max, "friction_of_torque_min": _friction_of_torque_min,
+    "friction_of_torque_max": _friction_of_torque_max,
+}  # fmt: skip
 
 CASES = {
     "worst_case": {"torque_max": "torque_max_worst_case", "torque_min": "torque_min_worst_case"},

@@ -22,7 +22,7 @@ else:
 
 
 def is_array(value: object) -> "TypeGuard[Floats]":
-    """Return whether a value is an array of one axis or more, without importing NumPy."""
+    """True for an array of one axis or more; does not import NumPy."""
     return type(value) is not float and bool(getattr(value, "ndim", 0))
 
 
@@ -140,7 +140,7 @@ def _one(values: Any) -> Any:
 
 
 def zero_of(falling: Callable[[Any], Any], end: Any) -> Any:
-    """Where a function that falls between 0 and ``end`` is 0, by halving."""
+    """Zero of a function that falls between 0 and ``end``, by bisection."""
     low, high = 0.0 * end, end
     for _ in range(60):
         middle = (low + high) / 2

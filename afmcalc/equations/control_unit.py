@@ -13,6 +13,12 @@ allowable_pressure = 4.2e9
 largest_driven_torque = Same("driven_torque_max")
 
 
+def circumferential_force(driven_torque, ball_circle_radius):
+    """Circumferential force on all the balls, F_o = T_2/r.
+    Source: F11 (5); with (10) it is F_p/tan α. Validity: All of T_2 passes the balls."""
+    return driven_torque / ball_circle_radius
+
+
 def wall_angle(tan_wall_angle):
     """Wall angle of the pockets from the axis, α = arctan(C r/R); of a curved wall at the stop.
     Source: S21 (24). Validity: C ≥ 0."""

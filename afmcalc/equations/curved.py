@@ -6,8 +6,8 @@ quadratic in x; of its roots the larger is stable, and the one a sleeve that lea
 
 import math
 
-from .arrays import larger, place_of_largest, place_of_smallest, quotient, smaller
-from .wiring import Either
+from .arrays import larger, quotient, smaller
+from .wiring import Either, Same
 
 
 def gain_acting(gain, gain_slope, travel):
@@ -80,34 +80,7 @@ def friction_leaving_from_mean(friction_leaving, friction_mean, friction_max):
     return smaller(larger(friction_leaving, friction_mean), friction_max)
 
 
-def torque_min(torque_at_f_min, torque_at_leaving_in_range, torque_at_f_max):
-    """Smallest slip torque over the range.
-    Source: Handbook, chapter 12: T is monotone on either side of f_L. Validity: Straight springs."""
-    return smaller(torque_at_f_min, torque_at_leaving_in_range, torque_at_f_max)
-
-
-def torque_max(torque_at_f_min, torque_at_leaving_in_range, torque_at_f_max):
-    """Largest slip torque over the range; of a jump the torque just before it.
-    Source: Handbook, chapter 12: T is monotone on either side of f_L. Validity: Straight springs."""
-    return larger(torque_at_f_min, torque_at_leaving_in_range, torque_at_f_max)
-
-
-def friction_of_torque_min(
-    torque_at_f_min, torque_at_leaving_in_range, torque_at_f_max, friction_min, friction_leaving_in_range, friction_max
-):
-    """Friction where the torque is smallest.
-    Source: Handbook, chapter 12: T is monotone on either side of f_L. Validity: Straight springs."""
-    torques = torque_at_f_min, torque_at_leaving_in_range, torque_at_f_max
-    return place_of_smallest(torques, (friction_min, friction_leaving_in_range, friction_max))
-
-
-def friction_of_torque_max(
-    torque_at_f_min, torque_at_leaving_in_range, torque_at_f_max, friction_min, friction_leaving_in_range, friction_max
-):
-    """Friction where the torque is largest.
-    Source: Handbook, chapter 12: T is monotone on either side of f_L. Validity: Straight springs."""
-    torques = torque_at_f_min, torque_at_leaving_in_range, torque_at_f_max
-    return place_of_largest(torques, (friction_min, friction_leaving_in_range, friction_max))
+torque_between, friction_between = Same("torque_at_leaving_in_range"), Same("friction_leaving_in_range")
 
 
 def torque_min_from_mean(torque_at_f_mean, torque_at_leaving_from_mean, torque_at_f_max):

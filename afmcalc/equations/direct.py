@@ -64,12 +64,6 @@ def _onset_torque(closing_force, mean_radius, bypass_pairs, friction_driving):
     return closing_force * mean_radius * bypass_pairs * friction_driving
 
 
-def _circumferential_force(driven_torque, ball_circle_radius):
-    """Circumferential force on all the balls, F_o = T_2/r.
-    Source: F11 (5); with (10) it is F_p/tan α. Validity: All of T_2 passes the balls."""
-    return driven_torque / ball_circle_radius
-
-
 def _driven_torque_max(driven_torque_at_f_min, driven_torque_at_f_max):
     """Largest torque that passes the balls, max[T_2(f_min), T_2(f_max)].
     Source: T_2 is monotone in f (F11 (6) with (11) mended). Validity: Straight walls."""
@@ -118,11 +112,7 @@ def _gain_limit_reduced(controlled_pairs):
 
 
 _BYPASS = {"driving_torque": _driving_torque}
-_BALLS = {
-    "driven_torque": _driven_torque,
-    "driven_torque_max": _driven_torque_max,
-    "circumferential_force": _circumferential_force,
-}
+_BALLS = {"driven_torque": _driven_torque, "driven_torque_max": _driven_torque_max}
 CONVENTIONAL = {"bypass_pairs": Same("pairs"), "gain": 0.0, **_BYPASS, "breakaway_torque": _onset_torque}
 DIFFERENTIATED = {
     "bypass_pairs": 1, **_BYPASS, **_BALLS, "onset_torque": _onset_torque, "breakaway_torque": _breakaway_torque,

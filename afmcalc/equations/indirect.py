@@ -124,12 +124,6 @@ def release_force(torque, gain_acting, mean_radius):
     return torque * gain_acting / mean_radius
 
 
-def circumferential_force(driven_torque, ball_circle_radius):
-    """Circumferential force on all the balls, F_o = T_2/r.
-    Source: F11 (5); with (10) it is F_p/tan α. Validity: All of T_2 passes the balls."""
-    return driven_torque / ball_circle_radius
-
-
 def key_friction_force(torque, key_friction, hub_diameter):
     """Friction force of the key on the sleeve, F_тр = 2 T f_1/d.
     Source: S21 (3), (8). Validity: The sleeve moves or is about to; all torque passes the key."""

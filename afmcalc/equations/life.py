@@ -135,16 +135,13 @@ def cycles_of_mean_damage(mean_damage):
     return quotient(1.0, mean_damage)
 
 
-def friction_slips(friction_min, friction_max):
-    """Frictions of slips that are uniformly distributed over the range, 256 of them.
-    Source: Handbook, chapter 4. Validity: f_min ≤ f_max."""
-    return spread(friction_min, friction_max, 256, ends=False)
+friction_slips_least = Same("friction_min")
 
 
-def friction_slips_from_mean(friction_mean, friction_max):
-    """Frictions of slips from the mean friction on, 256 of them.
-    Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: f_cp ≤ f_max."""
-    return spread(friction_mean, friction_max, 256, ends=False)
+def friction_slips(friction_slips_least, friction_max):
+    """Frictions of slips that are uniformly distributed over the range, or from the mean on, 256 of them.
+    Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: f_min ≤ f_max."""
+    return spread(friction_slips_least, friction_max, 256, ends=False)
 
 
 def _each_slip(damaging_stress):
@@ -166,4 +163,4 @@ CASES = {
     "slips": {"friction": "friction_slips"},
     "each_slip": {"torque_high": "torque_at_slips"},
 }
-FORECAST_OF_SLIPS = {"torque_high": "torque_max_from_mean", "friction_slips": "friction_slips_from_mean"}
+FORECAST_OF_SLIPS = {"torque_high": "torque_max_from_mean", "friction_slips_least": "friction_mean"}

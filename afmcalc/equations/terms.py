@@ -109,21 +109,22 @@ friction | f | 1 | coefficient of friction
 friction_along_wall | f_w | 1 | frictions at which the ball comes along the wall
 friction_at_equal_potential | f_low | 1 | friction at which T_п = T_н.маш
 friction_at_unit_loop_gain | f_high | 1 | friction at which v = 1
+friction_between | f_turn | 1 | friction (f_1) where the torque may turn within the range
 friction_bound | f_lim | 1 | friction below which S22 (10) is positive
 friction_driven | f_2 | 1 | friction of the driven pairs
+friction_driven_least | f_2,0 | 1 | friction of the controlled pairs that the path begins with
 friction_driven_max | f_2max | 1 | largest friction of the controlled pairs
 friction_driven_mean | f_2cp | 1 | mean friction of the controlled pairs
 friction_driven_min | f_2min | 1 | smallest friction of the controlled pairs
 friction_driven_set | f_2set | 1 | friction of the controlled pairs at the setting
 friction_driven_slips | f_2 | 1 | friction of the controlled pairs in each slip
-friction_driven_slips_from_mean | f_2 | 1 | friction of the controlled pairs in each slip, from the mean on
 friction_driving | f_1 | 1 | friction of the driving pairs
+friction_driving_least | f_1,0 | 1 | friction of the bypass pairs that the path begins with
 friction_driving_max | f_1max | 1 | largest friction of the bypass pairs
 friction_driving_mean | f_1cp | 1 | mean friction of the bypass pairs
 friction_driving_min | f_1min | 1 | smallest friction of the bypass pairs
 friction_driving_set | f_1set | 1 | friction of the bypass pairs at the setting
 friction_driving_slips | f_1 | 1 | friction of the bypass pairs in each slip
-friction_driving_slips_from_mean | f_1 | 1 | friction of the bypass pairs in each slip, from the mean on
 friction_leaving | f_L | 1 | friction at which the sleeve leaves its stop
 friction_leaving_from_mean | f_L | 1 | friction from the mean on at which the sleeve leaves its stop
 friction_leaving_in_range | f_L | 1 | friction within the range at which the sleeve leaves its stop
@@ -137,7 +138,7 @@ friction_ratio_max | n | 1 | f_2max/f_1max
 friction_ratio_min | p | 1 | f_2min/f_1min
 friction_set | f_set | 1 | friction at the setting (f_min or f_cp)
 friction_slips | f | 1 | friction in each slip
-friction_slips_from_mean | f | 1 | friction in each slip, from the mean on
+friction_slips_least | f_0 | 1 | smallest friction of the slips
 friction_unlocking | f_u | 1 | friction at which the key lets the sleeve go
 gain | C | 1 | feedback gain
 gain_acting | C(x) | 1 | gain where the sleeve has travelled to
@@ -249,6 +250,7 @@ tangent_stiffness | k_t | N/m | stiffness of the balance where the sleeve is; D 
 tangent_stiffness_squared | k_t² | N^2/m^2 | square of the stiffness of the balance where the sleeve is
 torque | T | N*m | slip torque
 torque_asked_for | T_маш | N*m | torque that the machine asks for
+torque_between | T_turn | N*m | slip torque where it may turn within the range
 torque_high | T_high | N*m | largest torque of the load
 torque_low | T_low | N*m | smallest torque of the load
 torque_low_of_side | T_min | N*m | smallest torque of the load on the side in question

@@ -1,6 +1,6 @@
 """Unlike materials in the two groups of a differentiated clutch: the torque may also turn at the mean (F11)."""
 
-from .arrays import larger, place_of_largest, place_of_smallest, smaller, spread
+from .arrays import larger, smaller, spread
 from .wiring import Same
 
 
@@ -16,36 +16,7 @@ def friction_driven_mean(friction_driven_min, friction_driven_max):
     return (friction_driven_min + friction_driven_max) / 2
 
 
-def torque_min(torque_at_f_min, torque_at_f_mean, torque_at_f_max):
-    """Smallest slip torque along the common path, at its start, its mean or its end.
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
-    together (F11's working hypothesis)."""
-    return smaller(torque_at_f_min, torque_at_f_mean, torque_at_f_max)
-
-
-def torque_max(torque_at_f_min, torque_at_f_mean, torque_at_f_max):
-    """Largest slip torque along the common path, at its start, its mean or its end.
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
-    together (F11's working hypothesis)."""
-    return larger(torque_at_f_min, torque_at_f_mean, torque_at_f_max)
-
-
-def friction_of_torque_min(torque_at_f_min, torque_at_f_mean, torque_at_f_max, friction_driving_min,
-                           friction_driving_mean, friction_driving_max):  # fmt: skip
-    """Friction f_1 where the torque is smallest.
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
-    together."""
-    torques = torque_at_f_min, torque_at_f_mean, torque_at_f_max
-    return place_of_smallest(torques, (friction_driving_min, friction_driving_mean, friction_driving_max))
-
-
-def friction_of_torque_max(torque_at_f_min, torque_at_f_mean, torque_at_f_max, friction_driving_min,
-                           friction_driving_mean, friction_driving_max):  # fmt: skip
-    """Friction f_1 where the torque is largest.
-    Source: F11 (12): between them T is a quotient of linear functions (handbook, chapter 3). Validity: f_1 and f_2 move
-    together."""
-    torques = torque_at_f_min, torque_at_f_mean, torque_at_f_max
-    return place_of_largest(torques, (friction_driving_min, friction_driving_mean, friction_driving_max))
+torque_between, friction_between = Same("torque_at_f_mean"), Same("friction_driving_mean")
 
 
 def torque_min_from_mean(torque_at_f_mean, torque_at_f_max):
@@ -116,16 +87,21 @@ def slope_in_ratio_min(bypass_pairs, controlled_pairs, gain, friction_ratio_max,
 # frictions of the slips of a life
 
 
-def friction_driving_slips(friction_driving_min, friction_driving_mean, friction_driving_max, bend_of_path):
-    """Frictions f_1 of slips that are uniformly distributed along the common path, 256 of them.
-    Source: Handbook, chapter 4. Validity: f_1 and f_2 move together, to their means and on from there."""
-    return _along_path(friction_driving_min, friction_driving_mean, friction_driving_max, bend_of_path)
+friction_driving_least, friction_driven_least = Same("friction_driving_min"), Same("friction_driven_min")
 
 
-def friction_driven_slips(friction_driven_min, friction_driven_mean, friction_driven_max, bend_of_path):
-    """Frictions f_2 of slips that are uniformly distributed along the common path, 256 of them.
-    Source: Handbook, chapter 4. Validity: f_1 and f_2 move together, to their means and on from there."""
-    return _along_path(friction_driven_min, friction_driven_mean, friction_driven_max, bend_of_path)
+def friction_driving_slips(friction_driving_least, friction_driving_mean, friction_driving_max, bend_of_path):
+    """Frictions f_1 of slips that are uniformly distributed along the common path, or from the means on, 256 of them.
+    Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: f_1 and f_2 move together, to their
+    means and on from there."""
+    return _along_path(friction_driving_least, friction_driving_mean, friction_driving_max, bend_of_path)
+
+
+def friction_driven_slips(friction_driven_least, friction_driven_mean, friction_driven_max, bend_of_path):
+    """Frictions f_2 of slips that are uniformly distributed along the common path, or from the means on, 256 of them.
+    Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: f_1 and f_2 move together, to their
+    means and on from there."""
+    return _along_path(friction_driven_least, friction_driven_mean, friction_driven_max, bend_of_path)
 
 
 def _along_path(least, mean, largest, bend):
@@ -134,31 +110,19 @@ def _along_path(least, mean, largest, bend):
     return least + below * (mean - least) + above * (largest - mean)
 
 
-def bend_of_path(friction_driving_min, friction_driving_mean, friction_driving_max, friction_driven_min,
+def bend_of_path(friction_driving_least, friction_driving_mean, friction_driving_max, friction_driven_least,
                  friction_driven_mean, friction_driven_max):  # fmt: skip
     """Share of the common path at which both frictions have their means.
     Source: Handbook, chapter 4. Validity: Within the path, not at its ends."""
-    first = friction_driving_mean - friction_driving_min + friction_driven_mean - friction_driven_min
+    first = friction_driving_mean - friction_driving_least + friction_driven_mean - friction_driven_least
     second = friction_driving_max - friction_driving_mean + friction_driven_max - friction_driven_mean
     return larger(smaller(first / larger(first + second, 1e-300), 1 - 1e-12), 1e-12)
-
-
-def friction_driving_slips_from_mean(friction_driving_mean, friction_driving_max):
-    """Frictions f_1 of slips from the mean on, 256 of them.
-    Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: As ``friction_driving_slips``."""
-    return spread(friction_driving_mean, friction_driving_max, 256, ends=False)
-
-
-def friction_driven_slips_from_mean(friction_driven_mean, friction_driven_max):
-    """Frictions f_2 of slips from the mean on, 256 of them.
-    Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: As ``friction_driven_slips``."""
-    return spread(friction_driven_mean, friction_driven_max, 256, ends=False)
 
 
 SET_AT_MIN = {f"friction_{group}_set": Same(f"friction_{group}_min") for group in ("driving", "driven")}
 SET_AT_MEAN = {f"friction_{group}_set": Same(f"friction_{group}_mean") for group in ("driving", "driven")}
 OF_SLIPS = {f"friction_{group}": f"friction_{group}_slips" for group in ("driving", "driven")}
-OF_SLIPS_FROM_MEAN = {f"friction_{group}_slips": f"friction_{group}_slips_from_mean" for group in ("driving", "driven")}
+OF_SLIPS_FROM_MEAN = {f"friction_{group}_least": f"friction_{group}_mean" for group in ("driving", "driven")}
 
 CASES = {
     **{

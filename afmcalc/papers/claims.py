@@ -1,15 +1,16 @@
-"""Every printed figure and claim of the papers recomputed: what follows from the formulas, and what does not.
+"""Claims and figures of the papers, recomputed from their formulas.
 
 Figures are recalculated with the misprints mended.
 """
 
+from collections.abc import Mapping
 from functools import cache
 from importlib import import_module
 from typing import Literal, NamedTuple
 
 from ..errors import AfmcalcError
 from ..findings import Finding, finding
-from ..messages import did_you_mean, say, translate
+from ..messages import did_you_mean, filled, say, translate
 from ..result import Answer, Result, described, quantity
 from . import FIGURES, PAPERS
 from .register import check_papers, data
@@ -34,11 +35,11 @@ class PaperCurve(NamedTuple):
     label: str
     x: list[float]
     y: list[float]
-    points: bool = False
+    points: bool
 
 
 class PaperFigure(NamedTuple):
-    """One figure: axes, curves, what was mended and what the paper leaves open."""
+    """One figure: axes, curves, corrected misprints and inputs that the paper leaves open."""
 
     name: str
     title: str
@@ -56,20 +57,26 @@ class PaperFigure(NamedTuple):
     """Inputs that the paper does not print, as chosen here."""
 
 
-class Found(NamedTuple):
-    """One claim recomputed: the numbers in words, the verdict, computed over printed less 1."""
+class Recomputed(NamedTuple):
+    """One claim recomputed."""
 
-    computed: str
-    verdict: Verdict
+    values: Mapping[str, object]
+    """Numbers of its sentence in ``claims.toml``."""
+    as_printed: bool
+    """True if it follows from the inputs as printed."""
+    corrected: bool = False
+    """True if it follows with the correction."""
     deviation: float | None = None
+    """Computed over printed, less 1."""
+    undecided: bool = False
+    """True if the paper leaves open the inputs that decide it."""
 
-
-def curve(number: str, label: str, x: object, y: object, *, points: bool = False) -> PaperCurve:
-    """Take arrays as a curve; an ordinate that does not depend on x is a level line."""
-    import numpy as np
-
-    xs, ys = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
-    return PaperCurve(number, label, xs.tolist(), ys.tolist(), points)
+    @property
+    def verdict(self) -> Verdict:
+        """Verdict on the claim."""
+        if self.as_printed:
+            return "reproduced"
+        return "reproduced with correction" if self.corrected else "undecided" if self.undecided else "not reproduced"
 
 
 def paper_figure(name: str) -> PaperFigure:
@@ -87,15 +94,19 @@ def paper_figure(name: str) -> PaperFigure:
             "no figure {name!r}{hint}; there are: {figures}",
             name=name, hint=did_you_mean(wanted, FIGURES), figures=", ".join(FIGURES),
         )  # fmt: skip
+    import numpy as np
+
+    entry = data("figures.toml")[wanted]
     paper, _, number = wanted.partition("-")
-    return getattr(import_module(f".{PAPERS[paper]}", __package__), f"figure_{number}")()
+    curves = iter(getattr(import_module(f".{PAPERS[paper]}", __package__), f"figure_{number}")())
 
+    def curve(number: str, label: str, *points: str) -> PaperCurve:
+        x, y = np.broadcast_arrays(*(np.asarray(values, float) for values in next(curves)))
+        return PaperCurve(number, label, x.tolist(), y.tolist(), bool(points))
 
-def verdict(as_printed: bool, corrected: bool = False) -> Verdict:
-    """Judge a row: it follows from the inputs as printed, or with the correction, or not at all."""
-    if as_printed:
-        return "reproduced"
-    return "reproduced with correction" if corrected else "not reproduced"
+    axes = {"x": PaperAxis(**entry["x"]), "y": [PaperAxis(**axis) for axis in entry["y"]]}
+    panels = [[curve(*about) for about in panel] for panel in entry["panels"]]
+    return PaperFigure(wanted.replace("-", " fig. "), **entry | axes | {"panels": panels})
 
 
 def near(computed: float, printed: float, digits: float) -> bool:
@@ -172,20 +183,22 @@ def claims(papers: list[str], figures: list[str] | None = None) -> tuple[Reprodu
     """
     check_papers(papers)
     modules = [import_module(f".{PAPERS[paper]}", __package__) for paper in papers or PAPERS]
-    # the function ``p1`` of a paper's module recomputes its claim P1
-    rows = [
-        Row(**{"correction": None, **entry, **recompute()._asdict()})
-        for entry in recorded_claims()
-        for module in modules
-        if (recompute := getattr(module, entry["id"].lower(), None)) is not None
-    ]
+    rows, findings = list[Row](), list[Finding]()
+    for entry in recorded_claims():
+        for module in modules:
+            if recompute := getattr(
+                module, entry["id"].lower(), None
+            ):  # p1 of a paper's module recomputes its claim P1
+                found = recompute()
+                text = filled(entry["computed"], found.values)
+                own = {"computed": text, "deviation": found.deviation, "verdict": found.verdict}
+                rows.append(Row(**{"correction": None, **entry, **own}))
+                if found.verdict != entry["verdict"]:
+                    record = entry["verdict"]
+                    findings.append(
+                        finding("unexpected-verdict", "error", row=entry["id"], verdict=found.verdict, record=record)
+                    )
     verdicts = [row.verdict for row in rows]
-    recorded = {entry["id"]: entry["verdict"] for entry in recorded_claims()}
-    findings = [
-        finding("unexpected-verdict", "error", row=row.id, verdict=row.verdict, record=recorded[row.id])
-        for row in rows
-        if row.verdict != recorded[row.id]
-    ]
     shown = [paper_figure(name) for name in figures or FIGURES if figures or not papers or name.split("-")[0] in papers]
     result = ReproduceResult(
         rows=rows, reproduced=verdicts.count("reproduced"), corrected=verdicts.count("reproduced with correction"),

@@ -54,19 +54,19 @@ class EquationsResult(Answer):
 
 @cache
 def register() -> list[Formula]:
-    """Every entry, in the order of the papers."""
+    """Entries of the register, in the order of the papers."""
     optional = ("misprint", "function", "proof", "printed", "correct", "covered_by")
     return [Formula(**{**dict.fromkeys(optional), **entry}) for entry in data("register.toml")["formula"]]
 
 
 @cache
 def misprints() -> list[Misprint]:
-    """Every misprint, in order; a withdrawn one keeps its number."""
+    """Misprints in the order of their numbers; a withdrawn one keeps its own."""
     return [Misprint(**{"status": "in print", "proof": None, **entry}) for entry in data("misprints.toml")["misprint"]]
 
 
-def data(name: str) -> dict[str, list[dict[str, str]]]:
-    """Read one of the lists of this package: kind of entry → its entries, in order."""
+def data(name: str) -> dict[str, Any]:
+    """Read one of the lists of this package."""
     return tomllib.loads(files("afmcalc.papers").joinpath(name).read_text(encoding="utf-8"))
 
 
@@ -82,8 +82,7 @@ def citations() -> dict[str, tuple[str, bool]]:
 
 @cache
 def _sources() -> dict[str, Any]:
-    entries: Any = data("references.toml")
-    return entries
+    return data("references.toml")
 
 
 def check_papers(papers: list[str]) -> None:

@@ -7,7 +7,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from .. import __version__
-from ..analysis.handbook import Entry, Handbook
+from ..analysis.handbook_content import Entry, Handbook
 from ..messages import say, spoken, translate
 from ..papers.register import Misprint, misprints, references
 from ..units import typeset

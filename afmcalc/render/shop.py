@@ -10,8 +10,8 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from ..analysis.section import ClutchSection
-from ..analysis.shop import ShopDrawing
+from ..analysis.assembly import ClutchSection
+from ..analysis.pocket_contours import ShopDrawing
 from ..messages import localized, named, say, translate
 from ..spec import Spec
 from ..spec.models import ShopNotes, TitleBlock

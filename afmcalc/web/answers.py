@@ -9,13 +9,13 @@ from markupsafe import Markup
 from tomli_w import dumps
 
 from .. import __version__
-from ..analysis.answers import Answers
+from ..analysis.asking import Answers
 from ..analysis.check import check_at_once
 from ..analysis.compare import change
 from ..analysis.design import shown
 from ..analysis.design_grid import candidate
 from ..analysis.dossier import dossier
-from ..analysis.figures import ParetoFigure, Request, gathered
+from ..analysis.plot_data import ParetoFigure, Request, gathered
 from ..analysis.registry import ANALYSES
 from ..analysis.sweep import parse_axis
 from ..engines import build

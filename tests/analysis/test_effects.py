@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs, p5
 
-from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.effects import effects
+from afmcalc.analysis.asking import Answers
+from afmcalc.analysis.neglected import effects
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import read_spec

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.asking import Answers
 from afmcalc.analysis.check import check
 from afmcalc.analysis.heat import heat
 from afmcalc.analysis.simulate import history

@@ -5,9 +5,9 @@ import math
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.asking import Answers
 from afmcalc.analysis.check import check
-from afmcalc.analysis.life import life, life_sweep
+from afmcalc.analysis.fatigue import life, life_sweep
 from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.sweep import parse_axis
 from afmcalc.engines import build

@@ -8,8 +8,8 @@ from conftest import CONFIGS
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from afmcalc.analysis.half_section import layout
 from afmcalc.analysis.heat import heat
-from afmcalc.analysis.layout import layout
 from afmcalc.analysis.springs import _tables, coil_diameters, coils, picked, ranked, springs
 from afmcalc.engines import build
 from afmcalc.engines.parts import SpringDemand, checks_of_part, spring_demands, values_of_part

@@ -4,8 +4,8 @@ import pytest
 from conftest import CONFIGS, S21
 
 from afmcalc.analysis.compare import compare_variants
-from afmcalc.analysis.overload import overload
 from afmcalc.analysis.torque import torque
+from afmcalc.analysis.trip import overload
 from afmcalc.engines import build
 from afmcalc.errors import CalculationError
 from afmcalc.spec import read_spec

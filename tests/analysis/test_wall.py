@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
+from afmcalc.analysis.pocket_wall import Wall
 from afmcalc.analysis.synthesize import pocket
-from afmcalc.analysis.wall import Wall
 from afmcalc.engines import build
 from afmcalc.equations import control_unit, curved_wall
 from afmcalc.spec import read_spec

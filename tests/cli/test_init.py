@@ -8,7 +8,7 @@ import tomllib
 import pytest
 from conftest import CONFIGS, PICKED
 
-from afmcalc.analysis.handbook import chapter_texts
+from afmcalc.analysis.handbook_content import chapter_texts
 from afmcalc.cli.specs import _COMMAND
 from afmcalc.errors import SpecError
 from afmcalc.messages import latin

@@ -20,8 +20,8 @@ SHORT = ["--set", "drive.event.duration=0.002", "--set", "tolerance.samples=1000
 REFUSED = {"en": "error: ", "ru": "ошибка: "}
 WRONG = ['["stop"]', "{a = 1}", "1", "true", "x"]
 ASKED = [
-    *(name for name in COMMANDS if name in ANALYSES and ANALYSES[name].group in ("clutch", "drive") and name not in SWEEPING),
-    *("tolerance", "check", "solve accuracy_factor=2"), *(f"explain {name}" for name in EXPLAINED),
+    *(name for name in COMMANDS if name in ANALYSES and ANALYSES[name].section and name not in SWEEPING),
+    *("compare", "check", "solve accuracy_factor=2"), *(f"explain {name}" for name in EXPLAINED),
     *(f"plot {name}" for name, plot in PLOTS.items() if plot.takes in ("clutch", "clutches") and name not in ("accuracy", "life", *DRAWINGS)),
 ]  # fmt: skip
 

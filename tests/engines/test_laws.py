@@ -21,61 +21,24 @@ from afmcalc.errors import AfmcalcError
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.variants import VARIANTS
 
-NAMED = (
-    """accuracy adjustment control_unit curved curved_wall direct indirect life machine overload pack pressure unlike"""
-)
+NAMED = "accuracy adjustment control_unit curved curved_wall direct indirect life machine overload pack pressure unlike"
 MODULES = [import_module(f"afmcalc.equations.{name}") for name in NAMED.split()]
 KEYS = {name for names in NAMES.values() for name in names.values()} | {"closing_disc", "control_disc", "balls_listed"}
 FROM_OUTSIDE = {"risen_load"}
 """What an analysis gives: a load that has risen."""
 ALTERNATIVES = {
-    *[
-        "mean_radius",
-        "gain",
-        "bypass_pairs",
-        "closing_force",
-        "polar_section_modulus",
-        "ball_diameter_standard",
-        "margin",
-        "face_gap",
-    ],
-    *[
-        "friction_mean",
-        "friction_driving_mean",
-        "friction_driven_mean",
-        "friction_min",
-        "friction_max",
-        "friction_driving_min",
-    ],
-    *[
-        "friction_driving_max",
-        "friction_driven_min",
-        "friction_driven_max",
-        "edge_clearance",
-        "ball_modulus",
-        "ball_poisson",
-    ],
-    *[
-        "wall_modulus",
-        "wall_poisson",
-        "allowable_pressure",
-        "dynamic_factor",
-        "ultimate_strength",
-        "mean_stress_sensitivity",
-    ],
-    *["service_factor", "drive_ratio", "drive_efficiency", "wall_angle", "gain_slope", "closing_disc", "control_disc"],
-}
+    "mean_radius", "gain", "bypass_pairs", "closing_force", "polar_section_modulus", "ball_diameter_standard", "margin",
+    "face_gap", "friction_mean", "friction_driving_mean", "friction_driven_mean", "friction_min", "friction_max",
+    "friction_driving_min", "friction_driving_max", "friction_driven_min", "friction_driven_max", "edge_clearance",
+    "ball_modulus", "ball_poisson", "wall_modulus", "wall_poisson", "allowable_pressure", "dynamic_factor",
+    "ultimate_strength", "mean_stress_sensitivity", "service_factor", "drive_ratio", "drive_efficiency", "wall_angle",
+    "gain_slope", "closing_disc", "control_disc",
+}  # fmt: skip
 """Keys that win over a law of their name, on purpose: given, or by a law where they are not."""
 OF_SLEEVE = ("control_force_made", "gain_slope", "constant-torque", "closing_disc")
-OPTIONS = [
-    "wall_angle",
-    "uniform-pressure",
-    "uniform-wear",
-    "motor_power",
-    "amplitude",
-    "goodman",
-    "friction_driving_min",
-] + [*OF_SLEEVE]
+OPTIONS = (
+    "wall_angle", "uniform-pressure", "uniform-wear", "motor_power", "amplitude", "goodman", "friction_driving_min", *OF_SLEEVE,
+)  # fmt: skip
 
 
 def combinations():

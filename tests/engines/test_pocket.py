@@ -5,9 +5,9 @@ import pytest
 from conftest import slow
 from strategies import p5
 
-from afmcalc.analysis.accuracy import accuracy
+from afmcalc.analysis.accuracy_factor import accuracy
 from afmcalc.analysis.clutch_findings import clutch_findings
-from afmcalc.analysis.life import life
+from afmcalc.analysis.fatigue import life
 from afmcalc.analysis.tolerance import tolerance, with_setting
 from afmcalc.engines import build
 from afmcalc.spec import read_spec

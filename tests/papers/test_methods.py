@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.adjust import adjust
-from afmcalc.analysis.life import life
-from afmcalc.analysis.overload import overload
+from afmcalc.analysis.fatigue import life
+from afmcalc.analysis.trip import overload
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec, resolved
 

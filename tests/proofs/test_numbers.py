@@ -144,7 +144,6 @@ def numbers_of_slips():
     """Frictions of slips: in the middles of 256 equal parts of the range, of the common path where materials differ."""
     middles = (np.arange(256) + 0.5) / 256
     yield "life.friction_slips", off(life.friction_slips(0.1, 0.7), 0.1 + 0.6 * middles)
-    yield "life.friction_slips_from_mean", off(life.friction_slips_from_mean(0.3, 0.7), 0.3 + 0.4 * middles)
     first, second = (0.1, 0.2, 0.6), (0.2, 0.5, 0.7)  # f_1 and f_2 come to their means at 0.4 of the path
     bend = unlike.bend_of_path(*first, *second)
     yield "unlike.bend_of_path", off(bend, 0.4)
@@ -153,14 +152,8 @@ def numbers_of_slips():
     yield "no path", off(unlike.bend_of_path(*[0.2] * 6), 1e-12)
     for slips, range_ in ((unlike.friction_driving_slips, first), (unlike.friction_driven_slips, second)):
         yield slips.__name__, off(slips(*range_, bend), np.interp(middles, [0, 0.4, 1], range_))
-    yield (
-        "unlike.friction_driving_slips_from_mean",
-        off(unlike.friction_driving_slips_from_mean(0.2, 0.6), 0.2 + 0.4 * middles),
-    )
-    yield (
-        "unlike.friction_driven_slips_from_mean",
-        off(unlike.friction_driven_slips_from_mean(0.2, 0.6), 0.2 + 0.4 * middles),
-    )
+        from_mean = slips(range_[1], *range_[1:], 1e-12)
+        yield "from the mean on", off(from_mean, range_[1] + (range_[2] - range_[1]) * middles)
     yield "life.counted_damage", off([life.counted_damage(0.2, 3.0, 2.0), life.counted_damage(0.2, 2.0, 2.0)], [0.2, 0])
     yield "a slip swings the load from 0", off(life._each_slip(None)["torque_low"], 0)
     yield "life.scatter_of_side", life.scatter_of_side(7, 3) - 4

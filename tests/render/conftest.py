@@ -59,6 +59,6 @@ def report(framed, parsed):
 @pytest.fixture(scope="session")
 def book():
     """What the handbook shows, in a language."""
-    from afmcalc.analysis.handbook import handbook
+    from afmcalc.analysis.handbook_content import handbook
 
     return functools.cache(handbook)

@@ -8,7 +8,7 @@ import pytest
 from conftest import FRAME
 
 import afmcalc
-from afmcalc.analysis.handbook import chapter_texts, commands_of
+from afmcalc.analysis.handbook_content import chapter_texts, commands_of
 from afmcalc.analysis.registry import ANALYSES
 from afmcalc.equations.catalogue import equations
 from afmcalc.messages import language, speaking

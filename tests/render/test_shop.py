@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.section import section
-from afmcalc.analysis.shop import shop_drawing
+from afmcalc.analysis.asking import Answers
+from afmcalc.analysis.assembly import section
+from afmcalc.analysis.pocket_contours import shop_drawing
+from afmcalc.analysis.pocket_wall import wall_of
 from afmcalc.analysis.synthesize import pocket as designed
-from afmcalc.analysis.wall import wall_of
 from afmcalc.engines import build
 from afmcalc.render.dxf import dxf
 from afmcalc.render.shop import pocket

@@ -23,7 +23,7 @@ from ...result import Answer, Result, described
 from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
-from .formula import FormulaText, symbol_latex
+from .formula import Expression, formula_of, latex, symbol_latex, text
 
 
 class Step(Result):
@@ -41,7 +41,6 @@ class Step(Result):
     unit: str = described("SI unit")
     source: str = described("source")
     print_differs: str | None = described("what the paper prints instead", optional=True)
-    note: str | None = described("note", optional=True)
     function: str = described("equation function that ran")
     formula_latex: str = described("formula, LaTeX")
     substituted_latex: str = described("formula with numbers, LaTeX")
@@ -84,7 +83,7 @@ def steps_of(clutch: Clutch) -> list[NotedStep]:
 
 
 def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
-    """Return steps; of those of a ball along its wall the force where it is largest, the rest where the pressure is."""
+    """Return the steps with one number each: along a wall that of the largest contact force, or else pressure."""
     steps = list(steps)
     largest = {
         step.name: int(step.value.argmax()) for step in steps if step.case == "along_wall" and step.name in _LARGEST
@@ -102,7 +101,7 @@ _LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
 
 
 def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
-    """Return the steps that a formula with numbers can show, each once."""
+    """Return the steps that are a formula with finite numbers, each once."""
     found: dict[tuple[object, ...], NotedStep] = {}
     for step in steps:
         numbers = (*step.values.values(), step.value)
@@ -114,14 +113,14 @@ def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
 def _has_formula(step: NotedStep) -> bool:
     """True if a law is a formula; one that compares numbers, as for the friction of the largest torque, is none."""
     with suppress(TypeError):
-        return bool(_formula_text(step))
+        return bool(_formula(step))
     return False
 
 
 def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[NotedStep]]:
-    """Return what is shown of steps by its law: what it uses before it, else in the order in which laws were applied.
+    """Group the steps shown by law, each group after the steps that it uses.
 
-    A group is parted where it must be: a setting follows from a torque, and gives torques of its own.
+    A group is split where that needs it: a setting follows from a torque, and gives torques of its own.
     """
     left, parts, before = dict[tuple[str, str], list[NotedStep]](), list[list[NotedStep]](), dict[int, set[int]]()
     of_quantity, kept = dict[str, set[int]](), {*map(id, shown)}
@@ -174,13 +173,12 @@ def _circumstance(cases: str) -> Circumstance:
     return Circumstance(", ".join(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
 
 
-def _formula_text(step: NotedStep, *, special: bool = True) -> FormulaText:
-    """Return the formula of a step and its numbers; ``special``: with the symbols of what stands for its arguments."""
-    terms = _equation(step).arguments
-    symbols = {name: translate(own.symbol) for name, own in terms.items()}
+def _formula(step: NotedStep, *, special: bool = True) -> Expression:
+    """Return the formula of a step with its numbers; ``special``: with the symbols of what its arguments stand for."""
+    terms = {name: (translate(own.symbol), own.unit) for name, own in _equation(step).arguments.items()}
     if special:
-        symbols |= {name: translate(term_of(one).symbol) for name, one in step.arguments.items()}
-    return FormulaText(step.law, symbols, step.values, {name: own.unit for name, own in terms.items()})
+        terms |= {name: (translate(term_of(one).symbol), terms[name][1]) for name, one in step.arguments.items()}
+    return formula_of(step.law, terms, step.values)
 
 
 def _print_differs(function: str) -> str:
@@ -199,15 +197,14 @@ def _print_differs(function: str) -> str:
 
 
 def _step(step: NotedStep) -> Step:
-    equation, formula, case = _equation(step), _formula_text(step), _circumstance(step.case)
-    result = _result(step)
+    equation, formula, case, result = _equation(step), _formula(step), _circumstance(step.case), _result(step)
     return Step(
         symbol=native(result.symbol), symbol_latex=symbol_latex(translate(result.symbol)),
         name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
-        formula=native(formula.text()), substituted=native(formula.text_with_numbers()), value=float(step.value),
+        formula=native(text(formula)), substituted=native(text(formula, numbers=True)), value=float(step.value),
         unit=result.unit, source=translate(equation.source),
-        print_differs=_print_differs(equation.name) or None, function=equation.name, formula_latex=formula.latex(),
-        substituted_latex=formula.latex_with_numbers(),
+        print_differs=_print_differs(equation.name) or None, function=equation.name, formula_latex=latex(formula),
+        substituted_latex=latex(formula, numbers=True),
     )  # fmt: skip
 
 
@@ -279,25 +276,24 @@ class _Report:
         self.terms: dict[Term, int] = {}
         """The same of equations that are not wired: what they take and give is of one type."""
         self.meanings: set[Meaning] = set()
-        self.texts: set[tuple[str, str]] = set()
 
     def derivation(self, steps: list[NotedStep]) -> Derivation:
         equation = _equation(steps[0])
         result, is_new = _result(steps[0]), equation.name not in self.numbers
         number = self.numbers.setdefault(equation.name, len(self.numbers) + 1)
         self.quantities[steps[0].name] = self.terms[result] = number
-        texts = [_formula_text(step, special=False) for step in steps]
+        formulas = [_formula(step, special=False) for step in steps]
         return Derivation(
             number=number,
             symbol=result.symbol,
             name=result.meaning or equation.about,
             unit=result.unit,
             symbol_latex=symbol_latex(translate(result.symbol)),
-            formula=texts[0].latex() if is_new else "",
+            formula=latex(formulas[0]) if is_new else "",
             where=list(self.meanings_of(steps)),
             rows=[
-                CaseRow(_circumstance(step.case), text.latex_with_numbers(line=len(steps) > _FEW), float(step.value))
-                for step, text in zip(steps, texts, strict=True)
+                CaseRow(_circumstance(step.case), latex(own, numbers=True, line=len(steps) > _FEW), float(step.value))
+                for step, own in zip(steps, formulas, strict=True)
             ],
             source=equation.source if is_new else "",
             differs=_print_differs(equation.name) if is_new else "",
@@ -307,15 +303,12 @@ class _Report:
         """Say what the symbols of a formula stand for, each meaning once in a report."""
         for step in steps:
             for name, own in _equation(step).arguments.items():
-                (symbol, unit, text), number, source = own, self.terms.get(own), ""
+                (symbol, unit, words), number, source = own, self.terms.get(own), ""
                 if name in step.arguments:
                     quantity = quantity_of(step.arguments[name])
                     number, source = self.quantities.get(quantity), term_of(quantity).symbol
-                meaning = Meaning(symbol, text, unit, source if number and source != symbol else "", number)
+                meaning = Meaning(symbol, words, unit, source if number and source != symbol else "", number)
                 if meaning in self.meanings:
                     continue
                 self.meanings.add(meaning)
-                if meaning.source and (symbol, text) in self.texts:
-                    meaning = meaning._replace(text="")  # κ, and for the way back κ₊ in its place
-                self.texts.add((symbol, text))
                 yield meaning

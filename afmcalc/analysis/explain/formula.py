@@ -57,16 +57,15 @@ class Expression:
 
 @dataclass(frozen=True)
 class Leaf(Expression):
-    """A symbol, or a number."""
+    """A symbol with the number that it stands for, or a number of the law itself."""
 
     text: str
-    own: bool = False
-    """True if it is a number of the equation itself."""
+    unit: str | None = None
+    """SI unit of the number; None of a number of the law itself."""
     value: float = field(default=math.nan, compare=False)
-    """Value that it stands for: a law may ask whether there is one."""
 
     def __gt__(self, other: float) -> bool:
-        """Compare what it stands for."""
+        """Compare the number: a law may ask whether there is one."""
         return self.value > other
 
 
@@ -102,13 +101,13 @@ class Called(Expression):
     arguments: tuple[Expression, ...]
 
 
-_ONE, _PI = Leaf("1", own=True), Leaf("π", own=True)
+_ONE, _PI = Leaf("1"), Leaf("π")
 
 
 def _term(value: Expression | float) -> Expression:
     if isinstance(value, Expression):
         return value
-    own = _PI if abs(value) == math.pi else Leaf(f"{abs(value):g}", own=True)
+    own = _PI if abs(value) == math.pi else Leaf(f"{abs(value):g}")
     return _negated(own) if value < 0 else own
 
 
@@ -139,8 +138,14 @@ _SEVERAL = re.compile(r"^(?!sin|cos|tan|ln)\D\S* |^[^(]*/|\d .*·")
 class _Text:
     """One line, Unicode: a raised dot for products, no space around it."""
 
-    brackets = "({})"
-    minus = "-"
+    brackets, minus, times, unit = "({})", "-", "·", "{} {}"
+    power_of_ten = "({}·10^{})"
+    split = re.compile("[ /]")
+    """Signs of a term that is raised in brackets: a number with a unit, a ratio that is one symbol."""
+
+    def __init__(self, *, numbers: bool) -> None:
+        """Write the symbols, or the numbers that they stand for."""
+        self.numbers = numbers
 
     def show(self, term: Expression) -> str:
         """Write an expression."""
@@ -156,9 +161,18 @@ class _Text:
             case Called(name, arguments):
                 return self._function(name) + self.brackets.format(", ".join(map(self.show, arguments)))
         assert isinstance(term, Leaf)
-        return self._leaf(term.text)
+        return self._symbol(self._text(term))
 
-    def _leaf(self, text: str) -> str:
+    def _text(self, leaf: Leaf) -> str:
+        """Symbol, or number with its SI unit; the spaces keep it apart from operators."""
+        if leaf.unit is None or not self.numbers:
+            return leaf.text
+        number, _, exponent = f"{leaf.value:.5g}".partition("e")
+        text = self.power_of_ten.format(number, int(exponent)) if exponent else number
+        text = text if leaf.unit == "1" else self.unit.format(text, typeset(leaf.unit))
+        return f"({text})" if leaf.value < 0 else text
+
+    def _symbol(self, text: str) -> str:
         return text
 
     def _function(self, name: str) -> str:
@@ -168,11 +182,11 @@ class _Text:
         own = self.show(term)
         return self.brackets.format(own) if when else own
 
+    def _is_whole(self, term: Expression) -> bool:
+        return isinstance(term, Leaf) and not self.split.search(self._text(term))
+
     def _power(self, base: Expression, exponent: Expression) -> str:
-        # a number with a unit is raised as a whole, and so is a ratio that is one symbol
-        whole = (isinstance(each, Leaf) and not re.search("[ /]", each.text) for each in (base, exponent))
-        parts = (self._in_brackets(each, not one) for each, one in zip((base, exponent), whole, strict=True))
-        return "^".join(parts)
+        return "^".join(self._in_brackets(each, not self._is_whole(each)) for each in (base, exponent))
 
     def _sum(self, terms: tuple[Expression, ...]) -> str:
         text = ""
@@ -184,36 +198,33 @@ class _Text:
         return text
 
     def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> str:
-        above = "·".join(self._in_brackets(each, isinstance(each, Sum | Product)) for each in over)
-        below = "·".join(self._divisor(each) for each in under)
+        above = self.times.join(self._in_brackets(each, isinstance(each, Sum | Product)) for each in over)
+        below = self.times.join(map(self._divisor, under))
         return f"{above}/({below})" if len(under) > 1 else f"{above}/{below}" if under else above
 
     def _divisor(self, term: Expression) -> str:
         of_sum = isinstance(term, Power) and isinstance(term.base, Sum)
-        several = isinstance(term, Leaf) and _SEVERAL.search(term.text) is not None
+        several = isinstance(term, Leaf) and _SEVERAL.search(self._text(term)) is not None
         return self._in_brackets(term, isinstance(term, Sum | Product) or of_sum or several)
 
 
 class _Latex(_Text):
     """LaTeX: quotients as fractions."""
 
-    brackets = "\\left({}\\right)"
-    minus = "- "
+    brackets, minus, unit = "\\left({}\\right)", "- ", "{}\\,\\text{{{}}}"
+    power_of_ten = "{}\\cdot 10^{{{}}}"
+    split = re.compile(r"[ /^]|\\,")
 
-    def __init__(self, dot: str = " ") -> None:
-        self._dot = dot
-
-    def _leaf(self, text: str) -> str:
+    def _symbol(self, text: str) -> str:
         return symbol_latex(text)
 
     def _function(self, name: str) -> str:
         return f"\\{name.replace('atan', 'arctan')} "
 
     def _power(self, base: Expression, exponent: Expression) -> str:
-        if exponent in (Leaf("0.5"), Leaf("0.5", own=True)):
+        if isinstance(exponent, Leaf) and self._text(exponent) == "0.5":
             return f"\\sqrt{{{self.show(base)}}}"
-        whole = isinstance(base, Leaf) and not re.search(r"[ /^]|\\,", base.text)
-        return f"{self._in_brackets(base, not whole)}^{{{self.show(exponent)}}}"
+        return f"{self._in_brackets(base, not self._is_whole(base))}^{{{self.show(exponent)}}}"
 
     def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> str:
         above = self._factors(over)
@@ -223,8 +234,8 @@ class _Latex(_Text):
         text = ""
         for factor in factors:
             own = self._in_brackets(factor, isinstance(factor, Sum) and len(factors) > 1)
-            between = " \\cdot " if text[-1:].isdigit() and own[:1].isdigit() else self._dot
-            text += (between if text else "") + own
+            dot = self.numbers or (text[-1:].isdigit() and own[:1].isdigit())
+            text += (" \\cdot " if dot else " ") + own if text else own
         return text
 
 
@@ -238,54 +249,26 @@ class _LatexLine(_Latex):
         if len(over) == 1 and isinstance(over[0], Sum) and under:
             above = self.brackets.format(above)
         # a number with its unit is divided by as a whole
-        whole = len(under) == 1 and isinstance(under[0], Leaf) and "\\" not in under[0].text
+        whole = len(under) == 1 and isinstance(under[0], Leaf) and "\\" not in self._text(under[0])
         return f"{above}/{below if whole else self.brackets.format(below)}" if under else above
 
 
-class FormulaText:
-    """An equation function called on symbols, and on numbers that keep their units, unevaluated."""
-
-    def __init__(
-        self,
-        function: Callable[..., Any],
-        symbols: Mapping[str, str],
-        values: Mapping[str, Any],
-        units: Mapping[str, str],
-    ) -> None:
-        """Run ``function`` on the symbols and on the values of its arguments."""
-        plain = {name: _number(values[name], units[name], latex=False) for name in symbols}
-        set_in_latex = {name: _number(values[name], units[name], latex=True) for name in symbols}
-        self._symbolic, self._plain, self._latex = (
-            _term(function(**{name: Leaf(text, value=values[name]) for name, text in texts.items()}))
-            for texts in (symbols, plain, set_in_latex)
-        )
-
-    def text(self) -> str:
-        """Return the formula on one line, Unicode."""
-        return _Text().show(self._symbolic)
-
-    def text_with_numbers(self) -> str:
-        """Return the formula with numbers and units put in, Unicode."""
-        return _Text().show(self._plain)
-
-    def latex(self) -> str:
-        """Return the formula in LaTeX."""
-        return _Latex().show(self._symbolic)
-
-    def latex_with_numbers(self, *, line: bool = False) -> str:
-        """Return the formula with numbers and units in LaTeX, in one line if so wanted."""
-        return (_LatexLine if line else _Latex)(" \\cdot ").show(self._latex)
+def formula_of(
+    function: Callable[..., Any], terms: Mapping[str, tuple[str, str]], values: Mapping[str, Any]
+) -> Expression:
+    """Return the formula of a law, called on its arguments: name → symbol and SI unit, name → value."""
+    leaves = {name: Leaf(symbol, unit, values[name]) for name, (symbol, unit) in terms.items()}
+    return _term(function(**leaves))
 
 
-def _number(value: Any, unit: str, *, latex: bool) -> str:
-    """Write a value with its SI unit; the spaces keep it apart from operators."""
-    text = f"{value:.5g}"
-    if "e" in text:
-        mantissa, _, exponent = text.partition("e")
-        text = f"{mantissa}\\cdot 10^{{{int(exponent)}}}" if latex else f"({mantissa}·10^{int(exponent)})"
-    if unit != "1":
-        text = f"{text}\\,\\text{{{typeset(unit)}}}" if latex else f"{text} {typeset(unit)}"
-    return f"({text})" if value < 0 else text
+def text(formula: Expression, *, numbers: bool = False) -> str:
+    """Write a formula on one line, Unicode, with its symbols or with numbers and units put in."""
+    return _Text(numbers=numbers).show(formula)
+
+
+def latex(formula: Expression, *, numbers: bool = False, line: bool = False) -> str:
+    """Write a formula in LaTeX, with its symbols or with numbers and units put in; in one line if so wanted."""
+    return (_LatexLine if line else _Latex)(numbers=numbers).show(formula)
 
 
 def symbol_latex(name: str) -> str:

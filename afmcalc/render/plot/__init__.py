@@ -12,6 +12,6 @@ _HOMES = {"tolerance": "studies", "pareto": "studies", "pocket": "pocket", "sect
 
 
 def sheet_of(kind: str, gathered: Any) -> "Sheet":
-    """Lay out what ``analysis.figures.gathered`` gives for a kind of plot, by the function of its name."""
+    """Lay out what ``analysis.plot_data.gathered`` gives for a kind of plot, by the function of its name."""
     module = import_module(f".{_HOMES.get(kind, 'curves')}", __package__)
     return getattr(module, kind)(gathered)

@@ -9,9 +9,8 @@ from ..units import display
 from .chart import Area, Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
 if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no other analysis than its own
-    from ...analysis.curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
-    from ...analysis.effects import EffectsCurve
-    from ...analysis.figures import SimulateFigure
+    from ...analysis.neglected import EffectsCurve
+    from ...analysis.plot_data import AccuracyCurve, LifeCurve, OverloadCurve, SimulateFigure, TorqueCurve
     from ...analysis.simulate import MomentRow
     from ...analysis.springs import SpringCurve, SpringsCurve
     from ...papers.claims import PaperFigure

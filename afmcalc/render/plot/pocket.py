@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ...analysis.figures import PocketSection
+from ...analysis.plot_data import PocketSection
 from ...analysis.synthesize import SynthesisResult
 from ...messages import localized, say, translate
 from ..drawing import (

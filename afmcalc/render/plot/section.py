@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator
 
-from ...analysis.section import Box, ClutchSection, DrawnPart, MainDimension
+from ...analysis.assembly import Box, ClutchSection, DrawnPart, MainDimension
 from ...findings import finding
 from ...messages import say, translate
 from ...spec.keys import keys

@@ -10,7 +10,7 @@ from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, stated
 
 if TYPE_CHECKING:
     from ...analysis.design import DesignResult, DesignRow
-    from ...analysis.figures import ParetoFigure, ToleranceFigure
+    from ...analysis.plot_data import ParetoFigure, ToleranceFigure
 
 
 def tolerance(figure: "ToleranceFigure") -> Sheet:

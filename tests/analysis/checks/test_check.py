@@ -5,7 +5,7 @@ import math
 import pytest
 from conftest import CONFIGS, S21, WANTED
 
-from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.asking import Answers
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec, resolved
 

@@ -6,7 +6,7 @@ import pytest
 from conftest import CONFIGS
 from drives import merged
 
-from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.asking import Answers
 from afmcalc.analysis.check import check
 from afmcalc.analysis.drive_result import SimulateResult
 from afmcalc.analysis.simulate import simulate

@@ -6,9 +6,9 @@ import tomllib
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.asking import Answers
 from afmcalc.analysis.check import check_at_once
-from afmcalc.analysis.life import life
+from afmcalc.analysis.fatigue import life
 from afmcalc.drive.train import train_of
 from afmcalc.engines import build
 from afmcalc.errors import SpecError

@@ -9,7 +9,7 @@ import pytest
 from conftest import slow
 from random_clutches import random_clutches
 
-from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.asking import Answers
 from afmcalc.analysis.check import check, check_at_once
 from afmcalc.analysis.compare import compare
 from afmcalc.analysis.dossier import dossier

@@ -5,7 +5,7 @@ import math
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.asking import Answers
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec, resolved

@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.accuracy import accuracy
+from afmcalc.analysis.accuracy_factor import accuracy
 from afmcalc.analysis.explain.explain import explain
-from afmcalc.analysis.explain.formula import Expression, FormulaText, Leaf
+from afmcalc.analysis.explain.formula import Expression, Leaf, formula_of, latex, text
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
@@ -120,12 +120,12 @@ def from_latex(text):
 def printed_forms(equation, sign):
     """Value of the equation, and what each of its printed forms reads as."""
     numbers = {argument: 0.37 + 0.21 * index for index, argument in enumerate(equation.arguments)}
-    units = {argument: term.unit for argument, term in equation.arguments.items()}
-    if sign < 0 and set(units.values()) == {"1"}:
+    terms = {argument: (term.symbol, term.unit) for argument, term in equation.arguments.items()}
+    if sign < 0 and {unit for _, unit in terms.values()} == {"1"}:
         numbers |= {next(iter(numbers)): -0.37}
-    symbols = {argument: term.symbol for argument, term in equation.arguments.items()}
+    symbols = {argument: symbol for argument, (symbol, _) in terms.items()}
     assert len(set(symbols.values())) == len(symbols)
-    text = FormulaText(equation.function, symbols, numbers, units)
+    formula = formula_of(equation.function, terms, numbers)
     # a symbol of several letters, or a ratio, is read as the product or ratio of them
     several = re.compile(r"(?!sin|cos|tan|ln|largest)([^ /()]+)([ /])(\S+)")
     names = {symbol: numbers[argument] for argument, symbol in symbols.items() if not several.fullmatch(symbol)}
@@ -134,9 +134,10 @@ def printed_forms(equation, sign):
             first = names.setdefault(match[1], 1.9)
             names[match[3]] = numbers[argument] / first if match[2] == " " else first / numbers[argument]
     of_result = read_as_printed(equation.result.unit.replace("*", "·"), NUMBER_OF_UNIT)
-    shown = (text.text_with_numbers(), *(from_latex(text.latex_with_numbers(line=line)) for line in (False, True)))
+    in_latex = (latex(formula, numbers=True, line=line) for line in (False, True))
+    shown = (text(formula, numbers=True), *map(from_latex, in_latex))
     read = [read_as_printed(one, NUMBER_OF_UNIT) / of_result for one in shown]
-    return complex(equation.function(**numbers)), [read_as_printed(text.text(), names), *read]
+    return complex(equation.function(**numbers)), [read_as_printed(text(formula), names), *read]
 
 
 def has_formula(equation):

@@ -14,8 +14,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Annotation, Text
 from PIL import Image
 
-from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.figures import Request, gathered
+from afmcalc.analysis.asking import Answers
+from afmcalc.analysis.plot_data import Request, gathered
 from afmcalc.engines import build
 from afmcalc.messages import ENGLISH, language, named, speaking
 from afmcalc.papers import FIGURES

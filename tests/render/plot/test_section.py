@@ -11,9 +11,9 @@ from conftest import CONFIGS
 from hypothesis import given
 from strategies import indirect_specs, spaced_specs
 
-from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.figures import Request, gathered
-from afmcalc.analysis.layout import layout
+from afmcalc.analysis.asking import Answers
+from afmcalc.analysis.half_section import layout
+from afmcalc.analysis.plot_data import Request, gathered
 from afmcalc.engines import build
 from afmcalc.engines.layout import TOUCHES
 from afmcalc.render.drawing import Inscription, Length, Region, Stroke, exploded

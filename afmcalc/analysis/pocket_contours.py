@@ -13,8 +13,8 @@ from ..engines.layout import parts_of, sizes_of
 from ..errors import CalculationError
 from ..messages import say
 from ..spec import Spec
+from .pocket_wall import Wall, wall_of
 from .synthesize import SynthesisResult
-from .wall import Wall, wall_of
 
 Points: TypeAlias = list[tuple[float, float]]
 """(along the axis, around the circle), m."""

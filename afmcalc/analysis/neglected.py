@@ -3,14 +3,17 @@
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
 
 from ..engines import Clutch
 from ..engines.parts import following_stiffness, lost_by_wear
+from ..engines.quantities import Quantities
 from ..engines.selection import as_set
 from ..equations import effects as law
 from ..equations import pack
-from ..equations.arrays import Values
+from ..equations.arrays import Floats, Values, zero_of
 from ..errors import CalculationError, Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import deferred, say, translate
@@ -29,8 +32,8 @@ STEEL = 7850.0
 STIFFNESS = "closing_spring.stiffness"
 _MOST_PAIRS = 1000
 
-Torque = Callable[[float, float], float]
-"""Slip torque at f_1 and f_2, N·m."""
+Torque = Callable[[Floats, Floats], Floats]
+"""Slip torques at f_1 and f_2, N·m."""
 
 
 class Effect(Result):
@@ -45,7 +48,7 @@ class Effect(Result):
     @property
     def torque_least(self) -> float:
         """Smallest slip torque, N·m."""
-        return min(getattr(self.torque_low, end) for end in ENDS)
+        return min(vars(self.torque_low).values())
 
 
 class EffectsResult(Answer):
@@ -72,7 +75,7 @@ class EffectCurve(Result):
 
 
 class EffectsCurve(Result):
-    """The law's torque and what each effect makes of it."""
+    """The law's torque along the path, and what each effect makes of it."""
 
     name: str | None = described("name of the clutch", optional=True)
     friction: list[float] = quantity("1", "f", "coefficient of friction")
@@ -81,14 +84,18 @@ class EffectsCurve(Result):
 
 
 class Bracket(NamedTuple):
-    """Two curves that the torque lies between, none where no clutch is left, and what is to be said of them."""
+    """Two curves that the torque lies between, or none and the reason why no clutch is left."""
 
     curves: Sequence[Torque]
     remarks: tuple[Finding, ...] = ()
 
+    def ends(self, frictions: tuple[Floats, Floats]) -> list[list[float]]:
+        """Smaller and larger torques at pairs of frictions, N·m."""
+        return np.sort([curve(*frictions) for curve in self.curves], axis=0).tolist()
+
 
 class EffectSource(NamedTuple):
-    """Where an effect comes from: the keys it needs, the first of them its own, its bracket, and words for it."""
+    """Definition of an effect: the keys it needs, its own first, its bracket, and its name."""
 
     needs: tuple[str, ...]
     bracket: Callable[..., Bracket]
@@ -118,7 +125,7 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
         raise SpecError(clutch.spec.label, [Problem(missing[0], None, hint)])
     result = EffectsResult(
         accuracy_factor=clutch.accuracy_factor,
-        torque=Triple.of(_torque(clutch, *frictions) for frictions in zip(*clutch.spec.friction.groups, strict=True)),
+        torque=Triple.of(_torque(clutch, *_ends(clutch)).tolist()),
         effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
     )
     remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
@@ -134,24 +141,20 @@ def effects_curve(clutch: Clutch) -> EffectsCurve:
     path, brackets = _path(clutch), _brackets(clutch)
     if not brackets:
         raise CalculationError("plot effects: the spec gives the data of no effect (afmcalc effects says which)")
-    if path[0] == path[-1]:
+    if all(friction[0] == friction[-1] for friction in path):
         raise CalculationError("the friction does not wander (min = max): there is no curve over it")
-    curves = []
-    for name, bracket in brackets.items():
-        if bracket.curves:
-            both = [sorted(float(curve(*frictions)) for curve in bracket.curves) for frictions in path]
-            curves.append(EffectCurve(effect=name, low=[low for low, _ in both], high=[high for _, high in both]))
+    courses = {name: bracket.ends(path) for name, bracket in brackets.items() if bracket.curves}
     return EffectsCurve(
         name=clutch.spec.name,
-        friction=[frictions[0] for frictions in path],
-        torque=[_torque(clutch, *frictions) for frictions in path],
-        effects=curves,
+        friction=path[0].tolist(),
+        torque=_torque(clutch, *path).tolist(),
+        effects=[EffectCurve(effect=name, low=low, high=high) for name, (low, high) in courses.items()],
     )
 
 
-def _torque(clutch: Clutch, driving: float, driven: float) -> float:
-    """Slip torque at f_1 and f_2, N·m."""
-    return float(clutch.at_friction(driving, driven)["torque"])
+def _torque(clutch: Clutch, driving: Floats, driven: Floats) -> Floats:
+    """Slip torques at f_1 and f_2, N·m."""
+    return np.broadcast_to(clutch.at_friction(driving, driven)["torque"], driving.shape)
 
 
 def _brackets(clutch: Clutch) -> dict[EffectName, Bracket]:
@@ -162,25 +165,23 @@ def _brackets(clutch: Clutch) -> dict[EffectName, Bracket]:
     }
 
 
-def _path(clutch: Clutch) -> list[tuple[float, float]]:
+def _path(clutch: Clutch) -> tuple[Floats, Floats]:
     """The common path of f_1 and f_2."""
-    path = (clutch.path(number / (POINTS - 1)) for number in range(POINTS))
-    return [(float(first), float(second)) for first, second in path]
+    return clutch.path(np.linspace(0.0, 1.0, POINTS))
+
+
+def _ends(clutch: Clutch) -> tuple[Floats, Floats]:
+    """f_1 and f_2 at f_min, their means and f_max."""
+    first, second = map(np.array, clutch.spec.friction.groups)
+    return first, second
 
 
 def _effect(clutch: Clutch, name: EffectName, bracket: Bracket) -> Effect:
     # largest over smallest torque along the common path of f_1 and f_2
-    torques = ([curve(*frictions) for frictions in _path(clutch)] for curve in bracket.curves)
-    low, high = sorted(float(max(course) / min(course)) for course in torques)
-    ends = zip(*clutch.spec.friction.groups, strict=True)
-    at_ends = [sorted(float(curve(*frictions)) for curve in bracket.curves) for frictions in ends]
-    return Effect(
-        effect=name,
-        torque_low=Triple.of(least for least, _ in at_ends),
-        torque_high=Triple.of(most for _, most in at_ends),
-        accuracy_factor_low=low,
-        accuracy_factor_high=high,
-    )
+    courses = (curve(*_path(clutch)) for curve in bracket.curves)
+    least, most = sorted(float(course.max() / course.min()) for course in courses)
+    low, high = map(Triple.of, bracket.ends(_ends(clutch)))
+    return Effect(effect=name, torque_low=low, torque_high=high, accuracy_factor_low=least, accuracy_factor_high=most)
 
 
 def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
@@ -224,51 +225,42 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
     bypass, pairs = int(clutch.bypass_pairs), clutch.spec.friction_group.pairs
     most_force = float(clutch.pack_force_at_rest)
 
-    def share(friction: float, disc: int) -> float:
+    def share(friction: Any, radius: Any) -> Any:
         """Share of the normal force of a pair that the spline of a disc can hold."""
-        return float(law.spline_share(spline_friction, friction, float(clutch.mean_radius), radii[disc % 2]))
+        return law.spline_share(spline_friction, friction, float(clutch.mean_radius), radius)
 
-    most = max(share(friction.max, disc) for friction in clutch.spec.friction.groups for disc in (0, 1))
+    most = float(max(share(friction.max, radius) for friction in clutch.spec.friction.groups for radius in radii))
     if most >= 1:
         locks = finding("splines-lock", "error", value=most, limit=1.0, path="friction_group.spline_friction")
         return Bracket((), (locks,))
     if pairs > _MOST_PAIRS:
         raise CalculationError("effects: splines are followed disc by disc, at most {most:,} pairs", most=_MOST_PAIRS)
+    of_discs = np.resize(radii, pairs - 1)[:, None]
 
-    def forces(next_force: Callable[..., Values], driving: float, driven: float) -> list[float]:
+    def forces(next_force: Callable[..., Floats], driving: Floats, driven: Floats) -> Floats:
         """Forces on the pairs over that of the first, from the spring on: the controlled pairs, then the others."""
-        frictions = [driven] * (pairs - bypass) + [driving] * bypass
-        chain = [1.0]
-        for disc, (near, far) in enumerate(zip(frictions, frictions[1:], strict=False)):
-            chain.append(float(next_force(chain[-1], share(near, disc), share(far, disc))))
-        return chain
+        frictions = np.array([driven] * (pairs - bypass) + [driving] * bypass)
+        ratios = next_force(1.0, share(frictions[:-1], of_discs), share(frictions[1:], of_discs))
+        return np.cumprod(np.concatenate([np.ones_like(frictions[:1]), ratios]), axis=0)
 
-    def counted(chain: list[float]) -> Clutch:
-        """The clutch whose pairs count by their forces."""
-        return with_pairs(clutch, sum(chain[pairs - bypass :]), sum(chain[: pairs - bypass]))
+    def counted(chain: Floats, driving: Floats, driven: Floats) -> Quantities:
+        """The clutch whose pairs count by their forces, at frictions."""
+        controlled, others = chain[: pairs - bypass].sum(axis=0), chain[pairs - bypass :].sum(axis=0)
+        return with_pairs(clutch, others, controlled).at_friction(driving, driven)
 
-    def closing(driving: float, driven: float) -> float:
-        """Every disc was held on its way from the spring."""
-        return _torque(counted(forces(law.next_force_closing, driving, driven)), driving, driven)
+    def closing(driving: Floats, driven: Floats) -> Floats:
+        """Torques with every disc held on its way from the spring."""
+        return counted(forces(law.next_force_closing, driving, driven), driving, driven)["torque"]
 
-    def opening(driving: float, driven: float) -> float:
-        """Every disc is held on its way back; none is pressed more than the pack was closed with."""
-        from scipy.optimize import brentq
-
+    def opening(driving: Floats, driven: Floats) -> Floats:
+        """Torques with every disc held on its way back, none pressed more than the pack was closed with."""
         chain = forces(law.next_force_opening, driving, driven)
 
-        def pressed(first: float) -> Clutch:
-            return counted([min(force, most_force / first) for force in chain])
+        def pressed(first: Floats) -> Quantities:
+            return counted(np.minimum(chain, most_force / first), driving, driven)
 
-        def normal_force(clutch: Clutch) -> float:
-            return float(clutch.at_friction(driving, driven)["normal_force"])
-
-        def excess(first: float) -> float:
-            return normal_force(pressed(first)) - first
-
-        least = normal_force(counted(chain)) * (1 - 1e-9)  # below it whatever rounding does
-        first = most_force if excess(most_force) >= 0 else brentq(excess, least, most_force, xtol=1e-300)
-        return _torque(pressed(first), driving, driven)
+        first = zero_of(lambda first: pressed(first)["normal_force"] - first, np.full_like(driving, most_force))
+        return pressed(first)["torque"]
 
     return Bracket((closing, opening))
 

@@ -1,7 +1,6 @@
-"""The clutch as it is drawn: its parts at rest and at f_max, main dimensions, part list, and what had to be assumed.
+"""Data of the drawing of the whole clutch: parts at rest and at f_max, main dimensions, part list, assumed sizes.
 
-Where a part lies is the layout's answer. A clutch whose spec leaves open what a layout needs is completed first, and
-every key that is filled in is told: what is drawn is the layout of the spec with these keys.
+Parts lie as the layout places them. Where the spec leaves open what the layout needs, defaults are filled in and told.
 """
 
 from collections.abc import Iterable, Iterator
@@ -13,11 +12,11 @@ from ..errors import CalculationError
 from ..messages import translate
 from ..spec.edit import value_at, with_values
 from ..spec.models import DiscStack, Envelope, Room, Spec
-from .answers import Answers
-from .layout import LayoutPart, rows_of
+from .asking import Answers
+from .half_section import LayoutPart, rows_of
+from .pocket_wall import wall_of
 from .registry import ANALYSES
 from .synthesize import pocket
-from .wall import wall_of
 
 
 class MainDimension(NamedTuple):
@@ -71,7 +70,7 @@ class DrawnPart(NamedTuple):
 
 
 class ClutchSection(NamedTuple):
-    """All there is to draw of a clutch, m."""
+    """Data of the drawing of a clutch, m."""
 
     name: str | None
     parts: dict[PartName, DrawnPart]

@@ -15,7 +15,7 @@ from .sweep import Axis, replaced, series
 from .torque import Pair, outside_range, pairs_asked
 
 SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)
-"""Of the rise of the load until slip: where the potential torque is told."""
+"""Shares of the load rise until slip at which the potential torque is listed."""
 
 
 class OverloadSweep(Asking, Series):

@@ -1,4 +1,4 @@
-"""The clutch in half section: whether its parts fit into the space there is, its mass and inertia."""
+"""Layout of the clutch in half section: collisions, overall size, mass and inertia."""
 
 from collections.abc import Iterator
 
@@ -66,7 +66,7 @@ def rows_of(parts: list[SectionPart]) -> Iterator[LayoutPart]:
 
 
 def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) -> Iterator[Finding]:
-    """Say what is in the way of what, what is beyond the space, and what is not in the layout."""
+    """Findings on collisions, exceeded space, and parts that are not laid out."""
     for first, second, missing in overlaps(parts):
         if missing > TOUCHES:
             yield finding(

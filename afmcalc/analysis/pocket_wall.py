@@ -41,14 +41,14 @@ class Wall(NamedTuple):
 
     @property
     def undercut_radius(self) -> float | None:
-        """Radius of a ball that would undercut it, m; None of a straight wall."""
+        """Smallest radius of a ball that undercuts it, m; None for a straight wall."""
         if self.steepening == 0:
             return None
         return float(law.undercut_radius(self.steepening, math.cos(math.atan(self.tangent))))
 
     @property
     def can_be_cut(self) -> bool:
-        """True if a ball of its own size can have made it."""
+        """True if the ball does not undercut it."""
         return self.undercut_radius is None or self.ball_radius < self.undercut_radius
 
     def at(self, depth: float) -> WallPoint:

@@ -6,7 +6,8 @@ rules by amplitude take this cycle for each slip, and give the life at the mean 
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, Literal
+from functools import partial, reduce
+from typing import Literal
 
 import numpy as np
 
@@ -22,8 +23,7 @@ from ..result import Answer, Result, Series, described, quantity
 from ..spec.fields import Key
 from ..spec.models import Method, Spec
 from .adjust import METHODS
-from .answers import Answers
-from .asking import Asking, answer, asked
+from .asking import Answers, Asking, answer, asked
 from .clutch_findings import clutch_findings
 from .drive_result import SimulateResult, dynamic_factor
 from .registry import StressRule
@@ -101,10 +101,10 @@ def life(
             underrated = [remark for remark in answers.ask("simulate")[1] if remark.code == "dynamic-factor-exceeded"]
     factor = dynamic_factor(spec.drive, lambda: given(answers).of(SimulateResult))
     own = by_rule(clutch, model).at(dynamic_factor=factor)
-    sides = {"protected": own, "unprotected": own.at("unprotected")}
+    sides = {side: _load(own, side) for side in ("protected", "unprotected")}
     with np.errstate(all="ignore"):
         result = answer(
-            LifeResult, own, model=model, **{side: _by_setting(spec, own, *cases) for side, cases in _SIDES.items()},
+            LifeResult, own, model=model, **{side: _by_setting(spec, own, side) for side in _SIDES},
             **{f"stress_{side}": _stress(load) for side, load in sides.items()},
             sweep=life_sweep(clutch, model, sweeps, factor) or None,
         )  # fmt: skip
@@ -121,6 +121,11 @@ _SIDES = {
 """Side, as set and from the mean friction on → its cases."""
 
 
+def _load(own: Quantities, side: str) -> Quantities:
+    """Load of a side."""
+    return reduce(lambda load, case: load.at(case), _SIDES[side], own)
+
+
 def _require(spec: Spec, model: StressRule) -> None:
     """Refuse a spec without what the model needs."""
     if spec.fatigue is None:
@@ -130,15 +135,13 @@ def _require(spec: Spec, model: StressRule) -> None:
         raise spec.refused(f"fatigue.{needed}", say("required by the model {model!r}", model=model))
 
 
-def _by_setting(spec: Spec, own: Quantities, *cases: str) -> MethodCycles:
+def _by_setting(spec: Spec, own: Quantities, side: str) -> MethodCycles:
     """Cycles of a side, springs as they are and set by both methods."""
     made = spec.control_spring is not None and spec.control_spring.force is not None
     numbers, unlimited = dict[str, float | None](), list[Setting]()
     settings: list[tuple[Setting, str]] = [("as-set", ""), *METHODS.items()]
     for setting, case in settings:
-        load = own.at("" if setting == spec.adjustment.method and not made else case)
-        for each in cases:
-            load = load.at(each)
+        load = _load(own.at("" if setting == spec.adjustment.method and not made else case), side)
         numbers[setting.replace("-", "_")] = number = _cycles(load)
         if number is None or _is_unlimited(load):
             unlimited.append(setting)
@@ -183,47 +186,45 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: 
         if len(axes) > 1:
             raise AfmcalcError("dT is swept alone: it takes the place of what the clutch gives")
         axis, own = axes[0], by_rule(clutch, model).at(dynamic_factor=factor)
-        loads = {"protected": own, "unprotected": own.at("unprotected"), "protected_forecast": own.at("forecast")}
         with np.errstate(all="ignore"):
-            lives: dict[str, Any] = {
-                name: lives_of(_with_band(own, load, axis.values, each_slip=model in _NEEDS))
-                for name, load in loads.items()
-            }
-        lives = {
-            name: [None if life != life else life for life in np.broadcast_to(of, axis.values.shape).tolist()]
-            for name, of in lives.items()
+            bands = {side: lives_of(_with_band(own, _load(own, side), axis.values, model)) for side in _SWEPT}
+        lists = {
+            side: [None if life != life else life for life in np.broadcast_to(lives, axis.values.shape).tolist()]
+            for side, lives in bands.items()
         }
-        return [LifeSweep(parameter=axis.name, path=axis.key.path, unit="N*m", values=axis.values.tolist(), **lives)]
-    drive = clutch.spec.drive
+        return [LifeSweep(parameter=axis.name, path=axis.key.path, unit="N*m", values=axis.values.tolist(), **lists)]
     of_part = all(axis.key.path.startswith(("fatigue.", "shaft.")) for axis in axes)
-    same_event = drive.event is None or of_part
 
     def factor_of(point: Clutch) -> Values:
+        drive = point.spec.drive
+        if drive.dynamic_factor is not None or drive.event is None or of_part:
+            return factor if drive.dynamic_factor is None else drive.dynamic_factor
         from .simulate import dynamic_factors
 
-        own = point.spec.drive.dynamic_factor
-        return own if own is not None else factor if same_event else dynamic_factors(point)
+        return dynamic_factors(point)
 
-    def unprotected(point: Clutch) -> Values:
-        return lives_of(by_rule(point, model).at(dynamic_factor=factor_of(point)).at("unprotected"))
+    def lives(side: str, point: Clutch) -> Values:
+        load: Quantities = by_rule(point, model)
+        if side == "unprotected":
+            load = load.at(dynamic_factor=factor_of(point))
+        return lives_of(_load(load, side))
 
-    outputs = {
-        "protected": lambda point: lives_of(by_rule(point, model)),
-        "unprotected": unprotected,
-        "protected_forecast": lambda point: lives_of(by_rule(point, model).at("forecast")),
-    }
+    outputs = {side: partial(lives, side) for side in _SWEPT}
     block = {"block": _BLOCK} if model in _NEEDS else {}
-    return series(LifeSweep, clutch.spec, axes, outputs, open_at=tuple(outputs), **block) or []
+    return series(LifeSweep, clutch.spec, axes, outputs, open_at=_SWEPT, **block) or []
 
 
-def _with_band(own: Quantities, load: Quantities, band: Floats, *, each_slip: bool) -> Quantities:
+_SWEPT = ("protected", "unprotected", "protected_forecast")
+
+
+def _with_band(own: Quantities, load: Quantities, band: Floats, model: StressRule) -> Quantities:
     """Return the load of a clutch with another scatter band above its own T_min.
 
     Slips keep the course of the torque over friction, stretched; the paper's forecast keeps T_cp, and has nothing to
     say of a band so narrow that T_max stays below it.
     """
     least, width = own["torque_min"], own["scatter"]
-    if not each_slip:
+    if model not in _NEEDS:
         most, low = least + band, load["torque_low"]
         return load.at(torque_low=np.where(most >= low, low, np.nan), torque_high=most)
     torques, most = load["torque_at_slips"] - least, load["torque_high"] - least

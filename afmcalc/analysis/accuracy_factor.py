@@ -14,7 +14,7 @@ from .clutch_findings import clutch_findings
 from .sweep import Axis, replaced, series
 
 _ROUNDING = 1e-8
-"""An elasticity below it is none."""
+"""Smallest elasticity that is more than rounding."""
 
 
 class AccuracySweep(Asking, Series):
@@ -59,7 +59,7 @@ def accuracy(
     swept = series(kind, spec, sweeps, asked_by(kind, clutch))
     slopes = elasticities(clutch)
     result = answer(
-        AccuracyResult, clutch, sensitivity=dict(_told(slopes)), sweep=swept,
+        AccuracyResult, clutch, sensitivity=dict(_shown(slopes)), sweep=swept,
         **({} if _is_of_path(clutch) else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}),
     )  # fmt: skip
     return result, [*clutch_findings(clutch), *_findings(clutch, slopes, swept), *replaced(spec, sweeps)]
@@ -71,8 +71,8 @@ def _is_of_path(clutch: Quantities) -> bool:
     return name in clutch and bool(abs(clutch[name] / clutch["accuracy_factor"] - 1) <= 1e-9)
 
 
-def _told(slopes: Mapping[str, Elasticity]) -> Iterator[tuple[str, float]]:
-    """Elasticities that the result shows; a mean friction on which nothing depends is no parameter."""
+def _shown(slopes: Mapping[str, Elasticity]) -> Iterator[tuple[str, float]]:
+    """Elasticities to show; a mean friction without effect on K_т is left out."""
     for path, (slope, _) in slopes.items():
         if abs(slope) > _ROUNDING:
             yield path, slope

@@ -11,23 +11,19 @@ import re
 import tomllib
 from functools import cache
 from importlib.resources import files
-from itertools import product
 from typing import Any, NamedTuple
 
 from ..engines import Clutch, build
 from ..engines.quantities import NotedStep
-from ..engines.selection import CURVED, KEYS, laws_for
 from ..equations.catalogue import Equation, equation_of, equations
 from ..papers.claims import Row, claims
 from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
-from ..variants import VARIANTS
-from .answers import Answers
-from .asking import names_asked
+from .asking import Answers
 from .explain.explain import noting, shown, steps_of
-from .explain.formula import FormulaText, symbol_latex
-from .figures import Request, gathered
+from .explain.formula import formula_of, latex, symbol_latex
+from .plot_data import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
 _FOLDER = files("afmcalc.papers").joinpath("handbook")
@@ -129,45 +125,24 @@ def _steps() -> dict[str, list[tuple[str, str, NotedStep]]]:
 def _entry(equation: Equation) -> Entry:
     steps = _steps().get(equation.name, [])
     example, _, step = steps[0] if steps else ("", "", None)
-    terms = equation.arguments
-    symbols = {key: term.symbol for key, term in terms.items()}
-    units = {key: term.unit for key, term in terms.items()}
-    numbers = step.values if step else dict.fromkeys(terms, 1.0)
-    text = FormulaText(equation.function, symbols, numbers, units)
+    terms = {key: (term.symbol, term.unit) for key, term in equation.arguments.items()}
+    formula = formula_of(equation.function, terms, step.values if step else dict.fromkeys(terms, 1.0))
     printed = [entry for entry in register() if entry.function == equation.name]
     symbol = symbol_latex(equation.result.symbol)
     return Entry(
-        equation=equation, latex=f"{symbol} = {text.latex()}", example=example,
-        worked=f"{symbol} = {text.latex_with_numbers()}" if step else "", value=float(step.value) if step else 0.0,
+        equation=equation, latex=f"{symbol} = {latex(formula)}", example=example,
+        worked=f"{symbol} = {latex(formula, numbers=True)}" if step else "", value=float(step.value) if step else 0.0,
         printed=printed, proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
         commands=commands_of(equation.name),
     )  # fmt: skip
 
 
 def commands_of(name: str) -> list[str]:
-    """Commands that calculate an equation: by what they ask, by the steps of examples, and others by a list."""
-    steps = {command for _, command, _ in _steps().get(name, [])}
-    return sorted(steps.union(_asking().get(name, ()), _uses().get(name, ())))
-
-
-@cache
-def _asking() -> dict[str, set[str]]:
-    """Law → commands whose results ask for what needs it, in any variant, with any one option."""
-    found: dict[str, set[str]] = {}
-    for variant, option, force in product(VARIANTS, ("", *KEYS, *CURVED, "control_force_made"), ("closing_force", "")):
-        if (option in CURVED or option == "control_force_made") and variant != "indirect":
-            continue
-        keys = frozenset({option, force} - {""})
-        laws = laws_for(variant, "mean-friction", keys)
-        for command in EXPLAINED:
-            for name in names_asked(ANALYSES[command].result_class):
-                for need in laws.needs(name, keys):
-                    if callable(law := laws.laws.get(need)):
-                        found.setdefault(equation_of(need, law).name, set()).add(command)
-    return found
+    """Commands that calculate an equation: those whose steps show it for an example, and others by a list."""
+    return sorted({command for _, command, _ in _steps().get(name, [])}.union(_uses().get(name, ())))
 
 
 @cache
 def _uses() -> dict[str, list[str]]:
-    """Equation → commands that calculate it, besides those that explain it."""
+    """Equation → commands that calculate it, besides those whose steps show it."""
     return tomllib.loads(_FOLDER.joinpath("uses.toml").read_text(encoding="utf-8"))

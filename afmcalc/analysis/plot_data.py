@@ -1,0 +1,383 @@
+"""Data of each kind of plot: curves over friction or over what is swept, and what is drawn of other answers."""
+
+from collections.abc import Sequence
+from itertools import groupby
+from typing import Any, NamedTuple
+
+import numpy as np
+from pydantic import field_validator
+
+from ..engines import Clutch
+from ..equations.arrays import Floats
+from ..errors import AfmcalcError, CalculationError, given
+from ..messages import did_you_mean
+from ..papers.claims import paper_figure
+from ..result import Result, described, quantity
+from ..spec import Spec
+from ..spec.keys import is_whole
+from ..spec.models import Method
+from .accuracy_factor import AccuracySweep
+from .adjust import METHODS, AdjustResult
+from .asking import Answers, Asking, answer, asked, asked_by
+from .assembly import section
+from .design import DesignResult, design
+from .drive_result import SimulateResult
+from .fatigue import LifeResult, LifeSweep, band_axis, life_sweep
+from .neglected import effects_curve
+from .pocket_contours import ShopDrawing, shop_drawing
+from .registry import PLOTS, Plot, StressRule
+from .simulate import MomentRow, history
+from .springs import springs_curve
+from .sweep import Axis, S, current_value, find_key, parse_axis, series
+from .synthesize import SynthesisResult
+from .tolerance_result import ToleranceResult
+from .trip import OverloadSweep, refuse
+
+POINTS = 201
+"""Points of a curve: enough for a line without corners on paper."""
+_SINGLE = {"clutch": "SPEC", "names": "NAME", "search": "SPEC"}
+"""Name of the one argument of a plot, as the help calls it."""
+
+
+class Request(NamedTuple):
+    """Request for a drawing."""
+
+    subjects: Sequence[Any]
+    """``Answers`` of clutches, names of the papers' figures, or specs with [search]."""
+    sweep: str | None = None
+    model: StressRule | None = None
+
+
+class ClutchCurve(Asking):
+    """Base of a curve: the clutch that it belongs to."""
+
+    name: str | None = described("name of the clutch", optional=True)
+    variant: str = described("variant")
+
+    @field_validator("*", mode="before")
+    @classmethod
+    def _listed(cls, value: Any) -> Any:
+        return value.tolist() if isinstance(value, np.ndarray) else value
+
+
+class TorqueCurve(ClutchCurve):
+    """Slip torque along the common path of f_1 and f_2."""
+
+    friction: list[float] = asked()
+    friction_driving: list[float] | None = asked(optional=True)
+    torque: list[float] = asked(description="slip torque, spring as set")
+    torque_min_friction: list[float] = quantity("N*m", "T_1", "slip torque, set at f_min")
+    torque_mean_friction: list[float] = quantity("N*m", "T_2", "slip torque, set at mean f with margin")
+    breakaway_torque: list[float] | None = asked(
+        description="breakaway torque, upper bound (gain above its limit)", optional=True
+    )
+    torque_returning: list[float] | None = asked(
+        description="slip torque, friction falling again under load", optional=True
+    )
+    nominal_torque: float = asked()
+    margin: float = asked()
+    method: Method = described("setting of the spec")
+
+
+class AccuracyCurve(ClutchCurve):
+    """Accuracy over one key; where on it the clutch is, and its gain limit, as far as the key has them."""
+
+    series: AccuracySweep = described("accuracy over the key")
+    about: str = described("what it is")
+    symbol: str = described("symbol")
+    unit: str = described("SI unit")
+    own: float | None = described("what the clutch has of the key", optional=True)
+    accuracy_factor: float = asked()
+    limit: float | None = described("gain limit, as the key is called", optional=True)
+
+
+class SettingLife(Result):
+    """The protected side with the spring set by one method."""
+
+    method: Method = described("method")
+    scatter: float = quantity("N*m", "ΔT", "torque scatter band")
+    cycles: float | None = quantity("1", "N_ц", "cycles of the protected side", null="unlimited")
+
+
+class LifeCurve(ClutchCurve):
+    """Life over the scatter band, and where both settings put the clutch."""
+
+    model: StressRule = described("rule for the damaging stress")
+    series: LifeSweep = described("life over the band")
+    base_cycles: float = asked()
+    settings: list[SettingLife] = described("both settings")
+
+
+class OverloadCurve(ClutchCurve):
+    """The trip over friction (S22), set at f_min, and the accuracy over the reduced gain."""
+
+    friction: list[float] = asked()
+    expected_torque: list[float] = asked(description="expected slip torque")
+    actuation_torque_published: list[float] = asked()
+    actuation_torque_equilibrium: list[float] = asked()
+    potential_torque: list[float] = asked()
+    machine_torque: float = asked("machine_torque_at_overload")
+    margin: float = asked()
+    accuracy: OverloadSweep = described("accuracy over the reduced gain")
+    bypass_pairs: int = asked()
+    reduced_gain: float = asked()
+    optimal_reduced_gain: float = asked()
+
+
+def torque_curve(clutch: Clutch) -> TorqueCurve:
+    """Calculate the torque from f_min to f_max, as set and by both adjustment methods for the same nominal torque."""
+    path = _path(clutch)
+    there, (first, *_) = clutch.at(**path), path.values()
+    by_min, by_mean = (clutch.at(case).at(**path)["torque"] for case in METHODS.values())
+    beyond = (there["breakaway_torque"] > there["torque"] * (1 + 1e-9)).any()
+    return answer(
+        TorqueCurve, there, **_of(clutch), friction=first, torque_min_friction=by_min, torque_mean_friction=by_mean,
+        friction_driving=path.get("friction_driving"), method=clutch.spec.adjustment.method,
+        **({} if beyond else {"breakaway_torque": None}),
+    )  # fmt: skip
+
+
+def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
+    """Calculate K_т over the gain, or over the key asked for.
+
+    A range that is given is taken as it is; one of our own is refined, and reaches the clutch as it is.
+    """
+    text = sweep or "C"
+    axis = parse_axis(text, clutch.spec)
+    key = axis.key
+    # what the clutch has of the key, also where it follows from others
+    follows = {"control_unit.gain": clutch["gain"], "closing_spring.force": clutch["closing_force"]}
+    value = follows.get(key.path, current_value(clutch.spec, key.path))
+    current = None if value is None else float(value) / axis.scale
+    if "=" not in text and not is_whole(key.path):
+        ends = [float(axis.values.min()), float(axis.values.max()), *([] if current is None else [current])]
+        axis = axis._replace(values=np.linspace(min(ends), max(ends), POINTS))
+    limit = clutch.get("gain_limit") if key.path == "control_unit.gain" else None
+    of_zc = axis.name == "zC"
+    return answer(
+        AccuracyCurve, clutch, **_of(clutch), series=_over(axis, AccuracySweep, clutch),
+        about="reduced gain" if of_zc else key.description, symbol="zC" if of_zc else key.symbol or "",
+        unit=key.unit or "1", own=current, limit=None if limit is None else limit / axis.scale,
+    )  # fmt: skip
+
+
+def overload_curve(clutch: Clutch) -> OverloadCurve:
+    """Calculate the trip from f_min to f_max, and the accuracy over the reduced gain.
+
+    The gain goes from 0 to the recommended limit 5, or as far as the clutch lies beyond it.
+
+    Raises:
+        CalculationError: a variant S22 does not treat.
+    """
+    refuse(clutch)
+    gains = np.linspace(0.0, max(5.0, 1.2 * float(clutch["reduced_gain"])), 401)
+    axis = Axis("zC", find_key("C", clutch.spec), gains, 1 / float(clutch["controlled_pairs"]))
+    trip = clutch.at(**_path(clutch))
+    return answer(OverloadCurve, trip, **_of(clutch), accuracy=_over(axis, OverloadSweep, clutch))
+
+
+def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
+    """Calculate the life over the scatter band, from half to twice what the clutch has, or as asked for.
+
+    Raises:
+        AfmcalcError: another key is asked for.
+        CalculationError: there is no band.
+    """
+    clutch, text = answers.clutch, sweep or "dT"
+    name = text.partition("=")[0].strip()
+    if name != "dT":
+        raise AfmcalcError(
+            "plot life: its axis is the scatter band dT, not {name!r} (dT=RANGE sets its range)", name=name
+        )
+    axis = band_axis(text, clutch)
+    if "=" not in text:
+        low, high = float(axis.values.min()), float(axis.values.max())
+        if not high > low:
+            raise CalculationError("plot life: the friction does not wander, there is no band: give --sweep dT=RANGE")
+        axis = axis._replace(values=np.linspace(low, high, POINTS))
+    life, both = answers.of(LifeResult), answers.of(AdjustResult)
+    (over,) = life_sweep(clutch, life.model, [axis], life.dynamic_factor)
+    fields = {method: method.replace("-", "_") for method in METHODS}
+    settings = [
+        SettingLife(method=method, scatter=getattr(both, field).scatter, cycles=getattr(life.protected, field))
+        for method, field in fields.items()
+    ]
+    return answer(LifeCurve, clutch, **_of(clutch), model=life.model, series=over, settings=settings)
+
+
+def _of(clutch: Clutch) -> dict[str, Any]:
+    """Name and variant of a clutch."""
+    return {"name": clutch.spec.name, "variant": clutch.spec.variant}
+
+
+def _over(axis: Axis, kind: type[S], clutch: Clutch) -> S:
+    """Sweep over one axis what the series asks."""
+    return given(series(kind, clutch.spec, [axis], asked_by(kind, clutch)))[0]
+
+
+def _path(clutch: Clutch) -> dict[str, Floats]:
+    """Frictions by name, those of unlike materials moving together, from their smallest to their largest values.
+
+    Raises:
+        CalculationError: they do not move.
+    """
+    if not any(group.max > group.min for group in clutch.spec.friction.groups):
+        raise CalculationError("the friction does not wander (min = max): there is no curve over it")
+    first, second = clutch.path(np.linspace(0.0, 1.0, POINTS))
+    if not clutch.spec.friction.unlike:
+        return {"friction": first}
+    return {"friction_driving": first, "friction_driven": second}
+
+
+class PocketSection(NamedTuple):
+    """The section through one ball and its pockets."""
+
+    name: str | None
+    balls: int | None
+    synthesis: SynthesisResult
+
+
+class ToleranceFigure(NamedTuple):
+    """The torque of one clutch over its tolerances."""
+
+    name: str | None
+    nominal_torque: float
+    seed: int
+    result: ToleranceResult
+
+
+class SimulateFigure(NamedTuple):
+    """An event of the drive, until its peak has passed."""
+
+    name: str | None
+    kind: str
+    """Of event."""
+    load: float
+    """Before it, N·m."""
+    result: SimulateResult
+    courses: list[list[MomentRow]]
+    """At f_min, mean friction and f_max."""
+
+
+class ParetoFigure(NamedTuple):
+    """The front of a design with two objectives or more."""
+
+    name: str | None
+    result: DesignResult
+
+
+def plot_of(name: str) -> Plot:
+    """Return the plot of a name.
+
+    Raises:
+        AfmcalcError: there is none.
+    """
+    if name not in PLOTS:
+        hint, kinds = did_you_mean(name, PLOTS), ", ".join(PLOTS)
+        raise AfmcalcError("no plot {name!r}{hint}; there are: {kinds}", name=name, hint=hint, kinds=kinds)
+    return PLOTS[name]
+
+
+def check_request(name: str, request: Request) -> None:
+    """Refuse subjects or options that are not for a plot.
+
+    Raises:
+        AfmcalcError: no such plot, or what is refused.
+    """
+    plot = plot_of(name)
+    if plot.takes in _SINGLE and len(request.subjects) != 1:
+        raise AfmcalcError(
+            "plot {name} takes one {what}, not {count}",
+            name=name,
+            what=_SINGLE[plot.takes],
+            count=len(request.subjects),
+        )
+    for option in ("sweep", "model"):
+        if getattr(request, option) is not None and option not in plot.options:
+            raise AfmcalcError("plot {name} has no use for --{option}", name=name, option=option)
+
+
+def gathered(name: str, request: Request) -> Any:
+    """Calculate what a plot shows.
+
+    Raises:
+        AfmcalcError: no such plot, subjects or options that are not for it, or an analysis that does not apply.
+    """
+    check_request(name, request)
+    subject = request.subjects[0]
+    match name:
+        case "section":
+            return section(subject)
+        case "torque":
+            return [torque_curve(answers.clutch) for answers in request.subjects]
+        case "accuracy":
+            return [accuracy_curve(answers.clutch, request.sweep) for answers in request.subjects]
+        case "overload":
+            return overload_curve(subject.clutch)
+        case "life":
+            return _life(request)
+        case "pocket":
+            (synthesis, _), spec = subject.ask("pocket"), subject.clutch.spec  # refuses a clutch without balls
+            return PocketSection(spec.name, spec.control_unit.balls, synthesis)
+        case "effects":
+            return effects_curve(subject.clutch)
+        case "springs":
+            return springs_curve(subject.clutch)
+        case "tolerance":
+            return _tolerance(subject)
+        case "simulate":
+            return _simulate(subject)
+        case "pareto":
+            return _pareto(subject)
+        case _:  # the last of PLOTS, "paper"
+            return paper_figure(subject)
+
+
+def _life(request: Request) -> list[LifeCurve]:
+    curves = [life_curve(answers, request.sweep) for answers in request.subjects]
+    drawn = [cycles for curve in curves for cycles in curve.series.protected]
+    if len(curves) == 1:
+        (only,) = curves
+        drawn += [*only.series.unprotected, *only.series.protected_forecast, *(each.cycles for each in only.settings)]
+    if not any(drawn):
+        raise CalculationError(
+            "plot life: by the model {model!r} fatigue sets no limit anywhere in the range", model=curves[0].model
+        )
+    return curves
+
+
+def _tolerance(answers: Answers) -> ToleranceFigure:
+    result, spec = answers.of(ToleranceResult), answers.clutch.spec
+    if not result.histogram:
+        raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
+    assert spec.tolerance is not None
+    return ToleranceFigure(spec.name, float(answers.clutch.nominal_torque), spec.tolerance.seed, result)
+
+
+def _simulate(answers: Answers) -> SimulateFigure:
+    spec, result = answers.clutch.spec, answers.of(SimulateResult)
+    rows = history(answers.clutch, short=True).moments
+    courses = [list(course) for _, course in groupby(rows, lambda row: (row.friction, row.friction_driving))]
+    assert spec.drive.event is not None
+    return SimulateFigure(spec.name, spec.drive.event.kind, result.load_torque, result, courses)
+
+
+def _pareto(spec: Spec) -> ParetoFigure:
+    result, findings = design(spec)
+    if len(set(result.objectives)) < 2:
+        raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
+    if not result.front:
+        raise CalculationError(findings[0].message)
+    return ParetoFigure(spec.name, result)
+
+
+def shop_drawing_of(name: str, request: Request) -> ShopDrawing:
+    """Lay out the pockets of a clutch for the shop; ``name``: the plot that was asked.
+
+    Raises:
+        AfmcalcError: no one clutch with a control unit, or a pocket that cannot be cut.
+    """
+    check_request(name, request)
+    (answers,) = request.subjects
+    synthesis, _ = answers.ask("pocket")
+    return shop_drawing(answers.clutch, synthesis)
