@@ -276,6 +276,8 @@ FINDINGS: Mapping[str, str] = {
     "MPa}, that {lining} allows",
     "peak-pressure-in-range": "surface pressure {value:.5g MPa} at the inner edge: within the printed range of what "
     "{lining} allows, which begins at {limit:.5g MPa}",
+    "front-equals": "{value:.0f} more candidates that pass the checks of the grid equal one of the front in every "
+    "objective: of equals the first is told",
     "no-candidate": "none of {candidates:,} candidates holds every check; the nearest: {missed}",
     "no-candidate/key": "none of {candidates:,} candidates holds every check; the nearest: {missed}; what would "
     "do: {key} {sign} {would}",

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..engines import Clutch, build
 from ..engines.checks import Check, checks_of
-from ..engines.evaluate import BLOCK
+from ..engines.evaluate import BLOCK, SLOPE
 from ..engines.layout import TOUCHES, SectionPart, length_of, overlaps, parts_of, sizes_of
 from ..engines.quantities import Quantities
 from ..equations.arrays import next_listed
@@ -94,7 +94,8 @@ def parts_of_search(spec: Spec) -> list[Part]:
         named = dict(zip(names, map(str, chosen), strict=True))
         variant = named.get("variant", spec.variant)
         taken = {path: values for path, values in axes.items() if path not in names and _takes(variant, path)}
-        parts.append((named, taken))
+        walls = [tuple(slope for slope in taken.get(SLOPE, ()) if bool(slope) == curved) for curved in (False, True)]
+        parts += [(named, taken | {SLOPE: slopes}) for slopes in walls if slopes] or [(named, taken)]
     count = sum(math.prod(map(len, taken.values())) for _, taken in parts)
     if count > MOST:
         longest = max(axes, key=lambda path: len(axes[path]))
@@ -187,10 +188,12 @@ def wired(spec: Spec) -> Quantities:
     own, unit = build(spec), spec.control_unit
     if unit is None or unit.ball_diameter is not None or "contact_force" not in own or "path_steepening" in own:
         return own
-    if unit.allowable_contact_force is not None and unit.contact is None:
+    most: Any = (spec.requirements and spec.requirements.contact_pressure) or math.inf
+    if unit.allowable_contact_force is None or unit.contact is not None:
+        most = np.minimum(most, own["allowable_pressure"])
+    if np.all(np.isinf(most)):
         return own
-    most = (spec.requirements and spec.requirements.contact_pressure) or math.inf
-    borne = own["contact_force_hertz"] * np.minimum(most / own["allowable_pressure"], 1.0) ** 3
+    borne = own["contact_force_hertz"] * (most / own["allowable_pressure"]) ** 3
     radius = np.maximum(own["ball_radius_chosen"] * np.sqrt(own["contact_force"] / borne), own["ball_radius"])
     return own.at(ball_diameter_standard=next_listed(2 * np.atleast_1d(radius), own["balls_listed"]))
 
@@ -331,6 +334,12 @@ def unbeaten(costs: Numbers) -> list[int]:
         kept.append(int(first))
         left = left[(costs[left] < costs[first]).any(axis=1)]
     return kept
+
+
+def equal_to(costs: Numbers, kept: Sequence[int]) -> int:
+    """Number of other rows that equal one of those kept."""
+    rows = [tuple(row) for row in _rounded(costs).tolist()]
+    return sum(Counter(rows)[rows[place]] - 1 for place in kept)
 
 
 def _rounded(values: Numbers) -> Numbers:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from contextlib import suppress
-from functools import cache
+from functools import cache, partial
 from typing import Any, ClassVar
 
 import numpy as np
@@ -12,12 +12,12 @@ from ..engines import Clutch, build
 from ..engines.checks import REQUIRED
 from ..engines.evaluate import evaluate
 from ..engines.selection import NAMES
-from ..equations.arrays import Floats
+from ..equations.arrays import Floats, Values
 from ..equations.terms import CASES, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
 from ..messages import did_you_mean, latin, measured, say
-from ..progress import tell, unwatched
+from ..progress import counted, unwatched
 from ..result import Answer, Result, described
 from ..spec.edit import replaced, respecified, value_at
 from ..spec.fields import Key
@@ -28,6 +28,7 @@ from .answers import Answers
 from .asking import Asking, answer, asked
 from .check import lacks, simulating, told
 from .clutch_findings import clutch_findings
+from .simulate import largest_peaks
 from .sweep import feasible, find_key
 
 Function = Callable[[Floats], Floats]
@@ -37,8 +38,10 @@ REACH, REACH_OF_EVENTS = 100.0, 5.0
 """Ratio to the present value up to which they go where the key has no bound, and where each simulates an event."""
 _SAME = 1e-12
 """Relative difference that rounding can make."""
-_JUMP = 1e-2
+_JUMP, _JUMP_OF_ROWS = 1e-6, 0.05
 """Part of the change across its bracket that a quantity may miss at a root; where it misses more, it jumps."""
+_BETWEEN = 9
+"""Rows that are calculated from one side of the wanted value to the other."""
 SEVERAL = {"balls_listed", *(name for name in TERMS if "_slips" in name)}
 """Quantities that are several numbers: of a list, or one for each slip."""
 
@@ -147,22 +150,19 @@ def solve(
     ``not-attainable``, says so. Raises CalculationError: the target does not depend on the key, or no value of it gives
     a number; AfmcalcError: no such key, or a target that the clutch does not have.
     """
-    key, arrays = find_key(name, clutch.spec, "--for"), _in_arrays(clutch, target)
+    key = find_key(name, clutch.spec, "--for")
+    values, arrays = _function(clutch, key.path, target)
     whole, now, shown, place = is_whole(key.path), _present(clutch, key), _shown(unit_of(target)), _shown(key.unit)
-
-    def quantity(at: Floats) -> Floats:
-        return evaluate(clutch.spec, {key.path: at}, {target: _asked(target)})[target]
-
-    values = quantity if arrays else _row_values(clutch, key.path, target)
     reach = REACH if arrays or not simulating(clutch) else REACH_OF_EVENTS
     at = _samples(clutch, key, now, SAMPLES if arrays else ROWS, reach)
     if clutch.spec.kind.gain_limit is not None and not beyond_limit:
         at = _within_gain_limit(clutch, key.path, at)
     low, high = float(at[0]), float(at[-1])
     about: dict[str, Any] = {"target": target, "name": name, "low": place(low), "high": place(high), "count": at.size}
-    if arrays and not whole:
-        at = _with_extremes(values, wanted, at)
-    roots, jumps = _roots(values, wanted, at, whole=whole)
+    if not whole:
+        at = _with_extremes(values, wanted, at) if arrays else _with_rows_between(values, wanted, at)
+    rounding: Values = _rounding(values, wanted, at) if arrays and not whole else _SAME * abs(wanted)
+    roots, jumps = _roots(values, wanted, at, rounding, whole=whole, rows=not arrays)
     at = np.unique([*at, *jumps])
     value = values(at)
     at, value = at[np.isfinite(value)], value[np.isfinite(value)]
@@ -174,7 +174,9 @@ def solve(
             target=target, name=name, level=shown(value[0]),
         )  # fmt: skip
     nearest = float(at[np.argmin(np.abs(value - wanted))])
-    reached = {root: float(values(np.array([root]))[0]) for root in roots or [nearest]}
+    found = roots or [nearest]
+    judged = values if arrays else partial(_rows, clutch, key.path, target)
+    reached = dict(zip(found, judged(np.array(found)).tolist(), strict=True))
 
     def distance(root: float) -> tuple[bool, float]:
         """Of whole numbers those that meet a requirement come first, then the nearest."""
@@ -191,7 +193,7 @@ def solve(
     )  # fmt: skip
     gone = replaced(clutch.spec, [key.path])
     remarks = [finding("solve-replaces", "info", path=path, by=by) for path, by in gone.items()]
-    on = np.abs(value - wanted) <= _SAME * abs(wanted)
+    on = np.abs(value - wanted) <= np.max(rounding)
     if (on[1:] & on[:-1]).any() and not whole:
         remarks.append(finding("solve-range", "info", path=key.path, **about))
     if not arrays:
@@ -220,19 +222,6 @@ def _present(clutch: Clutch, key: Key) -> float:
     return float(value)
 
 
-def _in_arrays(clutch: Clutch, target: str) -> bool:
-    """True if a target is a quantity, not asked of one clutch at a time; refuse one that the clutch does not have."""
-    if target in REQUIRED and (REQUIRED[target].needs or _asked(target) not in clutch):
-        _judged_value(clutch, target)
-        return False
-    try:
-        with suppress(ArithmeticError):  # there may be a number at other values of the key
-            clutch[_asked(target)]
-    except LookupError as error:
-        raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
-    return True
-
-
 def _asked(target: str) -> str:
     """Return the quantity that is asked: of a requirement the one it judges."""
     return REQUIRED[target].value if target in REQUIRED else target
@@ -248,17 +237,44 @@ def _judged_value(clutch: Clutch, target: str) -> float:
     return math.inf if check.value in (known.get("open") or ()) else float(value)
 
 
-def _row_values(clutch: Clutch, path: str, target: str) -> Function:
+def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
+    """Return the function from values of a key to a target, and True if that is a quantity, quick to calculate.
+
+    Raises AfmcalcError: a target that the clutch does not have.
+    """
+    quantity = _asked(target)
+    if target in REQUIRED and (REQUIRED[target].needs or quantity not in clutch):
+        if target == "peak_torque" and clutch.spec.drive.event is not None:
+            return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: largest_peaks})[target]), False
+        _judged_value(clutch, target)
+        return _kept(partial(_rows, clutch, path, target)), False
+    try:
+        with suppress(ArithmeticError):  # there may be a number at other values of the key
+            clutch[quantity]
+    except LookupError as error:
+        raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
+    return lambda at: evaluate(clutch.spec, {path: at}, {target: quantity})[target], True
+
+
+def _kept(function: Function) -> Function:
+    """Return the function that calculates each value once."""
     known: dict[float, float] = {}
 
-    def value(at: float) -> float:
-        if at not in known:
-            tell(say("solving"), len(known), ROWS + 12)
-            with suppress(AfmcalcError), unwatched():
-                known[at] = _judged_value(build(respecified(clutch.spec, {path: at})), target)
-        return known.setdefault(at, math.nan)
+    def values(at: Floats) -> Floats:
+        if new := [each for each in at.tolist() if each not in known]:
+            known.update(zip(new, function(np.array(new)).tolist(), strict=True))
+        return np.array([known[each] for each in at.tolist()])
 
-    return lambda at: np.array([value(each) for each in at.tolist()])
+    return values
+
+
+def _rows(clutch: Clutch, path: str, target: str, at: Floats) -> Floats:
+    """Values that a requirement judges, of one clutch at a time."""
+    value = np.full(at.shape, math.nan)
+    for i in counted(say("solving"), range(at.size)):
+        with suppress(AfmcalcError), unwatched():
+            value[i] = _judged_value(build(respecified(clutch.spec, {path: at[i]})), target)
+    return value
 
 
 def _samples(clutch: Clutch, key: Key, now: float, count: int, reach: float) -> Floats:
@@ -287,26 +303,41 @@ def _within_gain_limit(clutch: Clutch, path: str, at: Floats) -> Floats:
         gains = evaluate(clutch.spec, {path: at}, {"gain": "gain", "gain_limit": "gain_limit"})
         return gains["gain"] / gains["gain_limit"] - 1
 
-    at = at if is_whole(path) else np.unique([*at, *_roots(excess, 0.0, at, whole=False)[0]])
+    at = at if is_whole(path) else np.unique([*at, *_roots(excess, 0.0, at, 0.0, whole=False)[0]])
     within = at[excess(at) <= 1e-9]
     if not within.size:
         raise CalculationError("no value of {path} keeps the gain limit (--beyond-limit goes past it)", path=path)
     return within
 
 
-def _roots(function: Function, wanted: float, at: Floats, *, whole: bool) -> tuple[list[float], list[float]]:
+@np.errstate(all="ignore")
+def _rounding(function: Function, wanted: float, at: Floats) -> Floats:
+    """Return what rounding can make of a function at each value: what the last digits of the value do, near it."""
+    from scipy.ndimage import maximum_filter1d
+
+    moved = np.nan_to_num(np.abs(function(np.clip(at * (1 + _SAME / 10), at[0], at[-1])) - function(at)), posinf=0.0)
+    return np.maximum(_SAME * abs(wanted), 4 * maximum_filter1d(moved, _BETWEEN))
+
+
+def _roots(
+    function: Function, wanted: float, at: Floats, rounding: Values, *, whole: bool, rows: bool = False
+) -> tuple[list[float], list[float]]:
     """Return where a function has the wanted value, and both sides of where it jumps over it.
 
     Of whole numbers those on either side of the value count; of a range over which the function keeps it, both ends.
+    Between ``rows`` it is a straight line.
     """
     from scipy.optimize import brentq
 
     gap = function(at) - wanted
     most = 10 * np.max(np.abs(gap), where=np.isfinite(gap), initial=1e-300)
-    side, gap = np.where(np.abs(gap) <= _SAME * abs(wanted), 0.0, np.sign(gap)), np.clip(gap, -most, most)
+    side, gap = np.where(np.abs(gap) <= rounding, 0.0, np.sign(gap)), np.clip(gap, -most, most)
 
     def miss(x: float) -> float:
         return float(np.clip(function(np.array([x]))[0] - wanted, -most, most))
+
+    def straight(x: float) -> float:
+        return float(np.interp(x, at, gap))
 
     on, jumps = np.flatnonzero(side == 0), list[float]()
     roots = {float(at[i]) for i in on if whole or not {i - 1, i + 1} <= {*on}}
@@ -315,12 +346,19 @@ def _roots(function: Function, wanted: float, at: Floats, *, whole: bool) -> tup
             roots |= {float(at[i]), float(at[i + 1])}
             continue
         with suppress(ValueError):  # no number somewhere between
-            root = float(brentq(miss, at[i], at[i + 1], xtol=1e-300, rtol=1e-12))
-            if abs(miss(root)) <= _JUMP * abs(gap[i + 1] - gap[i]):
+            root = float(brentq(straight if rows else miss, at[i], at[i + 1], xtol=1e-300, rtol=1e-12))
+            if abs(miss(root)) <= (_JUMP_OF_ROWS if rows else _JUMP) * abs(gap[i + 1] - gap[i]):
                 roots.add(root)
             else:
                 jumps += np.clip([root * (1 - 2e-9), root * (1 + 2e-9)], at[i], at[i + 1]).tolist()
     return sorted(roots), jumps
+
+
+def _with_rows_between(function: Function, wanted: float, at: Floats) -> Floats:
+    """Add values between each two on either side of the wanted one."""
+    side = np.sign(function(at) - wanted)
+    crossed = np.flatnonzero(side[:-1] * side[1:] < 0)
+    return np.unique([*at, *(x for i in crossed for x in np.linspace(at[i], at[i + 1], _BETWEEN))])
 
 
 def _with_extremes(function: Function, wanted: float, at: Floats) -> Floats:

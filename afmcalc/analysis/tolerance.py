@@ -21,7 +21,7 @@ from ..findings import Finding, finding
 from ..messages import say
 from ..progress import counted
 from ..spec import Spec
-from ..spec.edit import value_at, with_key, with_values
+from ..spec.edit import value_at, with_key, with_nominal_torque, with_values
 from ..spec.keys import scatter_at
 from ..spec.tolerance import FRICTION, Distribution, Kind, Tolerance, percentage
 from .clutch_findings import clutch_findings
@@ -52,7 +52,7 @@ _UNSURE, _HEAVY = 0.025, 10.0
 """Relative standard error of the standard deviation, and kurtosis, beyond which that error is too small itself."""
 _ONLY_SETTING = ("adjustment.", *(f"friction.{end}" for end in ("min", "mean", "max", "driving.", "driven.")))
 """Keys that act on a clutch through its setting alone."""
-_CONTROL_FORCE = "control_spring.force"
+_CLOSING_FORCE, _CONTROL_FORCE = "closing_spring.force", "control_spring.force"
 
 
 def _distribution(kind: Kind, center: float, spread: float, low: float, high: float) -> Any:
@@ -138,6 +138,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     Raises SpecError: a field scatters that this clutch does not have, or that could have no effect.
     """
     spec, as_made, unlike = clutch.spec, given.setting == "as-made", clutch.spec.friction.unlike
+    follows = _CONTROL_FORCE if spec.kind.travels else _CLOSING_FORCE
     for path in given.fields:
         if path in FRICTION and (path == "friction") == unlike:
             use = say("friction.driving and friction.driven") if unlike else "friction"
@@ -146,7 +147,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
             message = say(
                 'acts through the setting alone, which "as-made" holds: give tolerance.setting = "each-adjusted"'
             )
-        elif not as_made and path == _CONTROL_FORCE:
+        elif not as_made and path == follows:
             message = say('follows from the setting of each clutch: give tolerance.setting = "as-made"')
         else:
             continue
@@ -157,7 +158,9 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
 
         spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec.drive, lambda: simulate(clutch)[0])})
     if as_made:
-        spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
+        spec = with_key(spec, _CLOSING_FORCE, float(clutch.closing_force))
+    elif not spec.kind.travels:
+        spec = with_nominal_torque(spec, float(clutch.nominal_torque))
     if spec.kind.travels:
         spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
     if "gain_slope" in clutch:

@@ -199,7 +199,7 @@ def given(spec: "Spec") -> dict[str, Any]:
     if "ball_circle_radius" in found:
         found["balls_listed"] = tuple(spec.lists.balls or diameters())
     slope = found.get("gain_slope")
-    if slope is not None and not is_array(slope) and slope == 0:
+    if slope is not None and not (slope.any() if is_array(slope) else slope):
         del found["gain_slope"]  # a straight wall
     if "shaft_diameter" in found:
         found.pop("polar_section_modulus", None)
