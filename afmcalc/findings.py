@@ -88,10 +88,11 @@ FINDINGS: Mapping[str, str] = {
     "paper does)",
     "life-not-limited/no-number": "{side} side: the damaging stress, {value:.4g MPa}, springs as set, is below the "
     "endurance limit {limit:.4g MPa}: life is not limited by fatigue (no number is given)",
-    "life-limited": "protected side: fatigue limits its life to {cycles_extrapolated:,.0f} slips, springs as set: the damaging "
-    "stress, {value:.4g MPa}, is above the endurance limit {limit:.4g MPa}",
-    "life-limited/unprotected": "unprotected side: fatigue limits its life to {cycles_extrapolated_at_unprotected:,.0f} slips, "
-    "springs as set: the damaging stress, {value:.4g MPa}, is above the endurance limit {limit:.4g MPa}",
+    "life-limited": "protected side: fatigue limits its life to {cycles_extrapolated:,.0f} slips, springs as set: the "
+    "damaging stress, {value:.4g MPa}, is above the endurance limit {limit:.4g MPa}",
+    "life-limited/unprotected": "unprotected side: fatigue limits its life to "
+    "{cycles_extrapolated_at_unprotected:,.0f} slips, springs as set: the damaging stress, {value:.4g MPa}, is above "
+    "the endurance limit {limit:.4g MPa}",
     "static-strength-exceeded": "{name}: {value:.4g MPa} reaches the ultimate strength {limit:.4g MPa}: the shaft "
     "fails at once",
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "

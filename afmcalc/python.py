@@ -32,10 +32,10 @@ if TYPE_CHECKING:
     from .analysis.life import LifeResult
     from .analysis.overload import OverloadResult
     from .analysis.solve import SolveResult
-    from .analysis.springs import SpringsResult
+    from .analysis.spring_search import SpringsResult
     from .analysis.sweep import Axis
     from .analysis.synthesize import SynthesisResult
-    from .analysis.tolerance_result import ToleranceResult
+    from .analysis.tolerance_study import ToleranceResult
     from .analysis.torque import Pair, TorqueResult
 
 Sweep: TypeAlias = str | Sequence[str]

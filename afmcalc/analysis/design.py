@@ -39,7 +39,7 @@ from .design_grid import (
     wired,
 )
 from .solve import is_quantity
-from .springs import label_of, ranked, springs
+from .spring_search import label_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
 _TOLD = ("closing_force", "control_force", "accuracy_factor", "torque_max", "travel_max", "ball_diameter_standard")
@@ -302,27 +302,27 @@ _SAME = 1e-8
 
 def _columns(survey: Survey, objectives: Sequence[str], judge: _Judge) -> dict[str, Any]:
     """Return the fields of a row: what is searched, what is small, what is told beside, what was simulated."""
-    columns: dict[str, Any] = {}
-
-    def add(name: str, kind: type, unit: str, symbol: str | None, meaning: str) -> None:
-        columns.setdefault(name, (kind | None, quantity(unit, symbol, meaning, optional=True, code=kind is str)))
-
+    told: dict[str, tuple[type, str, str | None, str]] = {}
     for path in dict.fromkeys(path for part in survey.parts for path in (*part.names, *part.axes)):
         name, key = _column(path), keys()[path]
         if key.about is None:
-            add(name, str, "", None, name.replace("_", " "))
+            told[name] = str, "", None, name.replace("_", " ")
         else:
             meaning = TERMS[name].meaning if name in TERMS else path
-            add(name, int if key.about.whole else float, key.unit or "1", key.symbol, meaning)
+            told[name] = int if key.about.whole else float, key.unit or "1", key.symbol, meaning
     for name in (*(name.removeprefix("-") for name in objectives), *_TOLD):
         symbol, unit, meaning = term_of(name)
-        add(name, float, unit, symbol, meaning)
-    for name in sorted({name for _, told, _ in judge.passed.values() for name in told}):
+        told.setdefault(name, (float, unit, symbol, meaning))
+    for name in sorted({name for _, values, _ in judge.passed.values() for name in values}):
         key = keys()[f"requirements.{name}"]
-        add(name, float, key.unit or "1", key.symbol, key.description.partition(",")[0])
-    for name in dict.fromkeys(name for spec, *_ in judge.passed.values() for name in spec.spring_parts):
-        add(f"{name}_part", str, "", None, f"{name} spring")
-    return {name: field for name, field in columns.items() if name not in DesignRow.model_fields}
+        told.setdefault(name, (float, key.unit or "1", key.symbol, key.description.partition(",")[0]))
+    for name in (name for spec, *_ in judge.passed.values() for name in spec.spring_parts):
+        told.setdefault(f"{name}_part", (str, "", None, f"{name} spring"))
+    return {
+        name: (kind | None, quantity(unit, symbol, meaning, optional=True, code=kind is str))
+        for name, (kind, unit, symbol, meaning) in told.items()
+        if name not in DesignRow.model_fields
+    }
 
 
 def _column(path: str) -> str:

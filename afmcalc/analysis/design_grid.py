@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from ..engines import Clutch, build
 from ..engines.checks import Check, checks_of
 from ..engines.evaluate import BLOCK, SLOPE
-from ..engines.layout import TOUCHES, SectionPart, length_of, overlaps, parts_of, sizes_of
 from ..engines.quantities import Quantities
+from ..engines.rings import TOUCHES, SectionPart, length_of, overlaps, parts_of, sizes_of
 from ..equations.arrays import next_listed
 from ..errors import SpecError
 from ..messages import deferred, say

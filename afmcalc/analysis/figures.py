@@ -17,9 +17,9 @@ from .registry import ANALYSES, PLOTS, Plot, StressRule
 from .section import section
 from .shop import ShopDrawing, shop_drawing
 from .simulate import MomentRow, history
-from .springs import springs_curve
+from .spring_search import springs_curve
 from .synthesize import SynthesisResult
-from .tolerance_result import ToleranceResult
+from .tolerance_study import ToleranceResult
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "search": "SPEC"}
 """Name of the one argument of a plot, as the help calls it."""

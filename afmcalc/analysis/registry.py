@@ -273,7 +273,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "springs", "analysis.springs", "SpringsResult", "drive",
+            "springs", "analysis.spring_search", "SpringsResult", "drive",
             section=Section(
                 "Springs",
                 "The springs named, as set and in service; η is the largest share used of range or stress allowed.",
@@ -298,7 +298,7 @@ ANALYSES: dict[str, Analysis] = {
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve", "SolveResult", "design"),
         Analysis(
-            "tolerance", "analysis.tolerance", "ToleranceResult", "design",
+            "tolerance", "analysis.tolerance_study", "ToleranceResult", "design",
             lambda clutch: clutch.spec.tolerance is not None,
             section=Section(
                 "Tolerances and scatter",

@@ -1,7 +1,7 @@
 """From a wanted value of a quantity back to one key of the spec: sampled over its range, roots by SciPy."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import cache, partial
 from typing import Any, ClassVar
@@ -12,7 +12,7 @@ from ..engines import Clutch, build
 from ..engines.checks import REQUIRED
 from ..engines.evaluate import evaluate
 from ..engines.selection import NAMES
-from ..equations.arrays import Floats, Values
+from ..equations.arrays import Floats
 from ..equations.terms import CASES, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
@@ -38,10 +38,10 @@ REACH, REACH_OF_EVENTS = 100.0, 5.0
 """Ratio to the present value up to which they go where the key has no bound, and where each simulates an event."""
 _SAME = 1e-12
 """Relative difference that rounding can make."""
+_STEPS, _STEPS_OF_ROWS = (33,) * 8, (9,)
+"""Values from one side of the wanted value to the other, again and again."""
 _JUMP, _JUMP_OF_ROWS = 1e-6, 0.05
-"""Part of the change across its bracket that a quantity may miss at a root; where it misses more, it jumps."""
-_BETWEEN = 9
-"""Rows that are calculated from one side of the wanted value to the other."""
+"""Change between the last two of them, over the wanted value, above which a target jumps."""
 SEVERAL = {"balls_listed", *(name for name in TERMS if "_slips" in name)}
 """Quantities that are several numbers: of a list, or one for each slip."""
 
@@ -159,11 +159,12 @@ def solve(
         at = _within_gain_limit(clutch, key.path, at)
     low, high = float(at[0]), float(at[-1])
     about: dict[str, Any] = {"target": target, "name": name, "low": place(low), "high": place(high), "count": at.size}
-    if not whole:
-        at = _with_extremes(values, wanted, at) if arrays else _with_rows_between(values, wanted, at)
-    rounding: Values = _rounding(values, wanted, at) if arrays and not whole else _SAME * abs(wanted)
-    roots, jumps = _roots(values, wanted, at, rounding, whole=whole, rows=not arrays)
-    at = np.unique([*at, *jumps])
+    if arrays and not whole:
+        at = _with_extremes(values, wanted, at)
+    rounding = _rounding(values, wanted, at) if arrays else _SAME * abs(wanted)
+    on = np.abs(values(at) - wanted) <= rounding
+    steps = () if whole else _STEPS if arrays else _STEPS_OF_ROWS
+    roots, at = _roots(values, wanted, at, rounding, steps)
     value = values(at)
     at, value = at[np.isfinite(value)], value[np.isfinite(value)]
     if not at.size:
@@ -193,7 +194,6 @@ def solve(
     )  # fmt: skip
     gone = replaced(clutch.spec, [key.path])
     remarks = [finding("solve-replaces", "info", path=path, by=by) for path, by in gone.items()]
-    on = np.abs(value - wanted) <= np.max(rounding)
     if (on[1:] & on[:-1]).any() and not whole:
         remarks.append(finding("solve-range", "info", path=key.path, **about))
     if not arrays:
@@ -253,7 +253,7 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
             clutch[quantity]
     except LookupError as error:
         raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
-    return lambda at: evaluate(clutch.spec, {path: at}, {target: quantity})[target], True
+    return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: quantity})[target]), True
 
 
 def _kept(function: Function) -> Function:
@@ -303,7 +303,7 @@ def _within_gain_limit(clutch: Clutch, path: str, at: Floats) -> Floats:
         gains = evaluate(clutch.spec, {path: at}, {"gain": "gain", "gain_limit": "gain_limit"})
         return gains["gain"] / gains["gain_limit"] - 1
 
-    at = at if is_whole(path) else np.unique([*at, *_roots(excess, 0.0, at, 0.0, whole=False)[0]])
+    at = at if is_whole(path) else np.unique([*at, *_roots(excess, 0.0, at, 0.0, _STEPS)[0]])
     within = at[excess(at) <= 1e-9]
     if not within.size:
         raise CalculationError("no value of {path} keeps the gain limit (--beyond-limit goes past it)", path=path)
@@ -311,54 +311,36 @@ def _within_gain_limit(clutch: Clutch, path: str, at: Floats) -> Floats:
 
 
 @np.errstate(all="ignore")
-def _rounding(function: Function, wanted: float, at: Floats) -> Floats:
-    """Return what rounding can make of a function at each value: what the last digits of the value do, near it."""
-    from scipy.ndimage import maximum_filter1d
-
-    moved = np.nan_to_num(np.abs(function(np.clip(at * (1 + _SAME / 10), at[0], at[-1])) - function(at)), posinf=0.0)
-    return np.maximum(_SAME * abs(wanted), 4 * maximum_filter1d(moved, _BETWEEN))
+def _rounding(function: Function, wanted: float, at: Floats) -> float:
+    """Return what rounding can make of a value; of a difference that is to be 0, what the last digits of the key do."""
+    moved = function(np.clip(at * (1 + _SAME / 10), at[0], at[-1])) - function(at) if wanted == 0 else np.zeros(1)
+    return max(_SAME * abs(wanted), 4 * float(np.max(np.abs(moved), where=np.isfinite(moved), initial=0.0)))
 
 
 def _roots(
-    function: Function, wanted: float, at: Floats, rounding: Values, *, whole: bool, rows: bool = False
-) -> tuple[list[float], list[float]]:
-    """Return where a function has the wanted value, and both sides of where it jumps over it.
+    function: Function, wanted: float, at: Floats, rounding: float, steps: Sequence[int]
+) -> tuple[list[float], Floats]:
+    """Return where a function has the wanted value, and the values with those on both sides of where it jumps over it.
 
-    Of whole numbers those on either side of the value count; of a range over which the function keeps it, both ends.
-    Between ``rows`` it is a straight line.
+    Without ``steps``, of a whole key, those on either side count; of a range over which it keeps it, both ends.
     """
-    from scipy.optimize import brentq
-
     gap = function(at) - wanted
-    most = 10 * np.max(np.abs(gap), where=np.isfinite(gap), initial=1e-300)
-    side, gap = np.where(np.abs(gap) <= rounding, 0.0, np.sign(gap)), np.clip(gap, -most, most)
-
-    def miss(x: float) -> float:
-        return float(np.clip(function(np.array([x]))[0] - wanted, -most, most))
-
-    def straight(x: float) -> float:
-        return float(np.interp(x, at, gap))
-
-    on, jumps = np.flatnonzero(side == 0), list[float]()
-    roots = {float(at[i]) for i in on if whole or not {i - 1, i + 1} <= {*on}}
-    for i in np.flatnonzero(side[:-1] * side[1:] < 0):
-        if whole:
-            roots |= {float(at[i]), float(at[i + 1])}
-            continue
-        with suppress(ValueError):  # no number somewhere between
-            root = float(brentq(straight if rows else miss, at[i], at[i + 1], xtol=1e-300, rtol=1e-12))
-            if abs(miss(root)) <= (_JUMP_OF_ROWS if rows else _JUMP) * abs(gap[i + 1] - gap[i]):
-                roots.add(root)
-            else:
-                jumps += np.clip([root * (1 - 2e-9), root * (1 + 2e-9)], at[i], at[i + 1]).tolist()
-    return sorted(roots), jumps
-
-
-def _with_rows_between(function: Function, wanted: float, at: Floats) -> Floats:
-    """Add values between each two on either side of the wanted one."""
-    side = np.sign(function(at) - wanted)
-    crossed = np.flatnonzero(side[:-1] * side[1:] < 0)
-    return np.unique([*at, *(x for i in crossed for x in np.linspace(at[i], at[i + 1], _BETWEEN))])
+    side = np.where(np.abs(gap) <= rounding, 0.0, np.sign(gap))
+    on, crossed = np.flatnonzero(side == 0), np.flatnonzero(side[:-1] * side[1:] < 0)
+    roots = {float(at[i]) for i in on if not steps or not {i - 1, i + 1} <= {*on}}
+    ends, first = np.stack([at[crossed], at[crossed + 1]]), side[crossed]
+    if not steps or not crossed.size:
+        return sorted(roots.union(ends.ravel().tolist())), at
+    for count in steps:
+        inner = np.linspace(ends[0], ends[1], count)
+        gap = function(inner.ravel()).reshape(inner.shape) - wanted
+        place = np.maximum((np.sign(gap) != first).argmax(axis=0), 1)
+        ends, gap = (np.take_along_axis(each, np.stack([place - 1, place]), axis=0) for each in (inner, gap))
+    size = abs(wanted) or float(np.nanmedian(np.abs(function(at))))
+    good = np.abs(gap[1] - gap[0]) <= (_JUMP if len(steps) > 1 else _JUMP_OF_ROWS) * size
+    low, high = ends[:, good]
+    roots |= {*(low + (high - low) * gap[0, good] / (gap[0, good] - gap[1, good])).tolist()}
+    return sorted(roots), np.unique([*at, *ends.ravel()])
 
 
 def _with_extremes(function: Function, wanted: float, at: Floats) -> Floats:

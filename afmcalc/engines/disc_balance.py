@@ -6,7 +6,7 @@ They take the place of those of ``equations.indirect`` and ``equations.curved`` 
 from ..equations.arrays import chosen, larger, place_of_largest, place_of_smallest, smaller
 from ..equations.wiring import Either, Same
 from .balance import Balance
-from .springs import SetSpring
+from .characteristics import SetSpring
 
 _ROUNDING = 1e-12
 

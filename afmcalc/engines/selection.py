@@ -205,7 +205,7 @@ def given(spec: "Spec") -> dict[str, Any]:
         found.pop("polar_section_modulus", None)
     for name, spring in (("closing_disc", spec.closing_spring), ("control_disc", spec.control_spring)):
         if spring is not None and spring.disc is not None:
-            from .springs import DiscCharacteristic
+            from .characteristics import DiscCharacteristic
 
             found[name] = DiscCharacteristic(spring.disc)
     return found

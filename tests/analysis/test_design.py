@@ -151,7 +151,7 @@ def passing(one, springs):
 
 
 def with_springs(clutch, kind):
-    from afmcalc.analysis.springs import ranked
+    from afmcalc.analysis.spring_search import ranked
     from afmcalc.engines.parts import spring_demands
 
     (demand,) = spring_demands(clutch._engine)

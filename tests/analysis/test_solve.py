@@ -179,7 +179,7 @@ def test_force_for_a_life():
 def test_a_peak_of_an_event():
     spec = read_spec("example:drive", ["drive.event.duration=0.05"])
     result, solved, _ = solve(build(spec), "F", "peak_torque", 450.0)
-    assert load(solved.spec.model_dump(exclude_none=True)).simulate().judged_peak == pytest.approx(450, rel=1e-6)
+    assert load(solved.spec.model_dump(exclude_none=True)).simulate().judged_peak == pytest.approx(450, rel=1e-4)
     assert 0.2 * 2000 < result.value < 2000
 
 

@@ -14,7 +14,7 @@ from random_clutches import random_clutches
 from scipy import special, stats
 from strategies import p5
 
-from afmcalc.analysis.tolerance import estimate, input_of, tolerance
+from afmcalc.analysis.tolerance_study import estimate, input_of, tolerance
 from afmcalc.drive.cases import outcome_of
 from afmcalc.engines import build
 from afmcalc.errors import CalculationError, SpecError

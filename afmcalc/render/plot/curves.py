@@ -13,7 +13,7 @@ if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no ot
     from ...analysis.effects import EffectsCurve
     from ...analysis.figures import SimulateFigure
     from ...analysis.simulate import MomentRow
-    from ...analysis.springs import SpringCurve, SpringsCurve
+    from ...analysis.spring_search import SpringCurve, SpringsCurve
     from ...papers.claims import PaperFigure
 
 

@@ -15,7 +15,7 @@ from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.figures import Request, gathered
 from afmcalc.analysis.layout import layout
 from afmcalc.engines import build
-from afmcalc.engines.layout import TOUCHES
+from afmcalc.engines.rings import TOUCHES
 from afmcalc.render.drawing import Inscription, Length, Region, Stroke, exploded
 from afmcalc.render.plot import sheet_of
 from afmcalc.render.svg import svg as written
