@@ -258,3 +258,15 @@ def test_the_same_seed_gives_the_same_digits():
     assert first[0].mean != other[0].mean
     said = [[each.code for each in study(BASE, fields, samples=size, quantiles=[0.005])[1]] for size in (6000, 6400)]
     assert ["few-samples" in codes for codes in said] == [True, False]
+
+
+def test_springs_set_on_the_bench_are_those_of_the_nominal_torque():
+    """Whether the force or the torque is given: each sample is set to the torque of the nominal clutch."""
+    fields = {"friction_group.mean_radius": {"distribution": "uniform", "spread": 0.006}}
+    study = {"tolerance": {"setting": "each-adjusted", "samples": 1000, "sobol_base": 64, "fields": fields}}
+    by_force = build(read_spec("example:default", study))
+    torque = {"closing_spring.force": None, "adjustment.nominal_torque": float(by_force.nominal_torque)}
+    by_torque = build(read_spec("example:default", study | torque))
+    means = [tolerance(clutch)[0].mean for clutch in (by_force, by_torque)]
+    assert means[0] == pytest.approx(means[1], rel=1e-12)
+    assert tolerance(by_force)[0].standard_deviation < 1e-9
