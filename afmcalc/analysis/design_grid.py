@@ -233,16 +233,11 @@ def _layout(spec: Spec, own: Quantities) -> list[SectionPart]:
 class Nearest(NamedTuple):
     """The candidate that misses the fewest checks, by the least."""
 
-    missed: int
-    excess: float
+    rank: tuple[int, float]
+    """Number of checks that it misses, and by how much."""
     changes: dict[str, Any]
     row: Row
     """Check that it misses by the most."""
-
-    @property
-    def rank(self) -> tuple[int, float]:
-        """Order of candidates: the nearest first."""
-        return self.missed, self.excess
 
 
 class Survey:
@@ -294,7 +289,7 @@ class Survey:
         rank = int(misses[best]), float(excess[best])
         if self.nearest is None or rank < self.nearest.rank:
             changes = part.names | {path: own[best] for path, own in values.items()}
-            self.nearest = Nearest(*rank, changes, max((row.at(best) for row in rows), key=lambda one: one.excess))
+            self.nearest = Nearest(rank, changes, max((row.at(best) for row in rows), key=lambda one: one.excess))
 
     def changes(self, row: int) -> dict[str, Any]:
         """Path → value of a feasible candidate, numbers as they were typed; with the ball chosen."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..engines import Clutch, build
 from ..engines.checks import REQUIRED
-from ..engines.evaluate import evaluate
+from ..engines.evaluate import Output, evaluate
 from ..engines.selection import NAMES
 from ..equations.arrays import Floats
 from ..equations.terms import CASES, TERMS, term_of
@@ -242,18 +242,20 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
 
     Raises AfmcalcError: a target that the clutch does not have.
     """
-    quantity = _asked(target)
-    if target in REQUIRED and (REQUIRED[target].needs or quantity not in clutch):
-        if target == "peak_torque" and clutch.spec.drive.event is not None:
-            return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: largest_peaks})[target]), False
+    output: Output = _asked(target)
+    arrays = not (target in REQUIRED and (REQUIRED[target].needs or output not in clutch))
+    if arrays:
+        try:
+            with suppress(ArithmeticError):  # there may be a number at other values of the key
+                clutch[str(output)]
+        except LookupError as error:
+            raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
+    elif target == "peak_torque" and clutch.spec.drive.event is not None:
+        output = largest_peaks
+    else:
         _judged_value(clutch, target)
         return _kept(partial(_rows, clutch, path, target)), False
-    try:
-        with suppress(ArithmeticError):  # there may be a number at other values of the key
-            clutch[quantity]
-    except LookupError as error:
-        raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
-    return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: quantity})[target]), True
+    return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: output})[target]), arrays
 
 
 def _kept(function: Function) -> Function:

@@ -97,11 +97,11 @@ def _sleeve(keys: frozenset[str]) -> Iterator[Part]:
     elif not discs:
         yield indirect.STRAIGHT
     if discs:
-        from . import disc_balance
+        from . import curved_disc_balance, disc_balance
 
         yield from (disc_balance, disc_balance.NO_DISC)
         if walls:
-            yield disc_balance.CURVED
+            yield curved_disc_balance
     if "constant-torque" in keys:
         yield curved.CONSTANT_TORQUE
 
