@@ -428,7 +428,8 @@ def _key_that_would_do(spec: Spec, near: Nearest) -> dict[str, Any] | None:
     It is one that is searched, else that of the check, or the circle of the balls.
     """
     base = candidate(spec, near.changes)
-    fixed = {path: value_at(base, path) for path in (near.row.check.path, _BALL_CIRCLE) if path in keys()}
+    own = "" if near.row.check.requirement else near.row.check.path
+    fixed = {path: value_at(base, path) for path in (own, _BALL_CIRCLE) if path in keys()}
     for prefix, paths in (("search.", near.changes), ("", fixed)):
         found = []
         for path, value in paths.items():
