@@ -68,8 +68,8 @@ control-spring-re-set | both methods set the control spring by S21 (14), to {at_
 pockets-re-cut | pockets that hold the torque are cut for their springs: springs set at f_min need the slope C_1 = {at_min:.5g 1/mm}, at the mean friction {at_mean:.5g 1/mm}; this clutch has {value:.5g 1/mm}
 life-not-limited/extrapolated | {side} side: the damaging stress, {value:.4g MPa}, springs as set, is below the endurance limit {limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the paper does)
 life-not-limited/no-number | {side} side: the damaging stress, {value:.4g MPa}, springs as set, is below the endurance limit {limit:.4g MPa}: life is not limited by fatigue (no number is given)
-life-limited | protected side: fatigue limits its life to {cycles:,.0f} slips, springs as set: the damaging stress, {value:.4g MPa}, is above the endurance limit {limit:.4g MPa}
-life-limited/unprotected | unprotected side: fatigue limits its life to {cycles_at_unprotected:,.0f} slips, springs as set: the damaging stress, {value:.4g MPa}, is above the endurance limit {limit:.4g MPa}
+life-limited | protected side: fatigue limits its life to {cycles_extrapolated:,.0f} slips, springs as set: the damaging stress, {value:.4g MPa}, is above the endurance limit {limit:.4g MPa}
+life-limited/unprotected | unprotected side: fatigue limits its life to {cycles_extrapolated_at_unprotected:,.0f} slips, springs as set: the damaging stress, {value:.4g MPa}, is above the endurance limit {limit:.4g MPa}
 static-strength-exceeded | {name}: {value:.4g MPa} reaches the ultimate strength {limit:.4g MPa}: the shaft fails at once
 mean-stress-rule | the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider band at equal mean costs no life (misprint M23); the rules of Serensen–Kinasoshvili (amplitude) and of Goodman (goodman) take it into account
 service-factor-assumed | {path} is not given: {value:g} is taken, for a machine without shocks
@@ -172,6 +172,7 @@ mean-pressure-exceeded | surface pressure {value:.5g MPa} in the mean: above the
 mean-pressure-in-range | surface pressure {value:.5g MPa} in the mean: within the printed range of what {lining} allows, which begins at {limit:.5g MPa}
 peak-pressure-exceeded | surface pressure {value:.5g MPa} at the inner edge: above the largest, {limit:.5g MPa}, that {lining} allows
 peak-pressure-in-range | surface pressure {value:.5g MPa} at the inner edge: within the printed range of what {lining} allows, which begins at {limit:.5g MPa}
+front-equals | {value:.0f} more candidates that pass the checks of the grid equal one of the front in every objective: of equals the first is told
 no-candidate | none of {candidates:,} candidates holds every check; the nearest: {missed}
 no-candidate/key | none of {candidates:,} candidates holds every check; the nearest: {missed}; what would do: {key} {sign} {would}
 returning-covered | when friction falls from f_max to f_min under a load that lasts, the torque falls to {value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m} and within its margin over the machine's {machine:.5g N·m}: the friction at the key holds the sleeve back

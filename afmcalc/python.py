@@ -31,10 +31,10 @@ if TYPE_CHECKING:
     from .analysis.half_section import LayoutResult
     from .analysis.neglected import EffectsResult
     from .analysis.solve import SolveResult
-    from .analysis.springs import SpringsResult
+    from .analysis.spring_search import SpringsResult
     from .analysis.sweep import Axis
     from .analysis.synthesize import SynthesisResult
-    from .analysis.tolerance_result import ToleranceResult
+    from .analysis.tolerance_study import ToleranceResult
     from .analysis.torque import Pair, TorqueResult
     from .analysis.trip import OverloadResult
 

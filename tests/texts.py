@@ -101,11 +101,11 @@ def below(part: Any, key: str) -> Iterator[Any]:
 
 
 def _equations() -> Iterator[Key]:
-    from afmcalc.engines import disc_balance
+    from afmcalc.engines import curved_disc_balance, disc_balance
     from afmcalc.equations.catalogue import equation_of, equations
     from afmcalc.equations.terms import TERMS
 
-    for name, law in (vars(disc_balance) | disc_balance.CURVED).items():
+    for name, law in (vars(disc_balance) | vars(curved_disc_balance)).items():
         if name in TERMS and callable(law) and TERMS[name].unit:
             yield "", equation_of(name, law).source
     for each in equations().values():

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 from ..engines import Clutch, build
-from ..engines.layout import FACE_GAP, TOUCHES, PartName, Ring, Sizes, SpringSize, overlaps, parts_of, sizes_of
+from ..engines.rings import FACE_GAP, TOUCHES, PartName, Ring, Sizes, SpringSize, overlaps, parts_of, sizes_of
 from ..errors import CalculationError
 from ..messages import translate
 from ..spec.edit import value_at, with_values

@@ -246,16 +246,17 @@ def _row(check: Check, known: Known, ambient: float) -> Iterator[CheckRow]:
         used = check.utilisation(value, limit, ambient if check.unit == "K abs" else 0.0)
     if passed and check.value in (known.get("open") or ()):
         passed = None  # where a slip has not ended it may be more
-    yield CheckRow(
-        code=check.code.partition("/")[0], name=translate(check.name), symbol=translate(check.symbol),
-        value=_finite(value), limit=_finite(limit), unit=check.unit.removesuffix(" abs"), utilisation=_finite(used),
-        passed=passed,
+    yield _told(check, translate(check.name), value, limit, used, passed)
+
+
+def _told(check: Check, name: str, value: Any, limit: Any, used: Any, passed: bool | None) -> CheckRow:
+    """Row of a check with its numbers; one that is not finite is left out."""
+    value, limit, used = (each if each is not None and math.isfinite(each) else None for each in (value, limit, used))
+    return CheckRow(
+        code=check.code.partition("/")[0], name=name, symbol=translate(check.symbol), value=value, limit=limit,
+        unit=check.unit.removesuffix(" abs"), utilisation=used, passed=passed,
         **{name: getattr(check, name) for name in ("least", "level", "path", "needs")},
     )  # fmt: skip
-
-
-def _finite(value: Any) -> float | None:
-    return None if value is None or not math.isfinite(value) else float(value)
 
 
 def _spring_rows(answers: Answers, without: Collection[str]) -> Iterator[CheckRow]:
@@ -271,11 +272,8 @@ def _spring_rows(answers: Answers, without: Collection[str]) -> Iterator[CheckRo
         if math.isfinite(used):
             spring = translate("closing spring" if path.startswith("closing") else "control spring")
             name = say("{spring}: {what}", spring=spring, what=translate(rule.name))
-            yield CheckRow(
-                code=rule.code, name=name, symbol=translate(rule.symbol), value=each.value, limit=each.limit,
-                unit=rule.unit, least=rule.least, utilisation=used,
-                passed=used <= 1 + 1e-9, level=rule.level, path=path, needs="springs",
-            )  # fmt: skip
+            rule = rule._replace(path=path, needs="springs")
+            yield _told(rule, name, each.value, each.limit, used, used <= 1 + 1e-9)
 
 
 # the sentence

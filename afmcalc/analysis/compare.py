@@ -12,8 +12,8 @@ from ..messages import deferred, named, translate
 from ..result import Answer, Triple, described
 from ..spec.edit import as_variant, with_key, with_nominal_torque
 from ..variants import VARIANTS
-from .asking import Answers, Asking, answer, asked
-from .check import CheckRow, check_at_once
+from .asking import Asking, answer, asked
+from .check import CheckRow, check
 from .clutch_findings import clutch_findings
 
 
@@ -120,7 +120,7 @@ def _row(
     clutch: Clutch, basis: str | None, name: str | None, called: str
 ) -> tuple[ComparedClutch, list[tuple[str, Finding]]]:
     """Row of a clutch; and what it tells itself, and what else is counted, each with what the clutch is called."""
-    judged, findings = check_at_once(Answers(clutch))
+    judged, findings = check(clutch)
     counted = (remark for remark in findings if remark.level != "info")
     travels = clutch.spec.kind.travels
     row = answer(

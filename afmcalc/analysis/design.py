@@ -20,14 +20,26 @@ from ..messages import deferred, did_you_mean, measured, say, translate
 from ..progress import tell, unwatched
 from ..result import Answer, Result, described, quantity, shown_as
 from ..spec import Spec
-from ..spec.edit import as_written, with_values
+from ..spec.edit import as_written, value_at, with_values
 from ..spec.keys import keys
 from ..spec.search import SPRINGS
 from ..units import ENGINEER
 from .check import check, simulating
-from .design_grid import Nearest, Part, Row, Survey, candidate, holding, name_of, parts_of_search, unbeaten, wired
+from .design_grid import (
+    Nearest,
+    Part,
+    Row,
+    Survey,
+    candidate,
+    equal_to,
+    holding,
+    name_of,
+    parts_of_search,
+    unbeaten,
+    wired,
+)
 from .solve import is_quantity
-from .springs import label_of, ranked, springs
+from .spring_search import label_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
 _TOLD = ("closing_force", "control_force", "accuracy_factor", "torque_max", "travel_max", "ball_diameter_standard")
@@ -66,6 +78,7 @@ class DesignRow(Result):
     mark: Literal["compromise"] | None = described("mark", optional=True, null="")
     variant: str = described("variant")
     pairs: int = quantity("1", "z", "friction pairs")
+    warnings: int = described("warnings of check")
 
     _changes: dict[str, Any] = PrivateAttr(default_factory=dict)
 
@@ -127,7 +140,10 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
         compromise=next((row.number for row in front if row.mark), None), excluded=excluded, front=front,
         binding=missed,
     )  # fmt: skip
-    return result, [*spec.label.findings, *([_none(result, missed)] if missed else [])]
+    told = [_none(result, missed)] if missed else []
+    if equals := equal_to(survey.costs, places):
+        told.append(finding("front-equals", "info", value=equals))
+    return result, [*spec.label.findings, *told]
 
 
 def _check_objectives(parts: Sequence[Part], objectives: Sequence[str]) -> None:
@@ -146,7 +162,7 @@ class _Judge:
     def __init__(self, spec: Spec, survey: Survey) -> None:
         """Judge the feasible candidates of a survey."""
         self.spec, self.survey, self.failed = spec, survey, 0
-        self.passed: dict[int, tuple[Spec, dict[str, float]]] = {}
+        self.passed: dict[int, tuple[Spec, dict[str, float], int]] = {}
         self.excluded = Counter[str]()
         self._ranks: list[tuple[int, float, int, Finding]] = []
 
@@ -172,9 +188,9 @@ class _Judge:
         missed: list[Finding] = []
         for tried in self._with_springs(candidate(self.spec, self.survey.changes(member))):
             clutch = build(tried)
-            values, failed = judgement(clutch)
+            values, warnings, failed = judgement(clutch)
             if not failed:
-                self.passed[member] = tried, values
+                self.passed[member] = tried, values, warnings
                 return []
             missed = min(filter(None, (missed, failed)), key=len)
         missed = missed or [Finding("error", _NO_SPRING, "")]
@@ -210,8 +226,11 @@ class _Judge:
             yield as_written(plain.model_copy(update=springs))
 
 
-def judgement(clutch: Clutch) -> tuple[dict[str, float], list[Finding]]:
-    """Return what a clutch has of its requirements, and what fails it; it is simulated only where all else holds."""
+def judgement(clutch: Clutch) -> tuple[dict[str, float], int, list[Finding]]:
+    """Return what a clutch has of its requirements, how many warnings, and what fails it.
+
+    It is simulated only where all else holds.
+    """
     asked = {} if clutch.spec.requirements is None else clutch.spec.requirements.model_dump(exclude_none=True)
     slow, unasked = simulating(clutch), set() if "exceedance" in asked else {"tolerance"}
     for without in dict.fromkeys((frozenset(slow), frozenset(slow & unasked))):
@@ -226,7 +245,7 @@ def judgement(clutch: Clutch) -> tuple[dict[str, float], list[Finding]]:
         if failed:
             break
     told = {str(path).rpartition(".")[2]: row.value for path, row in rows.items()}
-    return {name: value for name, value in told.items() if value is not None}, failed
+    return {name: value for name, value in told.items() if value is not None}, result.warnings, failed
 
 
 def _counted(missed: Finding) -> str:
@@ -252,7 +271,7 @@ def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judg
     kind: Any = create_model("DesignRow", __base__=DesignRow, **columns)
     rows, told = list[DesignRow](), (*(name.removeprefix("-") for name in objectives), *_TOLD)
     for number, place in enumerate(places, 1):
-        spec, judged = judge.passed[place]
+        spec, judged, warnings = judge.passed[place]
         changes = survey.changes(place)
         own = wired(spec)
         values = {_column(path): value for path, value in changes.items()}
@@ -261,7 +280,8 @@ def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judg
         values |= {name: value for name, value in judged.items() if name in columns}
         values |= {f"{name}_part": label_of(part) for name, part in spec.spring_parts.items()}
         known = {name: _known(value) for name, value in values.items() if name in kind.model_fields}
-        row = kind(number=number, mark="compromise" if number - 1 == best else None, **known)
+        mark = "compromise" if number - 1 == best else None
+        row = kind(number=number, mark=mark, warnings=warnings, **known)
         row._changes = _changes(spec, changes)
         rows.append(row)
     return rows
@@ -282,27 +302,27 @@ _SAME = 1e-8
 
 def _columns(survey: Survey, objectives: Sequence[str], judge: _Judge) -> dict[str, Any]:
     """Return the fields of a row: what is searched, what is small, what is told beside, what was simulated."""
-    columns: dict[str, Any] = {}
-
-    def add(name: str, kind: type, unit: str, symbol: str | None, meaning: str) -> None:
-        columns.setdefault(name, (kind | None, quantity(unit, symbol, meaning, optional=True, code=kind is str)))
-
+    told: dict[str, tuple[type, str, str | None, str]] = {}
     for path in dict.fromkeys(path for part in survey.parts for path in (*part.names, *part.axes)):
         name, key = _column(path), keys()[path]
         if key.about is None:
-            add(name, str, "", None, name.replace("_", " "))
+            told[name] = str, "", None, name.replace("_", " ")
         else:
             meaning = TERMS[name].meaning if name in TERMS else path
-            add(name, int if key.about.whole else float, key.unit or "1", key.symbol, meaning)
+            told[name] = int if key.about.whole else float, key.unit or "1", key.symbol, meaning
     for name in (*(name.removeprefix("-") for name in objectives), *_TOLD):
         symbol, unit, meaning = term_of(name)
-        add(name, float, unit, symbol, meaning)
-    for name in sorted({name for _, told in judge.passed.values() for name in told}):
+        told.setdefault(name, (float, unit, symbol, meaning))
+    for name in sorted({name for _, values, _ in judge.passed.values() for name in values}):
         key = keys()[f"requirements.{name}"]
-        add(name, float, key.unit or "1", key.symbol, key.description.partition(",")[0])
-    for name in dict.fromkeys(name for spec, _ in judge.passed.values() for name in spec.spring_parts):
-        add(f"{name}_part", str, "", None, f"{name} spring")
-    return {name: field for name, field in columns.items() if name not in DesignRow.model_fields}
+        told.setdefault(name, (float, key.unit or "1", key.symbol, key.description.partition(",")[0]))
+    for name in (name for spec, *_ in judge.passed.values() for name in spec.spring_parts):
+        told.setdefault(f"{name}_part", (str, "", None, f"{name} spring"))
+    return {
+        name: (kind | None, quantity(unit, symbol, meaning, optional=True, code=kind is str))
+        for name, (kind, unit, symbol, meaning) in told.items()
+        if name not in DesignRow.model_fields
+    }
 
 
 def _column(path: str) -> str:
@@ -372,24 +392,20 @@ _SCALES = [float(f"{scale:.3g}") for scale in np.geomspace(0.25, 4.0, 201)]
 def _binding(spec: Spec, survey: Survey, judge: _Judge) -> Binding:
     """Return what excludes the nearest candidate: a check asked of all, or one asked one by one."""
     if (missed := judge.nearest()) is not None:
-        requirement, name = REQUIRED.get(_counted(missed)), _counted(missed)
-        unit = keys()[f"requirements.{name}"].unit or "1" if requirement else "1"
-        told = {"check": name, "value": missed.value, "limit": missed.limit, "message": missed.message}
-        path, least, would_do = missed.path, requirement is not None and requirement.least, missed.value
+        name, value, limit, message, path = _counted(missed), missed.value, missed.limit, missed.message, missed.path
+        unit = (keys()[f"requirements.{name}"].unit if name in REQUIRED else None) or "1"
+        key = None
     else:
-        near = survey.nearest
-        assert near is not None
-        requirement, unit = REQUIRED.get(name_of(near.row.check)), near.row.check.unit
-        told = {"check": name_of(near.row.check), "value": _known(near.row.value), "limit": _known(near.row.limit)}
-        told["message"] = _missed(near.row)
-        if (key := _key_that_would_do(spec, near)) is not None:
-            sign = "≥" if key[1] > near.changes[key[0]] else "≤"
-            about = {"key": f"search.{key[0]}", "sign": sign, "would_do": key[1], "key_unit": keys()[key[0]].unit}
-            return Binding(**told, unit=unit, **about)
-        path, least, would_do = near.row.check.path, near.row.check.least, _known(near.row.value)
-    if requirement is None or would_do is None:
-        return Binding(**told, unit=unit, key_unit="1")
-    return Binding(**told, unit=unit, key=path, sign="≤" if not least else "≥", would_do=would_do, key_unit=unit)
+        assert survey.nearest is not None
+        row, key = survey.nearest.row, _key_that_would_do(spec, survey.nearest)
+        name, value, limit, message = name_of(row.check), _known(row.value), _known(row.limit), _missed(row)
+        path, unit = row.check.path, row.check.unit
+    told: dict[str, Any] = {"check": name, "value": value, "limit": limit, "message": message, "unit": unit}
+    if key is not None:
+        told |= key
+    elif path == f"requirements.{name}" and value is not None:  # what is asked would have to give way
+        told |= {"key": path, "sign": "≤" if REQUIRED[name].least else "≥", "would_do": value, "key_unit": unit}
+    return Binding(**{"key_unit": "1"} | told)
 
 
 def _missed(row: Row) -> str:
@@ -406,22 +422,35 @@ def _missed(row: Row) -> str:
     return say("{name} {has}, {bound} {wanted}", name=translate(check.name), has=has, bound=bound, wanted=wanted)
 
 
-def _key_that_would_do(spec: Spec, near: Nearest) -> tuple[str, float] | None:
-    """Return the key that is searched, and its value nearest to the candidate's, with which all checks hold."""
-    found: list[tuple[float, str, float]] = []
+def _key_that_would_do(spec: Spec, near: Nearest) -> dict[str, Any] | None:
+    """Return the key, and its value nearest to the candidate's, with which all checks hold, as fields of a binding.
+
+    It is one that is searched, else that of the check, or the circle of the balls.
+    """
     base = candidate(spec, near.changes)
-    for path, value in near.changes.items():
-        about = keys()[path].about
-        if about is None or not value:
-            continue
-        tried = np.array(_SCALES) * value
-        tried = np.unique(np.round(tried)) if about.whole else np.array([float(f"{one:.3g}") for one in tried])
-        low, high = about.limits
-        tried = tried[(tried > low) & (tried < high)]
-        many = with_values(base, {path: tried})
-        good = holding(many, wired(many), tried.shape)
-        found += [(abs(math.log(one / value)), path, float(one)) for one in tried[good]]
-    return min(found)[1:] if found else None
+    own = "" if near.row.check.requirement else near.row.check.path
+    fixed = {path: value_at(base, path) for path in (own, _BALL_CIRCLE) if path in keys()}
+    for prefix, paths in (("search.", near.changes), ("", fixed)):
+        found = []
+        for path, value in paths.items():
+            about = keys()[path].about
+            if about is None or not value:
+                continue
+            tried = np.array(_SCALES) * value
+            tried = np.unique(np.round(tried)) if about.whole else np.array([float(f"{one:.3g}") for one in tried])
+            low, high = about.limits
+            tried = tried[(tried > low) & (tried < high)]
+            many = with_values(base, {path: tried})
+            good = holding(many, wired(many), tried.shape)
+            found += [(abs(math.log(one / value)), path, float(one), value) for one in tried[good]]
+        if found:
+            _, path, would_do, value = min(found)
+            sign = "≥" if would_do > value else "≤"
+            return {"key": prefix + path, "sign": sign, "would_do": would_do, "key_unit": keys()[path].unit or "1"}
+    return None
+
+
+_BALL_CIRCLE = "control_unit.ball_circle_radius"
 
 
 def _none(result: DesignResult, missed: Binding) -> Finding:

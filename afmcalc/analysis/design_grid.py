@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ..engines import Clutch, build
 from ..engines.checks import Check, checks_of
-from ..engines.evaluate import BLOCK
-from ..engines.layout import TOUCHES, SectionPart, length_of, overlaps, parts_of, sizes_of
+from ..engines.evaluate import BLOCK, SLOPE
 from ..engines.quantities import Quantities
+from ..engines.rings import TOUCHES, SectionPart, length_of, overlaps, parts_of, sizes_of
 from ..equations.arrays import next_listed
 from ..errors import SpecError
 from ..messages import deferred, say
@@ -94,7 +94,8 @@ def parts_of_search(spec: Spec) -> list[Part]:
         named = dict(zip(names, map(str, chosen), strict=True))
         variant = named.get("variant", spec.variant)
         taken = {path: values for path, values in axes.items() if path not in names and _takes(variant, path)}
-        parts.append((named, taken))
+        walls = [tuple(slope for slope in taken.get(SLOPE, ()) if bool(slope) == curved) for curved in (False, True)]
+        parts += [(named, taken | {SLOPE: slopes}) for slopes in walls if slopes] or [(named, taken)]
     count = sum(math.prod(map(len, taken.values())) for _, taken in parts)
     if count > MOST:
         longest = max(axes, key=lambda path: len(axes[path]))
@@ -187,10 +188,12 @@ def wired(spec: Spec) -> Quantities:
     own, unit = build(spec), spec.control_unit
     if unit is None or unit.ball_diameter is not None or "contact_force" not in own or "path_steepening" in own:
         return own
-    if unit.allowable_contact_force is not None and unit.contact is None:
+    most: Any = (spec.requirements and spec.requirements.contact_pressure) or math.inf
+    if unit.allowable_contact_force is None or unit.contact is not None:
+        most = np.minimum(most, own["allowable_pressure"])
+    if np.all(np.isinf(most)):
         return own
-    most = (spec.requirements and spec.requirements.contact_pressure) or math.inf
-    borne = own["contact_force_hertz"] * np.minimum(most / own["allowable_pressure"], 1.0) ** 3
+    borne = own["contact_force_hertz"] * (most / own["allowable_pressure"]) ** 3
     radius = np.maximum(own["ball_radius_chosen"] * np.sqrt(own["contact_force"] / borne), own["ball_radius"])
     return own.at(ball_diameter_standard=next_listed(2 * np.atleast_1d(radius), own["balls_listed"]))
 
@@ -230,16 +233,11 @@ def _layout(spec: Spec, own: Quantities) -> list[SectionPart]:
 class Nearest(NamedTuple):
     """The candidate that misses the fewest checks, by the least."""
 
-    missed: int
-    excess: float
+    rank: tuple[int, float]
+    """Number of checks that it misses, and by how much."""
     changes: dict[str, Any]
     row: Row
     """Check that it misses by the most."""
-
-    @property
-    def rank(self) -> tuple[int, float]:
-        """Order of candidates: the nearest first."""
-        return self.missed, self.excess
 
 
 class Survey:
@@ -291,7 +289,7 @@ class Survey:
         rank = int(misses[best]), float(excess[best])
         if self.nearest is None or rank < self.nearest.rank:
             changes = part.names | {path: own[best] for path, own in values.items()}
-            self.nearest = Nearest(*rank, changes, max((row.at(best) for row in rows), key=lambda one: one.excess))
+            self.nearest = Nearest(rank, changes, max((row.at(best) for row in rows), key=lambda one: one.excess))
 
     def changes(self, row: int) -> dict[str, Any]:
         """Path → value of a feasible candidate, numbers as they were typed; with the ball chosen."""
@@ -331,6 +329,12 @@ def unbeaten(costs: Numbers) -> list[int]:
         kept.append(int(first))
         left = left[(costs[left] < costs[first]).any(axis=1)]
     return kept
+
+
+def equal_to(costs: Numbers, kept: Sequence[int]) -> int:
+    """Number of other rows that equal one of those kept."""
+    rows = [tuple(row) for row in _rounded(costs).tolist()]
+    return sum(Counter(rows)[rows[place]] - 1 for place in kept)
 
 
 def _rounded(values: Numbers) -> Numbers:

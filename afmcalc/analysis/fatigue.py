@@ -159,7 +159,7 @@ def lives_of(load: Quantities) -> Values:
 
     Raises OverflowError: they are too few for a number; 0 cycles mean a break only.
     """
-    cycles = np.asarray(load["cycles"], float)
+    cycles = np.asarray(load["cycles_extrapolated"], float)
     if ((cycles == 0) & ~np.asarray(load["is_broken"], bool)).any():
         raise OverflowError
     return np.where(np.isfinite(cycles), cycles, np.nan)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from ..engines import Clutch
 from ..engines.checks import failures_of
-from ..engines.layout import TOUCHES, PartName, SectionPart, inertia_of, length_of, overlaps, parts_of, sizes_of
+from ..engines.rings import TOUCHES, PartName, SectionPart, inertia_of, length_of, overlaps, parts_of, sizes_of
 from ..findings import Finding, finding
 from ..messages import say, translate
 from ..result import Answer, Result, described, quantity

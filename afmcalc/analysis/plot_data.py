@@ -27,10 +27,10 @@ from .neglected import effects_curve
 from .pocket_contours import ShopDrawing, shop_drawing
 from .registry import PLOTS, Plot, StressRule
 from .simulate import MomentRow, history
-from .springs import springs_curve
+from .spring_search import springs_curve
 from .sweep import Axis, S, current_value, find_key, parse_axis, series
 from .synthesize import SynthesisResult
-from .tolerance_result import ToleranceResult
+from .tolerance_study import ToleranceResult
 from .trip import OverloadSweep, refuse
 
 POINTS = 201

@@ -9,7 +9,7 @@ import math
 from typing import NamedTuple, TypeAlias
 
 from ..engines import Clutch
-from ..engines.layout import parts_of, sizes_of
+from ..engines.rings import parts_of, sizes_of
 from ..errors import CalculationError
 from ..messages import say
 from ..spec import Spec

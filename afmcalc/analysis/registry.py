@@ -183,7 +183,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "springs", "analysis.springs", "SpringsResult",
+            "springs", "analysis.spring_search", "SpringsResult",
             reported=lambda clutch: bool(clutch.spec.spring_parts),
             plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
@@ -194,7 +194,7 @@ ANALYSES: dict[str, Analysis] = {
         Analysis("compare", "analysis.compare", "CompareResult"),
         Analysis("solve", "analysis.solve", "SolveResult"),
         Analysis(
-            "tolerance", "analysis.tolerance", "ToleranceResult",
+            "tolerance", "analysis.tolerance_study", "ToleranceResult",
             lambda clutch: clutch.spec.tolerance is not None,
             plot=Plot("tolerance", "histogram of the torque with quantiles, by the block tolerance", "clutch"),
             example="tolerance",

@@ -353,6 +353,14 @@ def dynamic_factors(clutch: Clutch) -> Floats:
     return np.fmax(np.max(event.peak / sliding, axis=0), bypass_peaks(clutch) / sliding[2])
 
 
+def largest_peaks(clutch: Clutch) -> Floats:
+    """Peak torque in the shaft where the clutch carries most, the bypass pairs with it, of every clutch, N·m."""
+    frictions = at_ends(clutch)
+    torque, *ends = np.broadcast_arrays(clutch.at_friction(*frictions)["torque"], *frictions)
+    largest = (np.take_along_axis(each, torque.argmax(axis=0)[None], axis=0)[0] for each in ends)
+    return np.fmax(case_of(clutch, *largest).peaks().peak, bypass_peaks(clutch))
+
+
 def bypass_peaks(clutch: Clutch) -> Floats:
     """Return the peaks in the shaft if the bypass pairs alone carry, at f_max where they carry most, N·m.
 

@@ -1,23 +1,23 @@
 """From a wanted value of a quantity back to one key of the spec: sampled over its range, roots by SciPy."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
-from functools import cache
+from functools import cache, partial
 from typing import Any, ClassVar
 
 import numpy as np
 
 from ..engines import Clutch, build
 from ..engines.checks import REQUIRED
-from ..engines.evaluate import evaluate
+from ..engines.evaluate import Output, evaluate
 from ..engines.selection import NAMES
 from ..equations.arrays import Floats
 from ..equations.terms import CASES, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
 from ..messages import did_you_mean, latin, measured, say
-from ..progress import tell, unwatched
+from ..progress import counted, unwatched
 from ..result import Answer, Result, described
 from ..spec.edit import replaced, respecified, value_at
 from ..spec.fields import Key
@@ -27,6 +27,7 @@ from ..units import ENGINEER
 from .asking import Answers, Asking, answer, asked
 from .check import lacks, simulating, told
 from .clutch_findings import clutch_findings
+from .simulate import largest_peaks
 from .sweep import feasible, find_key
 
 Function = Callable[[Floats], Floats]
@@ -36,8 +37,10 @@ REACH, REACH_OF_EVENTS = 100.0, 5.0
 """Ratio to the present value up to which they go where the key has no bound, and where each simulates an event."""
 _SAME = 1e-12
 """Relative difference that rounding can make."""
-_JUMP = 1e-2
-"""Part of the change across its bracket that a quantity may miss at a root; where it misses more, it jumps."""
+_STEPS, _STEPS_OF_ROWS = (33,) * 8, (9,)
+"""Values from one side of the wanted value to the other, again and again."""
+_JUMP, _JUMP_OF_ROWS = 1e-6, 0.05
+"""Change between the last two of them, over the wanted value, above which a target jumps."""
 SEVERAL = {"balls_listed", *(name for name in TERMS if "_slips" in name)}
 """Quantities that are several numbers: of a list, or one for each slip."""
 
@@ -146,13 +149,9 @@ def solve(
     ``not-attainable``, says so. Raises CalculationError: the target does not depend on the key, or no value of it gives
     a number; AfmcalcError: no such key, or a target that the clutch does not have.
     """
-    key, arrays = find_key(name, clutch.spec, "--for"), _in_arrays(clutch, target)
+    key = find_key(name, clutch.spec, "--for")
+    values, arrays = _function(clutch, key.path, target)
     whole, now, shown, place = is_whole(key.path), _present(clutch, key), _shown(unit_of(target)), _shown(key.unit)
-
-    def quantity(at: Floats) -> Floats:
-        return evaluate(clutch.spec, {key.path: at}, {target: _asked(target)})[target]
-
-    values = quantity if arrays else _row_values(clutch, key.path, target)
     reach = REACH if arrays or not simulating(clutch) else REACH_OF_EVENTS
     at = _samples(clutch, key, now, SAMPLES if arrays else ROWS, reach)
     if clutch.spec.kind.gain_limit is not None and not beyond_limit:
@@ -161,8 +160,10 @@ def solve(
     about: dict[str, Any] = {"target": target, "name": name, "low": place(low), "high": place(high), "count": at.size}
     if arrays and not whole:
         at = _with_extremes(values, wanted, at)
-    roots, jumps = _roots(values, wanted, at, whole=whole)
-    at = np.unique([*at, *jumps])
+    rounding = _rounding(values, wanted, at) if arrays else _SAME * abs(wanted)
+    on = np.abs(values(at) - wanted) <= rounding
+    steps = () if whole else _STEPS if arrays else _STEPS_OF_ROWS
+    roots, at = _roots(values, wanted, at, rounding, steps)
     value = values(at)
     at, value = at[np.isfinite(value)], value[np.isfinite(value)]
     if not at.size:
@@ -173,7 +174,9 @@ def solve(
             target=target, name=name, level=shown(value[0]),
         )  # fmt: skip
     nearest = float(at[np.argmin(np.abs(value - wanted))])
-    reached = {root: float(values(np.array([root]))[0]) for root in roots or [nearest]}
+    found = roots or [nearest]
+    judged = values if arrays else partial(_rows, clutch, key.path, target)
+    reached = dict(zip(found, judged(np.array(found)).tolist(), strict=True))
 
     def distance(root: float) -> tuple[bool, float]:
         """Of whole numbers those that meet a requirement come first, then the nearest."""
@@ -190,7 +193,6 @@ def solve(
     )  # fmt: skip
     gone = replaced(clutch.spec, [key.path])
     remarks = [finding("solve-replaces", "info", path=path, by=by) for path, by in gone.items()]
-    on = np.abs(value - wanted) <= _SAME * abs(wanted)
     if (on[1:] & on[:-1]).any() and not whole:
         remarks.append(finding("solve-range", "info", path=key.path, **about))
     if not arrays:
@@ -219,19 +221,6 @@ def _present(clutch: Clutch, key: Key) -> float:
     return float(value)
 
 
-def _in_arrays(clutch: Clutch, target: str) -> bool:
-    """True if a target is a quantity, not asked of one clutch at a time; refuse one that the clutch does not have."""
-    if target in REQUIRED and (REQUIRED[target].needs or _asked(target) not in clutch):
-        _judged_value(clutch, target)
-        return False
-    try:
-        with suppress(ArithmeticError):  # there may be a number at other values of the key
-            clutch[_asked(target)]
-    except LookupError as error:
-        raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
-    return True
-
-
 def _asked(target: str) -> str:
     """Return the quantity that is asked: of a requirement the one it judges."""
     return REQUIRED[target].value if target in REQUIRED else target
@@ -247,17 +236,46 @@ def _judged_value(clutch: Clutch, target: str) -> float:
     return math.inf if check.value in (known.get("open") or ()) else float(value)
 
 
-def _row_values(clutch: Clutch, path: str, target: str) -> Function:
+def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
+    """Return the function from values of a key to a target, and True if that is a quantity, quick to calculate.
+
+    Raises AfmcalcError: a target that the clutch does not have.
+    """
+    output: Output = _asked(target)
+    arrays = not (target in REQUIRED and (REQUIRED[target].needs or output not in clutch))
+    if arrays:
+        try:
+            with suppress(ArithmeticError):  # there may be a number at other values of the key
+                clutch[str(output)]
+        except LookupError as error:
+            raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
+    elif target == "peak_torque" and clutch.spec.drive.event is not None:
+        output = largest_peaks
+    else:
+        _judged_value(clutch, target)
+        return _kept(partial(_rows, clutch, path, target)), False
+    return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: output})[target]), arrays
+
+
+def _kept(function: Function) -> Function:
+    """Return the function that calculates each value once."""
     known: dict[float, float] = {}
 
-    def value(at: float) -> float:
-        if at not in known:
-            tell(say("solving"), len(known), ROWS + 12)
-            with suppress(AfmcalcError), unwatched():
-                known[at] = _judged_value(build(respecified(clutch.spec, {path: at})), target)
-        return known.setdefault(at, math.nan)
+    def values(at: Floats) -> Floats:
+        if new := [each for each in at.tolist() if each not in known]:
+            known.update(zip(new, function(np.array(new)).tolist(), strict=True))
+        return np.array([known[each] for each in at.tolist()])
 
-    return lambda at: np.array([value(each) for each in at.tolist()])
+    return values
+
+
+def _rows(clutch: Clutch, path: str, target: str, at: Floats) -> Floats:
+    """Values that a requirement judges, of one clutch at a time."""
+    value = np.full(at.shape, math.nan)
+    for i in counted(say("solving"), range(at.size)):
+        with suppress(AfmcalcError), unwatched():
+            value[i] = _judged_value(build(respecified(clutch.spec, {path: at[i]})), target)
+    return value
 
 
 def _samples(clutch: Clutch, key: Key, now: float, count: int, reach: float) -> Floats:
@@ -286,40 +304,44 @@ def _within_gain_limit(clutch: Clutch, path: str, at: Floats) -> Floats:
         gains = evaluate(clutch.spec, {path: at}, {"gain": "gain", "gain_limit": "gain_limit"})
         return gains["gain"] / gains["gain_limit"] - 1
 
-    at = at if is_whole(path) else np.unique([*at, *_roots(excess, 0.0, at, whole=False)[0]])
+    at = at if is_whole(path) else np.unique([*at, *_roots(excess, 0.0, at, 0.0, _STEPS)[0]])
     within = at[excess(at) <= 1e-9]
     if not within.size:
         raise CalculationError("no value of {path} keeps the gain limit (--beyond-limit goes past it)", path=path)
     return within
 
 
-def _roots(function: Function, wanted: float, at: Floats, *, whole: bool) -> tuple[list[float], list[float]]:
-    """Return where a function has the wanted value, and both sides of where it jumps over it.
+@np.errstate(all="ignore")
+def _rounding(function: Function, wanted: float, at: Floats) -> float:
+    """Return what rounding can make of a value; of a difference that is to be 0, what the last digits of the key do."""
+    moved = function(np.clip(at * (1 + _SAME / 10), at[0], at[-1])) - function(at) if wanted == 0 else np.zeros(1)
+    return max(_SAME * abs(wanted), 4 * float(np.max(np.abs(moved), where=np.isfinite(moved), initial=0.0)))
 
-    Of whole numbers those on either side of the value count; of a range over which the function keeps it, both ends.
+
+def _roots(
+    function: Function, wanted: float, at: Floats, rounding: float, steps: Sequence[int]
+) -> tuple[list[float], Floats]:
+    """Return where a function has the wanted value, and the values with those on both sides of where it jumps over it.
+
+    Without ``steps``, of a whole key, those on either side count; of a range over which it keeps it, both ends.
     """
-    from scipy.optimize import brentq
-
     gap = function(at) - wanted
-    most = 10 * np.max(np.abs(gap), where=np.isfinite(gap), initial=1e-300)
-    side, gap = np.where(np.abs(gap) <= _SAME * abs(wanted), 0.0, np.sign(gap)), np.clip(gap, -most, most)
-
-    def miss(x: float) -> float:
-        return float(np.clip(function(np.array([x]))[0] - wanted, -most, most))
-
-    on, jumps = np.flatnonzero(side == 0), list[float]()
-    roots = {float(at[i]) for i in on if whole or not {i - 1, i + 1} <= {*on}}
-    for i in np.flatnonzero(side[:-1] * side[1:] < 0):
-        if whole:
-            roots |= {float(at[i]), float(at[i + 1])}
-            continue
-        with suppress(ValueError):  # no number somewhere between
-            root = float(brentq(miss, at[i], at[i + 1], xtol=1e-300, rtol=1e-12))
-            if abs(miss(root)) <= _JUMP * abs(gap[i + 1] - gap[i]):
-                roots.add(root)
-            else:
-                jumps += np.clip([root * (1 - 2e-9), root * (1 + 2e-9)], at[i], at[i + 1]).tolist()
-    return sorted(roots), jumps
+    side = np.where(np.abs(gap) <= rounding, 0.0, np.sign(gap))
+    on, crossed = np.flatnonzero(side == 0), np.flatnonzero(side[:-1] * side[1:] < 0)
+    roots = {float(at[i]) for i in on if not steps or not {i - 1, i + 1} <= {*on}}
+    ends, first = np.stack([at[crossed], at[crossed + 1]]), side[crossed]
+    if not steps or not crossed.size:
+        return sorted(roots.union(ends.ravel().tolist())), at
+    for count in steps:
+        inner = np.linspace(ends[0], ends[1], count)
+        gap = function(inner.ravel()).reshape(inner.shape) - wanted
+        place = np.maximum((np.sign(gap) != first).argmax(axis=0), 1)
+        ends, gap = (np.take_along_axis(each, np.stack([place - 1, place]), axis=0) for each in (inner, gap))
+    size = abs(wanted) or float(np.nanmedian(np.abs(function(at))))
+    good = np.abs(gap[1] - gap[0]) <= (_JUMP if len(steps) > 1 else _JUMP_OF_ROWS) * size
+    low, high = ends[:, good]
+    roots |= {*(low + (high - low) * gap[0, good] / (gap[0, good] - gap[1, good])).tolist()}
+    return sorted(roots), np.unique([*at, *ends.ravel()])
 
 
 def _with_extremes(function: Function, wanted: float, at: Floats) -> Floats:

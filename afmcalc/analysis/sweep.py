@@ -144,19 +144,9 @@ def default_range(key: Key, spec: Spec) -> Floats:
     if current is None:
         raise AfmcalcError("{path} is not in the spec: give a range, {path}=start:stop:count", path=key.path)
     assert key.about is not None
-    low, high = 0.5 * current, 2 * current
-    if (friction := _friction(key.path, spec)) is not None:
-        # within min ≤ mean ≤ max of its group
-        ends, end = friction.range, key.path.rpartition(".")[2]
-        pinned = friction.mean is not None
-        if end != "min":
-            low = ends.mean if end == "max" and pinned else ends.min
-        if end != "max":
-            high = ends.mean if end == "min" and pinned else ends.max
-    if key.path == "control_unit.wall_angle":
-        high = min(high, 1.5)
     least, most = key.about.limits
-    low, high = (feasible(spec, key.path, current, end) for end in (max(low, least), min(high, most)))
+    ends = max(0.5 * current, least), min(2 * current, most, *[1.5] * (key.path == "control_unit.wall_angle"))
+    low, high = (feasible(spec, key.path, current, end) for end in ends)
     return _whole(math.ceil(low), math.floor(high)) if key.about.whole else np.linspace(low, high, 26)
 
 
@@ -186,20 +176,14 @@ def feasible(spec: Spec, path: str, current: float, end: float) -> float:
     return inside
 
 
-def _friction(path: str, spec: Spec) -> FrictionRange | None:
-    """Return the friction that a coefficient at ``path`` belongs to, of all pairs or of a group; None of other keys."""
-    group, _, end = path.rpartition(".")
-    if not path.startswith("friction.") or end not in ("min", "mean", "max"):
-        return None
-    return None if group == "friction" and spec.friction.unlike else value_at(spec, group)
-
-
 def current_value(spec: Spec, path: str) -> float | None:
     """Return the value at ``path`` as the engines see it; None when absent."""
     if path == "friction_group.mean_radius":
         return float(build(spec).mean_radius)
-    if (friction := _friction(path, spec)) is not None:
-        return getattr(friction.range, path.rpartition(".")[2])
+    group, _, end = path.rpartition(".")
+    friction = None if group == "friction" and spec.friction.unlike else value_at(spec, group)
+    if isinstance(friction, FrictionRange) and end in ("min", "mean", "max"):
+        return getattr(friction.range, end)
     return value_at(spec, path)
 
 

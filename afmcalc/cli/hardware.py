@@ -145,7 +145,7 @@ def springs(
     if not pick:
         common.calculate(common.clutch(spec), sort=sort, top=top, kind=kind, tolerance=tolerance)
         return
-    from ..analysis.springs import picked
+    from ..analysis.spring_search import picked
     from ..spec import resolved
 
     common.keep(spec, save=save)

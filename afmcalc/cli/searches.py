@@ -105,7 +105,7 @@ def design(
     """The best clutches for what is required: the Pareto front of a grid.
 
     SPEC is a clutch with requirements and a [search] of keys to vary, such as "control_unit.gain" = "0:1:21"; an
-    example is written by afmcalc init --kind requirements. A clutch of the front holds every requirement and passes
+    example is written by afmcalc init --from requirements. A clutch of the front holds every requirement and passes
     check, and no other candidate is better in one of the objectives and as good in the others. They are quantities to
     be small, or large with a minus: objectives = ["closing_force", "-gain_limit"].
 
@@ -122,9 +122,10 @@ def design(
         raise AfmcalcError("--save writes the clutch of --pick: give both")
     given = common.read(spec)
     result, findings = common.ask(given)
-    chosen = None
-    if pick is not None and result.front:
-        row, chosen = picked(given, result, pick)
+    row = chosen = None
+    if result.front and (pick is not None or common.chosen_format == "json"):
+        row, chosen = picked(given, result, pick or result.compromise or 1)
+    if row and pick is not None:
         result = result.model_copy(update={"front": [row]})
     elif top is None and common.chosen_format in ("table", "markdown") and len(result.front) > _IN_TABLES:
         top = _IN_TABLES
@@ -135,7 +136,7 @@ def design(
     common.emit(shown(result, sort, top), findings, resolved(chosen) if chosen else None)
     if nothing:
         raise AfmcalcError(nothing[0].message)
-    if save and chosen:
+    if save and row and chosen:
         common.save_spec(given, {**row.changes, "search": None}, chosen, save)
 
 

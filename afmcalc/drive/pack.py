@@ -13,8 +13,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ..engines import Clutch
+from ..engines.characteristics import SetSpring, root
 from ..engines.quantities import Quantities
-from ..engines.springs import SetSpring, root
 from ..equations import adjustment, curved, direct, drive, indirect, sleeve
 from ..equations.arrays import Values, is_array, larger, smaller
 from ..errors import CalculationError

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..engines import Clutch
-from ..engines.layout import inertia_of, parts_of, sizes_of
+from ..engines.rings import inertia_of, parts_of, sizes_of
 from ..equations import drive as law
 from ..equations.arrays import Values, is_array
 from ..messages import say

@@ -8,7 +8,7 @@ from typing import Any
 
 from ..equations import curved
 from ..equations.arrays import Floats, Values, chosen, quiet_division, smaller
-from .springs import SetSpring, root
+from .characteristics import SetSpring, root
 
 _PLACES = 32
 """Places among which a wall that lets the sleeve jump is searched for the first balance."""

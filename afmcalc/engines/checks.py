@@ -155,7 +155,7 @@ closing_force ≤ pack_force_at_rest
 travel ≤ travel_max
 reduced_gain ≤ reduced_gain
 contact_pressure ≤ contact_pressure
-cycles ≥ cycles_least
+cycles ≥ cycles
 torque_after_wear ≥ torque_after_wear effects
 peak_torque ≤ peak_torque simulate
 exceedance ≤ exceedance tolerance
@@ -277,7 +277,7 @@ def _required(spec: "Spec", check: Check, name: str) -> Iterator[Check]:
 
 def _after_event(spec: "Spec", check: Check) -> Check:
     """Replace the dynamic factor of the unprotected side by that of the event, where none is given."""
-    factor = "unprotected" in check.value or check.value == "cycles_least"
+    factor = "unprotected" in check.value or check.value == "cycles"
     open_factor = spec.drive.event is not None and spec.drive.dynamic_factor is None
     return check._replace(needs="simulate") if factor and open_factor else check
 

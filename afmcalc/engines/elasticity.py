@@ -9,20 +9,8 @@ STEP = 2.0**-16
 """Of ln p; the error is of its fourth power."""
 _KINK = 1e-5
 """Difference of the slopes on both sides above which there is a kink."""
-PATHS = {
-    name: f"{path}.{key}"
-    for path in (
-        "friction", "friction.driving", "friction.driven", "friction_group", "closing_spring", "control_spring",
-    )
-    for key, name in NAMES[path].items()
-} | {
-    "nominal_torque_wanted": "adjustment.nominal_torque",
-    **{
-        name: f"control_unit.{key}"
-        for key, name in NAMES["control_unit"].items()
-        if key in ("gain", "gain_slope", "wall_angle", "ball_circle_radius", "hub_diameter", "key_friction")
-    },
-}  # fmt: skip
+PATHS = {name: f"{path}.{key}" for path, names in NAMES.items() for key, name in names.items() if key != "margin"}
+"""Quantity that a spec gives → its key; the margin is of the setting, not of the clutch."""
 
 
 class Elasticity(NamedTuple):

@@ -67,8 +67,8 @@ class Named:
     conventional_accuracy_factor: Values  # K_т,0, 1: accuracy factor of an ordinary clutch in its place
     cos_wall_angle: Values  # cos α, 1: cosine of the wall angle
     counted_damage: Values  # D, 1: damage of a slip as far as it counts
-    cycles: Values  # N_ц, 1: cycles to failure
-    cycles_least: Values  # N_ц, 1: cycles to failure of the side that fails first
+    cycles: Values  # N_ц, 1: cycles to failure of the side that fails first
+    cycles_extrapolated: Values  # N_ц, 1: cycles to failure
     cycles_of_band: Values  # N_ц, 1: cycles to failure
     cycles_of_fatigue: Values  # N_ц, 1: cycles to failure
     cycles_of_line: Values  # N_ц, 1: cycles to failure

@@ -11,11 +11,19 @@ from ..findings import Finding, finding
 from ..messages import translate
 from ..spec.catalogues import Disc
 from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Room
+from .characteristics import (
+    LEAST_USED,
+    MODULUS,
+    MOST_USED,
+    CoilCharacteristic,
+    DiscCharacteristic,
+    SetSpring,
+    characteristic,
+)
 from .checks import ROUNDING, Check, check_of
-from .layout import rooms_of
 from .quantities import Apply, call
+from .rings import rooms_of
 from .selection import Clutch
-from .springs import LEAST_USED, MODULUS, MOST_USED, CoilCharacteristic, DiscCharacteristic, SetSpring, characteristic
 
 QUASI_STATIC = 1e4
 """Strokes up to which a spring counts as one that rests (EN 13906-1)."""

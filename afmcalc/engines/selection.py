@@ -96,11 +96,11 @@ def _sleeve(keys: frozenset[str]) -> Iterator[Part]:
     elif not discs:
         yield indirect.STRAIGHT
     if discs:
-        from . import disc_balance
+        from . import curved_disc_balance, disc_balance
 
         yield from (disc_balance, disc_balance.NO_DISC)
         if walls:
-            yield disc_balance.CURVED
+            yield curved_disc_balance
     if "constant-torque" in keys:
         yield curved.CONSTANT_TORQUE
 
@@ -198,13 +198,13 @@ def given(spec: "Spec") -> dict[str, Any]:
     if "ball_circle_radius" in found:
         found["balls_listed"] = tuple(spec.lists.balls or diameters())
     slope = found.get("gain_slope")
-    if slope is not None and not is_array(slope) and slope == 0:
+    if slope is not None and not (slope.any() if is_array(slope) else slope):
         del found["gain_slope"]  # a straight wall
     if "shaft_diameter" in found:
         found.pop("polar_section_modulus", None)
     for name, spring in (("closing_disc", spec.closing_spring), ("control_disc", spec.control_spring)):
         if spring is not None and spring.disc is not None:
-            from .springs import DiscCharacteristic
+            from .characteristics import DiscCharacteristic
 
             found[name] = DiscCharacteristic(spring.disc)
     return found

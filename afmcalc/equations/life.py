@@ -68,7 +68,7 @@ def cycles_of_line(base_cycles, endurance_limit, damaging_stress, exponent):
 
 def cycles_of_band(endurance_limit, polar_section_modulus, torque_low_of_side, scatter_of_side, exponent, base_cycles):
     """Cycles from the smallest torque and the scatter band, N_ц = N_0 (2 τ_limb W_p/(2 T_min + ΔT))^m_τ.
-    Source: S19 (19), (20). Validity: Mean-stress rule; as ``cycles``."""
+    Source: S19 (19), (20). Validity: Mean-stress rule; as ``cycles_of_line``."""
     swing = 2 * torque_low_of_side + scatter_of_side
     return base_cycles * (2 * endurance_limit * polar_section_modulus / swing) ** exponent
 
@@ -88,7 +88,7 @@ def is_broken(stress_high, ultimate_strength):
     return stress_high >= ultimate_strength
 
 
-cycles = Either("is_broken", "nothing", "cycles_of_line")
+cycles_extrapolated = Either("is_broken", "nothing", "cycles_of_line")
 
 
 def is_endless(damaging_stress, endurance_limit):
@@ -97,11 +97,11 @@ def is_endless(damaging_stress, endurance_limit):
 
 
 endless = math.inf
-cycles_of_fatigue = Either("is_endless", "endless", "cycles")
+cycles_of_fatigue = Either("is_endless", "endless", "cycles_extrapolated")
 cycles_of_side = Either("is_broken", "nothing", "cycles_of_fatigue")
 
 
-def cycles_least(cycles_of_side, cycles_of_side_at_unprotected):
+def cycles(cycles_of_side, cycles_of_side_at_unprotected):
     """Cycles to failure of the side that fails first; infinite where fatigue limits neither. Source: Definition."""
     return smaller(cycles_of_side, cycles_of_side_at_unprotected)
 
@@ -112,7 +112,7 @@ def cycles_least(cycles_of_side, cycles_of_side_at_unprotected):
 def damage(endurance_limit, damaging_stress, exponent, base_cycles):
     """Damage of one cycle, 1/N_ц = (τ/τ_limb)^m_τ/N_0; a part fails when its cycles add up to 1.
     Source: Miner, Cumulative damage in fatigue, J. Appl. Mech. 12 (1945), with the S-N line of S19 (14). Validity: As
-    ``cycles``."""
+    ``cycles_of_line``."""
     return (damaging_stress / endurance_limit) ** exponent / base_cycles
 
 
@@ -148,7 +148,7 @@ def _each_slip(damaging_stress):
     return {
         "torque_low": 0.0,
         "damaging_stress": damaging_stress,
-        "cycles": Either("is_broken", "nothing", "cycles_of_mean_damage"),
+        "cycles_extrapolated": Either("is_broken", "nothing", "cycles_of_mean_damage"),
     }
 
 

@@ -78,8 +78,8 @@ controlled_pairs | z_2 | 1 | pairs whose torque passes the balls
 conventional_accuracy_factor | K_т,0 | 1 | accuracy factor of an ordinary clutch in its place
 cos_wall_angle | cos α | 1 | cosine of the wall angle
 counted_damage | D | 1 | damage of a slip as far as it counts
-cycles | N_ц | 1 | cycles to failure
-cycles_least | N_ц | 1 | cycles to failure of the side that fails first
+cycles | N_ц | 1 | cycles to failure of the side that fails first
+cycles_extrapolated | N_ц | 1 | cycles to failure
 cycles_of_band | N_ц | 1 | cycles to failure
 cycles_of_fatigue | N_ц | 1 | cycles to failure
 cycles_of_line | N_ц | 1 | cycles to failure

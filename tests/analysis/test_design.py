@@ -151,7 +151,7 @@ def passing(one, springs):
 
 
 def with_springs(clutch, kind):
-    from afmcalc.analysis.springs import ranked
+    from afmcalc.analysis.spring_search import ranked
     from afmcalc.engines.parts import spring_demands
 
     (demand,) = spring_demands(clutch._engine)
@@ -228,6 +228,7 @@ def test_the_front_is_that_of_all_that_pass_a_check(kind, seed, tmp_path):
         for name, value in told.items():
             if isinstance(value, float) and name in own:
                 assert value == pytest.approx(float(own[name]), rel=1e-9, abs=1e-12), name
+        assert row.warnings == Clutch(clutch).check().warnings
         for path, values in data["search"].items():
             assert path == "springs" or row.changes.get(path, values[0]) in values
 
@@ -245,6 +246,44 @@ def test_a_front_by_definition(objectives, size, levels, seed):
     points = generator.integers(1, levels + 1, (size, objectives)).astype(float)
     noisy = points * (1 + generator.integers(-2, 3, points.shape) * 2.0**-52)
     assert sorted(map(tuple, points[unbeaten(noisy)].tolist())) == sorted(best_of({*map(tuple, points.tolist())}))
+
+
+POCKET = {
+    "variant": "indirect", "friction": {"min": 0.0636, "max": 0.3688},
+    "friction_group": {"pairs": 4, "inner_radius": 0.1086, "outer_radius": 0.1629},
+    "control_unit": {"gain": 3.0, "ball_circle_radius": 0.0948, "balls": 6, "face_gap": "0.5 mm", "edge_clearance": "1 mm",
+                     "hub_diameter": 0.0625, "key_friction": 0.0, "allowable_contact_force": 1e6},
+    "closing_spring": {"force": 5573.0, "stiffness": 2e5}, "control_spring": {"stiffness": 5e4},
+    "requirements": {"accuracy_factor": 9},
+}  # fmt: skip
+
+
+def test_a_straight_wall_is_one_among_curved_ones_too():
+    """Of the two only the curved one has pockets that overlap."""
+    result, _ = searched(make_spec(POCKET | {"search": {"control_unit.gain_slope": [0.0, 5.0]}}))
+    assert ([row.gain_slope for row in result.front], result.excluded) == ([0.0], {"pockets-overlap": 1})
+
+
+BORNE = {
+    "variant": "all-driving", "friction": {"min": 0.1, "max": 0.4}, "friction_group": {"pairs": 6, "mean_radius": 0.1},
+    "closing_spring": {"force": 5000.0},
+    "control_unit": {"gain": 0.5, "ball_circle_radius": 0.05, "balls": 6, "face_gap": 5e-4, "edge_clearance": 1e-3,
+                     "allowable_contact_force": 1e5},
+}  # fmt: skip
+
+
+def test_a_ball_bears_its_contact_force_with_the_pressure_that_is_asked():
+    """Hertz's pressure of 3595 MPa with a ball of 20 mm falls as d^(-2/3): 3000 MPa takes 26.3 mm, the next is 26.988."""
+    data = BORNE | {"requirements": {"contact_pressure": 3e9}, "search": {"control_unit.gain": [0.5]}}
+    (row,) = searched(make_spec(data))[0].front
+    assert row.ball_diameter_standard == pytest.approx(0.026988, rel=1e-4)
+
+
+def test_equals_of_the_front_are_counted():
+    """The number of balls changes no objective."""
+    result, findings = searched(make_spec(BORNE | {"search": {"control_unit.balls": [6, 7, 8]}}))
+    equals = [each.value for each in findings if each.code == "front-equals"]
+    assert (result.feasible, len(result.front), equals) == (3, 1, [2])
 
 
 def test_a_pick_is_the_file_with_its_values(afmcalc, tmp_path):
@@ -273,6 +312,8 @@ def test_a_pick_is_the_file_with_its_values(afmcalc, tmp_path):
     clutch = load(target)
     assert clutch.check().passed
     assert clutch.spec == load(run.json["spec"]).spec
+    plain = afmcalc("design", source, "--set", "adjustment.margin=1.25", "--json").json
+    assert load(plain["spec"]).spec == clutch.spec, "JSON is the spec of the compromise"
     assert (clutch["pairs"], clutch["gain"], clutch.spec.adjustment.margin) == (row["pairs"], row["gain"], 1.25)
     assert afmcalc("design", source, "--save", target).code == 2
     assert afmcalc("design", source, "--pick", "99").code == 2
@@ -304,6 +345,7 @@ def test_an_old_file_is_told_where_each_key_is(afmcalc, tmp_path):
     [
         (["requirements.accuracy_factor=1.2"], "accuracy_factor"),
         (["search.control_unit.ball_circle_radius=20 mm", "search.variant=differentiated"], "parts-collide"),
+        (["search.control_unit.ball_circle_radius=", "control_unit.ball_circle_radius=20 mm", "search.variant=differentiated"], "parts-collide"),
         (["search.friction_group.pairs=[2]", "requirements.closing_force=2 kN"], "closing_force"),
         (["search.control_unit.gain=[2.5, 3.0]", "search.variant=differentiated", "requirements.accuracy_factor=6"], "gain-above-limit"),
     ],
@@ -319,6 +361,9 @@ def test_without_a_result_the_nearest_says_what_would_do(given, check, afmcalc):
     binding = result["binding"]
     assert (run.code, result["front"], result["feasible"], binding["check"]) == (2, [], 0, check)
     assert max(result["excluded"].values()) <= result["candidates"]
+    assert binding["sign"] == (
+        "≥" if binding["key"].startswith("requirements.") or check == "parts-collide" else binding["sign"]
+    )
     eased = [*sets, "--set", f"{binding['key']}={binding['would_do'] * (1 + 1e-9)!r}"]
     if binding["key"].endswith("pairs"):
         eased[-1] = f"{binding['key']}=[{binding['would_do']:.0f}]"

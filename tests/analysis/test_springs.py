@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from afmcalc.analysis.half_section import layout
 from afmcalc.analysis.heat import heat
-from afmcalc.analysis.springs import _tables, coil_diameters, coils, picked, ranked, springs
+from afmcalc.analysis.spring_search import _tables, coil_diameters, coils, picked, ranked, springs
 from afmcalc.engines import build
+from afmcalc.engines.characteristics import DiscCharacteristic
 from afmcalc.engines.parts import SpringDemand, checks_of_part, spring_demands, values_of_part
-from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.catalogues import discs
 from afmcalc.spec.models import CoilSprings, DiscStack, Room

@@ -14,7 +14,7 @@ from random_clutches import random_clutches
 from scipy import special, stats
 from strategies import p5
 
-from afmcalc.analysis.tolerance import estimate, input_of, tolerance
+from afmcalc.analysis.tolerance_study import estimate, input_of, tolerance
 from afmcalc.drive.cases import outcome_of
 from afmcalc.engines import build
 from afmcalc.errors import CalculationError, SpecError
@@ -155,6 +155,8 @@ def own_torques(spec, spreads, setting, count, rng):
     nominal, torques, base = build(spec), np.full(count, math.nan), resolved(spec)
     as_made = setting == "as-made"
     made = {FORCE: float(nominal.closing_force), "adjustment.nominal_torque": None} if as_made else {}
+    if not (as_made or spec.kind.travels):  # the force follows from the torque that each is set to
+        made = {FORCE: None, "adjustment.nominal_torque": float(nominal.nominal_torque)}
     if spec.kind.travels:
         made |= {"control_spring.force": float(nominal.control_force) if as_made else None}
     if "gain_slope" in nominal:  # pockets are cut once
@@ -184,8 +186,11 @@ def buildable():
 def test_against_clutches_built_one_by_one(number):
     spec = next(itertools.islice(buildable(), number, None))
     setting, count = ("as-made", "each-adjusted")[number % 2], 80 if number < 2 else 400
-    own = own_torques(spec, spreads_of(spec), setting, count, np.random.default_rng(number))
-    given = {path: {"distribution": "normal", "spread": spread} for path, spread in spreads_of(spec).items()}
+    spreads = spreads_of(spec)
+    if setting == "each-adjusted" and not spec.kind.travels:
+        spreads.pop(FORCE, None)
+    own = own_torques(spec, spreads, setting, count, np.random.default_rng(number))
+    given = {path: {"distribution": "normal", "spread": spread} for path, spread in spreads.items()}
     result, _ = study(resolved(spec), given, setting=setting, quantiles=[0.1, 0.5, 0.9])
     lost = result.probability_no_clutch or 0.0
     assert lost == pytest.approx(np.isnan(own).mean(), abs=3 * math.sqrt(max(lost * (1 - lost), 1 / count) / count))
@@ -258,3 +263,15 @@ def test_the_same_seed_gives_the_same_digits():
     assert first[0].mean != other[0].mean
     said = [[each.code for each in study(BASE, fields, samples=size, quantiles=[0.005])[1]] for size in (6000, 6400)]
     assert ["few-samples" in codes for codes in said] == [True, False]
+
+
+def test_springs_set_on_the_bench_are_those_of_the_nominal_torque():
+    """Whether the force or the torque is given: each sample is set to the torque of the nominal clutch."""
+    fields = {"friction_group.mean_radius": {"distribution": "uniform", "spread": 0.006}}
+    study = {"tolerance": {"setting": "each-adjusted", "samples": 1000, "sobol_base": 64, "fields": fields}}
+    by_force = build(read_spec("example:default", study))
+    torque = {"closing_spring.force": None, "adjustment.nominal_torque": float(by_force.nominal_torque)}
+    by_torque = build(read_spec("example:default", study | torque))
+    means = [tolerance(clutch)[0].mean for clutch in (by_force, by_torque)]
+    assert means[0] == pytest.approx(means[1], rel=1e-12)
+    assert tolerance(by_force)[0].standard_deviation < 1e-9

@@ -64,11 +64,13 @@ def test_friction_asked_for_of_overload():
 
 
 @pytest.mark.slow
-def test_what_is_simulated_is_not_counted(afmcalc):
-    """Heat of an event is not asked: the requirement that it misses is no error here."""
-    missed = "requirements.temperature=20.5 degC"
-    run = afmcalc("compare", CONFIGS / "drive.toml", "--set", missed, "--json").json
-    assert run["result"]["clutches"][0]["errors"] == 0
+def test_compare_has_the_rows_and_the_sentence_of_check(afmcalc):
+    """Those of an event with them."""
+    sets = ["--set", "requirements.temperature=20.5 degC", "--json"]
+    (row,) = afmcalc("compare", CONFIGS / "drive.toml", *sets).json["result"]["clutches"]
+    checked = afmcalc("check", CONFIGS / "drive.toml", *sets).json["result"]
+    assert (row["sentence"], row["errors"]) == (checked["verdict"]["sentence"], checked["errors"])
+    assert row["checks"] == checked["checks"]
 
 
 def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
@@ -81,7 +83,9 @@ def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
     # with equal force and with equal torque K_т of 1.6 and of 1.5999999999999996 miss the same requirement
     told = [
         each["message"]
-        for each in afmcalc("compare", CONFIGS / "drilling-head-clutch.toml", "--variants", "--json").json["findings"]
+        for each in afmcalc(
+            "compare", CONFIGS / "drilling-head-clutch.toml", "--set", "drive.event=", "--variants", "--json"
+        ).json["findings"]
     ]
     assert len(told) == len({*told}) > 1
 

@@ -4,7 +4,7 @@ import pytest
 from drives import indirect, run
 
 from afmcalc.drive.train import Engine
-from afmcalc.engines.springs import DiscCharacteristic
+from afmcalc.engines.characteristics import DiscCharacteristic
 from afmcalc.equations import sleeve as law
 from afmcalc.spec.models import DiscStack
 

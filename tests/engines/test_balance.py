@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 from strategies import direct_specs, indirect_specs, p5
 
 from afmcalc.engines import build
-from afmcalc.engines.springs import DiscCharacteristic, SetSpring
+from afmcalc.engines.characteristics import DiscCharacteristic, SetSpring
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, resolved
 from afmcalc.spec.catalogues import discs

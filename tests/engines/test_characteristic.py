@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.engines import build
+from afmcalc.engines.characteristics import CoilCharacteristic, DiscCharacteristic
 from afmcalc.engines.parts import following_stiffness, lost_by_wear
-from afmcalc.engines.springs import CoilCharacteristic, DiscCharacteristic
 from afmcalc.equations import springs as law
 from afmcalc.spec import read_spec
 from afmcalc.spec.catalogues import discs

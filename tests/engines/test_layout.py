@@ -9,8 +9,8 @@ import pytest
 from afmcalc.analysis.check import check
 from afmcalc.drive.train import inertias_of
 from afmcalc.engines import build
-from afmcalc.engines.layout import Sizes, SpringSize, inertia_of, length_of, overlaps, parts_of, sizes_of
 from afmcalc.engines.parts import spring_demands
+from afmcalc.engines.rings import Sizes, SpringSize, inertia_of, length_of, overlaps, parts_of, sizes_of
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.edit import respecified, value_at, with_values

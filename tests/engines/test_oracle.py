@@ -22,7 +22,7 @@ def stored():
 
 def value(clutch, name):
     """Value of a quantity as the data call it: cases, frictions, name."""
-    *cases, quantity = name.split()
+    *cases, quantity = name.replace("cycles", "cycles_extrapolated").split()
     frictions = {key: float(number) for key, at, number in (case.partition("=") for case in cases) if at}
     for case in cases:
         clutch = clutch if "=" in case else clutch.at(case)

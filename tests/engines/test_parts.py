@@ -6,7 +6,7 @@ import pytest
 from conftest import CONFIGS
 
 from afmcalc.analysis.clutch_findings import clutch_findings
-from afmcalc.analysis.springs import option_of
+from afmcalc.analysis.spring_search import option_of
 from afmcalc.engines import build
 from afmcalc.engines.parts import spring_demands
 from afmcalc.errors import SpecError

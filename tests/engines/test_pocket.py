@@ -8,7 +8,7 @@ from strategies import p5
 from afmcalc.analysis.accuracy_factor import accuracy
 from afmcalc.analysis.clutch_findings import clutch_findings
 from afmcalc.analysis.fatigue import life
-from afmcalc.analysis.tolerance import tolerance, with_setting
+from afmcalc.analysis.tolerance_study import tolerance, with_setting
 from afmcalc.engines import build
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import with_values

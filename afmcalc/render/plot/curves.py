@@ -12,7 +12,7 @@ if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no ot
     from ...analysis.neglected import EffectsCurve
     from ...analysis.plot_data import AccuracyCurve, LifeCurve, OverloadCurve, SimulateFigure, TorqueCurve
     from ...analysis.simulate import MomentRow
-    from ...analysis.springs import SpringCurve, SpringsCurve
+    from ...analysis.spring_search import SpringCurve, SpringsCurve
     from ...papers.claims import PaperFigure
 
 

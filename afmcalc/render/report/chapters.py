@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
 from ...analysis.explain.explain import CaseRow, Derivation, Meaning
-from ...analysis.springs import SpringsResult
-from ...analysis.tolerance_result import ToleranceResult
+from ...analysis.spring_search import SpringsResult
+from ...analysis.tolerance_study import ToleranceResult
 from ...messages import deferred, say, translate, with_unit
 from ...result import Result, Triple
 from ...spec.keys import keys

@@ -15,7 +15,7 @@ from afmcalc.analysis.asking import Answers
 from afmcalc.analysis.half_section import layout
 from afmcalc.analysis.plot_data import Request, gathered
 from afmcalc.engines import build
-from afmcalc.engines.layout import TOUCHES
+from afmcalc.engines.rings import TOUCHES
 from afmcalc.render.drawing import Inscription, Length, Region, Stroke, exploded
 from afmcalc.render.plot import sheet_of
 from afmcalc.render.svg import svg as written

@@ -14,8 +14,8 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 from ..equations import control_unit, drive, effects, springs
 from ..equations.arrays import Values, larger, smaller
 from ..spec.models import DiscStack, Room, Spec, bore_of
+from .characteristics import STEEL, characteristic
 from .selection import Clutch
-from .springs import STEEL, characteristic
 
 FACE_GAP = 0.002
 """s where the spec gives none, m (S21: 2…3 mm)."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,16 +20,14 @@ from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
 from ..progress import counted
+from ..result import Answer, Result, described, quantity, shown_as
 from ..spec import Spec
-from ..spec.edit import value_at, with_key, with_values
+from ..spec.edit import value_at, with_key, with_nominal_torque, with_values
 from ..spec.keys import scatter_at
-from ..spec.tolerance import FRICTION, Distribution, Kind, Tolerance, percentage
+from ..spec.tolerance import FRICTION, Distribution, Kind, Setting, Tolerance, percentage
 from .clutch_findings import clutch_findings
 from .drive_result import dynamic_factor
 from .registry import ANALYSES
-from .tolerance_result import Bar, IndexRow, InputRow, QuantileRow, ToleranceResult
-
-__all__ = ["ToleranceResult", "tolerance"]
 
 Array: TypeAlias = NDArray[np.float64]
 Sample: TypeAlias = Mapping[str, Array]
@@ -52,7 +50,107 @@ _UNSURE, _HEAVY = 0.025, 10.0
 """Relative standard error of the standard deviation, and kurtosis, beyond which that error is too small itself."""
 _ONLY_SETTING = ("adjustment.", *(f"friction.{end}" for end in ("min", "mean", "max", "driving.", "driven.")))
 """Keys that act on a clutch through its setting alone."""
-_CONTROL_FORCE = "control_spring.force"
+_CLOSING_FORCE, _CONTROL_FORCE = "closing_spring.force", "control_spring.force"
+
+
+def _error(of: str, figure: Any) -> Any:
+    """Declare the field of the standard error of a figure, ``figure`` being the field above of the name ``of``."""
+    shown = shown_as(figure)
+    optional = not figure.is_required()
+    return quantity(shown.unit, f"± {shown.symbol}", "standard error of it", optional=optional, error_of=of)
+
+
+def _optional(unit: str, symbol: str, description: str) -> Any:
+    return quantity(unit, symbol, description, optional=True)
+
+
+class InputRow(Result):
+    """One number that scatters."""
+
+    path: str = described("parameter")
+    distribution: str = described("distribution")
+    min: float | None = described("min", optional=True, unit_in="unit")
+    center: float = described("mean or peak", unit_in="unit")
+    max: float | None = described("max", optional=True, unit_in="unit")
+    spread: float = described("deviation or half-width", unit_in="unit")
+    unit: str = described("unit", is_unit=True)
+
+
+class QuantileRow(Result):
+    """Quantiles at one probability: torque, life of the shaft, peak torque."""
+
+    probability: float = quantity("1", None, "probability")
+    torque: float = quantity("N*m", "T_p", "torque not exceeded with this probability")
+    torque_standard_error: float = _error("torque", torque)
+    life_protected: float | None = _optional("1", "N_ц,p", "slips, protected side")
+    life_protected_standard_error: float | None = _error("life_protected", life_protected)
+    life_unprotected: float | None = _optional("1", "N'_ц,p", "slips, unprotected side")
+    life_unprotected_standard_error: float | None = _error("life_unprotected", life_unprotected)
+    peak_torque: float | None = _optional("N*m", "T_peak,p", "peak torque not exceeded with this probability")
+    peak_torque_standard_error: float | None = _error("peak_torque", peak_torque)
+
+
+class IndexRow(Result):
+    """Sobol indices of one input."""
+
+    path: str = described("parameter")
+    first_order: float = quantity("1", "S_1", "first-order Sobol index")
+    first_order_standard_error: float = _error("first_order", first_order)
+    total: float = quantity("1", "S_T", "total Sobol index")
+    total_standard_error: float = _error("total", total)
+
+
+class Bar(Result):
+    """One bar of the histogram of the torque."""
+
+    low: float = quantity("N*m", None, "lower end of the bar")
+    high: float = quantity("N*m", None, "upper end of the bar")
+    density: float = quantity("1/(N*m)", None, "probability density")
+
+
+class ToleranceResult(Answer):
+    """Distribution of the slip torque, of life and of peak torque."""
+
+    many_lists: ClassVar[bool] = True
+
+    setting: Setting = described("how the springs are set")
+    samples: int = described("sample size")
+    probability_no_clutch: float | None = _optional(
+        "1", "P(–)", "share of samples that make no working clutch; all other figures are of those that do"
+    )
+    probability_no_clutch_standard_error: float | None = _error("probability_no_clutch", probability_no_clutch)
+    mean: float = quantity("N*m", "T_m", "mean torque")
+    mean_standard_error: float = _error("mean", mean)
+    standard_deviation: float = quantity("N*m", "s_T", "standard deviation of the torque")
+    standard_deviation_standard_error: float = _error("standard_deviation", standard_deviation)
+    accuracy_factor_robust: float = quantity("1", "K_т,r", "robust accuracy factor q(99.5 %)/q(0.5 %)")
+    accuracy_factor_robust_standard_error: float = _error("accuracy_factor_robust", accuracy_factor_robust)
+    torque_limit: float | None = _optional("N*m", "T_lim", "torque limit whose exceedance is asked for")
+    probability_above_limit: float | None = _optional("1", "P(T>T_lim)", "probability above the limit")
+    probability_above_limit_standard_error: float | None = _error("probability_above_limit", probability_above_limit)
+    machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
+    probability_below_machine: float = quantity("1", "P(T<T_н.маш)", "probability below the machine's nominal torque")
+    probability_below_machine_standard_error: float = _error("probability_below_machine", probability_below_machine)
+    life_protected: float | None = _optional(
+        "1", "N_ц", "slips to failure at the clutches' mean damage, protected side (harmonic mean of lives)"
+    )
+    life_protected_standard_error: float | None = _error("life_protected", life_protected)
+    life_unprotected: float | None = _optional(
+        "1", "N'_ц", "slips to failure at the clutches' mean damage, unprotected side"
+    )
+    life_unprotected_standard_error: float | None = _error("life_unprotected", life_unprotected)
+    peak_torque_mean: float | None = _optional("N*m", "T_peak,m", "mean peak torque in the shaft")
+    peak_torque_mean_standard_error: float | None = _error("peak_torque_mean", peak_torque_mean)
+    peak_torque_deviation: float | None = _optional("N*m", "s_peak", "standard deviation of the peak torque")
+    peak_torque_deviation_standard_error: float | None = _error("peak_torque_deviation", peak_torque_deviation)
+    probability_peak_above: float | None = _optional(
+        "1", "P(T_peak)", "probability of a peak above requirements.peak_torque"
+    )
+    probability_peak_above_standard_error: float | None = _error("probability_peak_above", probability_peak_above)
+    inputs: list[InputRow] = described("what scatters")
+    sobol: list[IndexRow] = described("share in the variance of the torque")
+    quantiles: list[QuantileRow] = described("quantiles of torque, life of the shaft and peak torque")
+    histogram: list[Bar] = described("histogram of the middle 99.9 % of the torques", data=True)
 
 
 def _distribution(kind: Kind, center: float, spread: float, low: float, high: float) -> Any:
@@ -66,7 +164,7 @@ def _distribution(kind: Kind, center: float, spread: float, low: float, high: fl
         case "triangular":
             return stats.triang((center - low) / (high - low), low, high - low)
         case "lognormal":
-            variance = math.log1p((spread / center) ** 2)
+            variance = math.log1p((spread / center) ** 2) if center > 0 else math.nan
             return stats.lognorm(variance**0.5, scale=center * math.exp(-variance / 2))
 
 
@@ -102,25 +200,13 @@ def input_of(spec: Spec, path: str, given: Distribution) -> tuple[InputRow, Quan
             low, high = center - spread, center + spread
     row = InputRow(path=path, distribution=kind, center=center, spread=spread, unit=about.unit, min=low, max=high)
     low, high = least if low is None else low, most if high is None else high
-    if bounded and not least <= low <= high <= most:
-        raise CalculationError(
-            "tolerance.fields.{path}: it would scatter from {low:g} to {high:g}, beyond what it may be, "
-            "{least:g} to {most:g}",
-            path=path, low=low, high=high, least=least, most=most,
-        )  # fmt: skip
-    if kind == "triangular" and not low <= center <= high:
-        raise CalculationError(
-            "tolerance.fields.{path}: the peak {center:g} is not between min {low:g} and max {high:g}",
-            path=path, center=center, low=low, high=high,
-        )  # fmt: skip
-    if kind == "lognormal" and not center > 0:
-        raise CalculationError("tolerance.fields.{path}: a lognormal center must be greater than 0", path=path)
     distribution = _distribution(kind, center, spread, low, high) if spread else None
     below, above = distribution.cdf((low, high)) if distribution else (0.0, float(low <= center <= high))
-    if not above - below > _LEAST_MASS:
+    if (bounded and not least <= low <= high <= most) or not above - below > _LEAST_MASS:
         raise CalculationError(
-            "tolerance.fields.{path}: the limits {low:g} to {high:g} leave nothing of the distribution",
-            path=path, low=low, high=high,
+            "tolerance.fields.{path}: no {kind} distribution about {center:g} lies from {low:g} to {high:g} (what it "
+            "may be: {least:g} to {most:g})",
+            path=path, kind=kind, center=center, low=low, high=high, least=least, most=most,
         )  # fmt: skip
 
     def quantile(probability: Array) -> Array:
@@ -138,6 +224,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     Raises SpecError: a field scatters that this clutch does not have, or that could have no effect.
     """
     spec, as_made, unlike = clutch.spec, given.setting == "as-made", clutch.spec.friction.unlike
+    follows = _CONTROL_FORCE if spec.kind.travels else _CLOSING_FORCE
     for path in given.fields:
         if path in FRICTION and (path == "friction") == unlike:
             use = say("friction.driving and friction.driven") if unlike else "friction"
@@ -146,7 +233,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
             message = say(
                 'acts through the setting alone, which "as-made" holds: give tolerance.setting = "each-adjusted"'
             )
-        elif not as_made and path == _CONTROL_FORCE:
+        elif not as_made and path == follows:
             message = say('follows from the setting of each clutch: give tolerance.setting = "as-made"')
         else:
             continue
@@ -157,7 +244,9 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
 
         spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec.drive, lambda: simulate(clutch)[0])})
     if as_made:
-        spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
+        spec = with_key(spec, _CLOSING_FORCE, float(clutch.closing_force))
+    elif not spec.kind.travels:
+        spec = with_nominal_torque(spec, float(clutch.nominal_torque))
     if spec.kind.travels:
         spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
     if "gain_slope" in clutch:

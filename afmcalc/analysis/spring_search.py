@@ -10,8 +10,8 @@ import numpy as np
 from pydantic import PrivateAttr
 
 from ..engines import Clutch
+from ..engines.characteristics import DiscCharacteristic, characteristic
 from ..engines.parts import INDEX, SpringDemand, SpringName, checks_of_part, spring_demands, values_of_part
-from ..engines.springs import DiscCharacteristic, characteristic
 from ..equations import springs as law
 from ..equations.arrays import Floats
 from ..errors import AfmcalcError, CalculationError
@@ -347,36 +347,31 @@ def coil_diameters(room: Room, number: int, wire: float) -> list[float]:
 
 def option_of(demand: SpringDemand, part: Part) -> SpringOption:
     """Return what a part gives as set and in service, and what it bears."""
-    spring, known, is_coil = characteristic(part), values_of_part(demand, part), isinstance(part, CoilSprings)
+    spring, known = characteristic(part), values_of_part(demand, part)
     deflection, low, high = (known[name] for name in ("deflection", "deflection_least", "deflection_most"))
     force, stiffness = float(spring.force(deflection)), known["stiffness"]
     setting = float(spring.deflection((1 + SETTING) * force) - spring.deflection((1 - SETTING) * force))
-    up = down = None
-    if demand.friction is not None and isinstance(part, DiscStack):
-        up, down = (
-            float(law.stack_force_with_friction(force, part.parallel, *(sign * share for share in demand.friction)))
-            for sign in (1, -1)
-        )
-    fields: dict[str, Any] = {name: getattr(part, name, None) for name in ("parallel", "series", "count", "turns")}
-    if isinstance(part, CoilSprings):
-        rests = demand.stroke is None
-        fields["loading"] = "static" if rests else "dynamic"
-        fields["stress_correction"] = 1.0 if rests else law.coil_correction(part.wire_diameter, part.coil_diameter)
+    told: dict[str, Any] = dict.fromkeys(("parallel", "series", "count", "turns", "force_up", "force_down"))
+    told |= {name: value for name, value in (vars(part) | known).items() if name in SpringOption.model_fields}
+    told |= {"number": None, "kind": "coil", "force": force}
+    if isinstance(part, DiscStack):
+        told["kind"] = "disc"
+        if demand.friction is not None:
+            for name, sign in (("force_up", 1), ("force_down", -1)):
+                shares = (sign * share for share in demand.friction)
+                told[name] = float(law.stack_force_with_friction(force, part.parallel, *shares))
+    elif demand.stroke is None:
+        told |= {"loading": "static", "stress_correction": 1.0}
     else:
-        fields |= dict.fromkeys(("loading", "stress_correction"))
-    told = ("stress_solid",) if is_coil else ("stress_middle",)
-    fields |= {
-        name: known[name] for name in ("outer_diameter", "inner_diameter", "stress", "free_length", "mass", *told)
-    }
+        correction = law.coil_correction(part.wire_diameter, part.coil_diameter)
+        told |= {"loading": "dynamic", "stress_correction": correction}
     option = SpringOption(
-        number=None, kind="coil" if is_coil else "disc", part=label_of(part, demand.catalogue), force=force,
-        force_least=None if low < 0 else float(spring.force(low)), force_largest=float(spring.force(high)),
-        stiffness=stiffness, deflection=deflection, length_set=spring.free_length - deflection, length=known["length"],
+        **told, part=label_of(part, demand.catalogue), force_least=None if low < 0 else float(spring.force(low)),
+        force_largest=float(spring.force(high)), length_set=spring.free_length - deflection,
         used_low=low / spring.end, used_high=high / spring.end, loss_per_travel=stiffness / force,
         loss_per_wear=None if demand.follows is None else demand.follows * stiffness / force,
         utilisation=max(check.utilisation for check in checks_of_part(known) if check.rule.topic in _BORNE),
-        travel_setting=setting, turns_setting=None if demand.pitch is None else setting / demand.pitch, force_up=up,
-        force_down=down, **fields,
+        travel_setting=setting, turns_setting=None if demand.pitch is None else setting / demand.pitch,
     )  # fmt: skip
     option._made = part
     return option
