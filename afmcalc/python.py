@@ -17,7 +17,8 @@ from .findings import Finding
 from .messages import localized, named, native, say, translate
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
-from .spec.edit import Overrides, apply_overrides, respecified
+from .spec.edit import respecified
+from .spec.read import Overrides, apply_overrides
 
 if TYPE_CHECKING:
     from .analysis.accuracy import AccuracyResult
@@ -239,7 +240,7 @@ class Clutch:
         from .analysis.dossier import dossier
         from .render.report import Subject, render
         from .render.report.title import text_as_given, title_block
-        from .spec.source import Source
+        from .spec.parse import Source
 
         need("report")
         source = self.spec.label if isinstance(self.spec.label, Source) else Source(self.spec.label)
@@ -337,8 +338,8 @@ def loads(text: str, set: Overrides = ()) -> Clutch:
     Raises:
         SpecError: the spec is invalid.
     """
+    from .spec.parse import Source
     from .spec.read import spec_of
-    from .spec.source import Source
 
     return Clutch(spec_of(Source("text", text), set))
 

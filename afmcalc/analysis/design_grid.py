@@ -19,8 +19,9 @@ from ..errors import SpecError
 from ..messages import deferred, say
 from ..progress import tell
 from ..spec import Spec, make_spec, resolved
-from ..spec.edit import put, value_at, with_values, without_replaced
+from ..spec.edit import value_at, with_values, without_replaced
 from ..spec.keys import keys
+from ..spec.read import put
 from ..spec.rules import foreign_keys, given_in, variants_of
 from ..spec.search import MOST, SPRINGS
 

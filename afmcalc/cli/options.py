@@ -43,7 +43,7 @@ QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the fin
 
 def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
     """Check that overrides have a ``=`` before SPEC is read: of ``--set gain 0.7`` the parser takes 0.7 as SPEC."""
-    from ..spec.edit import key_of
+    from ..spec.read import key_of
 
     for override in overrides or ():
         key_of(override)

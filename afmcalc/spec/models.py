@@ -24,8 +24,8 @@ from ..variants import VARIANTS, Variant
 from . import rules
 from .catalogues import Lists, Material, friction_materials, material_named, worst_of
 from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required, rule_error
+from .parse import Source
 from .search import Search, axes_of
-from .source import Source
 from .tolerance import Tolerance, in_si
 
 Coefficient = Annotated[float, Quantity("1", gt=0)]

@@ -19,7 +19,8 @@ from afmcalc.drive.cases import outcome_of
 from afmcalc.engines import build
 from afmcalc.errors import CalculationError, SpecError
 from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.edit import put, value_at
+from afmcalc.spec.edit import value_at
+from afmcalc.spec.read import put
 from afmcalc.spec.tolerance import FRICTION
 
 BASE = {"variant": "conventional", "friction": {"min": 0.1, "mean": 0.2, "max": 0.4},

@@ -16,8 +16,8 @@ from afmcalc.errors import SpecError
 from afmcalc.messages import did_you_mean
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import replaced, respecified
+from afmcalc.spec.parse import Source
 from afmcalc.spec.read import spec_of
-from afmcalc.spec.source import Source
 
 BASE = """\
 variant = "differentiated"
