@@ -128,6 +128,8 @@ def application(arguments: list[str]) -> Any:
         module = import_module(f".{_MODULES[name]}", __package__)
         app.command(name)(getattr(module, f"{name}_" if name == "list" else name))
     program: Any = typer.main.get_command(app)
+    if called and not {"-h", "--help"} & {*arguments}:
+        return program  # whose help is not shown
     foot = say("Options of every command (--set, --json, --lang, …): afmcalc help options")
     for name, command in [("", program), *program.commands.items()]:
         command.help = "\n\n".join(map(translate, paragraphs(command.help)))

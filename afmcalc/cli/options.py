@@ -121,9 +121,9 @@ class Common:
             is_json_spec(save)
         refuse(self.output, beside, save, force=self.force, inputs=sources)
 
-    def bar(self) -> Bar:
-        """Show progress while the block calculates."""
-        return Bar(quiet=self.quiet)
+    def bar(self) -> AbstractContextManager[object]:
+        """Show progress on a terminal while the block calculates."""
+        return nullcontext() if self.quiet or not sys.stderr.isatty() else Bar()
 
     def note(self, text: str) -> None:
         """Print a note on standard error, unless ``--quiet``."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Option
 
-from .. import __version__
+from .. import __version__, progress
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say, spoken
@@ -125,9 +125,9 @@ def _write(common: Common, lay_out: Callable[[], "Document"], *, spec: str | Non
     if target:
         need("pdf", "typst")
     refuse(*dict.fromkeys((output, target)), force=common.force, inputs=[spec])
-    with common.bar() as bar:
+    with common.bar():
         document = lay_out()
-        bar.advance("report", 1, 2 if target else 1)
+        progress.tell("report", 1, 2 if target else 1)
         sheets = b""
         if target:
             from ..render.report.sheets import lacking, print_pdf

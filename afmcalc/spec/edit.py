@@ -7,9 +7,10 @@ from pydantic import BaseModel
 
 from ..equations.arrays import Values
 from ..messages import say
+from ..variants import foreign_keys
 from .models import Spec, resolved
 from .read import make_spec, put
-from .rules import foreign_keys, given_in
+from .rules import given_in
 from .write import written
 
 _REPLACED = {

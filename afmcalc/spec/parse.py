@@ -230,10 +230,10 @@ def check_size(data: object, label: str) -> None:
     for path, depth, value in left:
         texts = [*value] if isinstance(value, dict) else [value] if isinstance(value, str) else []
         if depth > DEEPEST:
-            why, path = too_deep(), ""
-        elif len(left) > MOST_VALUES:
-            why, path = say("has more than {most:,} values", most=MOST_VALUES), ""
-        elif any(len(text) > LONGEST_TEXT for text in texts):
+            raise _refused(label, too_deep())
+        if len(left) > MOST_VALUES:
+            raise _refused(label, say("has more than {most:,} values", most=MOST_VALUES))
+        if any(len(text) > LONGEST_TEXT for text in texts):
             why = say("has more than {most:,} characters", most=LONGEST_TEXT)
         elif any(re.search("[\ud800-\udfff]", text) for text in texts):  # JSON spells them, a shell hands on bytes
             why = say("holds a lone surrogate, which is no character")

@@ -100,7 +100,8 @@ def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -
     if not OLD.isdisjoint(data) and (moved := moved_in(given_in(data))):
         told = ((path, say("is now {place}, in a spec with [search]", place=place)) for path, place in moved.items())
         raise SpecError(source, [Problem(path, None, message) for path, message in told])
-    source.lists = own_lists(data.get("catalogues"))
+    if named := data.get("catalogues"):
+        source.lists = own_lists(named)
     problems, more = [Problem(path, given_at(path, data), message) for path, message in broken], 0
     try:
         spec = Spec.model_validate(dict(data), context=source)

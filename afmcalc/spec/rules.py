@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple, TypeAlias, TypeGuard
 
 from ..messages import deferred, filled, say, say_many
-from ..variants import VARIANTS
+from ..variants import VARIANTS, foreign_keys, special_keys
 from .fields import Broken
 
 Table: TypeAlias = Mapping[str, object]
@@ -133,33 +133,12 @@ def _static_friction(given: Table) -> Iterator[Broken]:
         yield "friction.stribeck_speed", filled(_BESIDE, {"other": "friction.static_ratio"})
 
 
-def _special_keys() -> dict[str, tuple[str, ...]]:
-    """Keys that only some variants have → those variants."""
-    special: dict[str, tuple[str, ...]] = {}
-    for variant in VARIANTS.values():
-        for key in variant.keys:
-            special[key] = (*special.get(key, ()), variant.name)
-    return special
-
-
-def variants_of(path: str) -> tuple[str, ...]:
-    """Variants that have the key at a dotted path; empty when all have."""
-    having = [variants for key, variants in _special_keys().items() if f"{path}.".startswith(f"{key}.")]
-    return min(having, key=len) if having else ()
-
-
-def foreign_keys(given: Table, variant: str) -> list[str]:
-    """Paths that are given and that the variant does not have; a block stands for its keys."""
-    foreign = [path for path, having in _special_keys().items() if path in given and variant not in having]
-    return [path for path in foreign if "." not in path or path.partition(".")[0] not in foreign]
-
-
 def _variant(given: Table) -> Iterator[Broken]:
     name = given.get("variant")
     if not isinstance(name, str) or name not in VARIANTS:
         return
     for path in foreign_keys(given, name):
-        only = ", ".join(_special_keys()[path])
+        only = ", ".join(special_keys()[path])
         yield path, say("not for variant {variant!r}; only for {only}", variant=name, only=only)
     for path in VARIANTS[name].needs + VARIANTS[name].requires:
         table = path.partition(".")[0]

@@ -6,11 +6,12 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from ..variants import foreign_keys
 from .edit import replaced, value_at
 from .keys import keys
 from .models import Spec, resolved
 from .parse import is_json
-from .rules import foreign_keys, given_in
+from .rules import given_in
 from .write import to_toml, value_as_written, written
 
 
