@@ -23,7 +23,7 @@ from ..progress import counted
 from ..spec import Spec
 from ..spec.edit import value_at, with_key, with_values
 from ..spec.keys import scatter_at
-from ..spec.tolerance import FRICTION, Distribution, Kind, Tolerance, percentage
+from ..spec.scatter import FRICTION, Distribution, Kind, Tolerance, percentage
 from .clutch_findings import clutch_findings
 from .drive_result import dynamic_factor
 from .registry import ANALYSES

@@ -3,7 +3,7 @@
 from typing import Any, ClassVar
 
 from ..result import Answer, Result, described, quantity, shown_as
-from ..spec.tolerance import Setting
+from ..spec.scatter import Setting
 
 
 def _error(of: str, figure: Any) -> Any:

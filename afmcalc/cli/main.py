@@ -97,8 +97,10 @@ def _run(given: list[str]) -> int:
 def _called(given: list[str]) -> list[str]:
     """Return a command line without ``help COMMAND``; refuse a former command, and a file without a command."""
     match given:
-        case ["help"]:
+        case ["help" | "-help"]:
             return ["--help"]
+        case ["-v" | "-V" | "version"]:
+            return ["--version"]
         case ["help", name] if name in COMMANDS:
             return [name, "--help"]
         case [name, *_] if name in FORMER:

@@ -10,7 +10,7 @@ from .. import __version__, progress
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say, spoken
-from .files import is_pdf, refuse, write
+from .files import ending_of, refuse, write
 from .options import Common, SpecArgument, common_options, need_drawing
 
 if TYPE_CHECKING:
@@ -115,7 +115,7 @@ def _write(common: Common, lay_out: Callable[[], "Document"], *, spec: str | Non
     from ..render.report.html import page
 
     output, target = common.output, None
-    alone = is_pdf(output)
+    alone = output is not None and ending_of("--output", output, ".html", ".htm", ".pdf", others=True) == ".pdf"
     if alone:
         target = output
     elif pdf:

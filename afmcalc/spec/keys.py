@@ -6,7 +6,7 @@ from functools import cache
 from ..messages import latin, say
 from .fields import Key, Quantity, keys_below
 from .models import Spec
-from .tolerance import scattering
+from .scatter import scattering
 
 ALIASES = {
     "C": "control_unit.gain", "z": "friction_group.pairs", "z1": "friction_group.driving_pairs",

@@ -25,8 +25,8 @@ from . import rules
 from .catalogues import Lists, Material, friction_materials, material_named, worst_of
 from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required, rule_error
 from .parse import Source
+from .scatter import Tolerance, in_si
 from .search import Search, axes_of
-from .tolerance import Tolerance, in_si
 
 Coefficient = Annotated[float, Quantity("1", gt=0)]
 Ratio = Annotated[float, Quantity("1", ge=0)]

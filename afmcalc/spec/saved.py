@@ -36,7 +36,8 @@ def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, folder: str = "
     gone = dict.fromkeys(replaced(spec, changes))
     listed = spec.catalogues.model_dump(exclude_none=True) if spec.catalogues else {}
     lists = {f"catalogues.{name}": os.path.relpath(file, folder or ".") for name, file in listed.items()}
-    values = {**overridden, **gone, **changes, **lists}
+    changed_values = {path: value for path, value in changes.items() if value != value_at(spec, path)}
+    values = {**overridden, **gone, **changed_values, **lists}
     for path, value in values.items():
         _put(document, path, value)
     for path in foreign_keys(given_in(document.unwrap()), changed.variant):
