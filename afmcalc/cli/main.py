@@ -14,6 +14,7 @@ from typer.core import TyperGroup
 from .. import __version__
 from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
 from ..messages import deferred, did_you_mean, say, speaking, translate
+from ..units import table
 from .files import drop_output, prepare, tell
 from .names import Named, names_of
 from .options import COMMON
@@ -22,28 +23,19 @@ Context: TypeAlias = Any
 """Context, formatter and error of the parser behind typer, which has no public names for them."""
 
 PANELS = {
-    "Everyday": {
-        "init": "specs", "check": "specs", "torque": "clutch", "design": "searches", "report": "report",
-        "serve": "serve",
-    },
-    "Questions": {
-        "accuracy": "clutch", "adjust": "clutch", "overload": "clutch", "life": "clutch", "tolerance": "searches",
-        "solve": "searches", "compare": "clutch", "explain": "papers", "plot": "plot",
-    },
-    "Parts and drive": dict.fromkeys(("pocket", "springs", "layout", "simulate", "effects"), "hardware"),
-    "Theory and lists": {"papers": "papers", "handbook": "report", "list": "papers", "schema": "specs"},
-}  # fmt: skip
+    "Everyday": table("init check = specs; torque = clutch; design = searches; report = report; serve = serve"),
+    "Questions": table("""\
+accuracy adjust overload life = clutch; tolerance solve = searches; compare = clutch; explain = papers;
+plot = plot"""),
+    "Parts and drive": table("pocket springs layout simulate effects = hardware"),
+    "Theory and lists": table("papers = papers; handbook = report; list = papers; schema = specs"),
+}
 """Heading in the help → command → module of this package that holds its function."""
 COMMANDS = {name: module for panel in PANELS.values() for name, module in panel.items()}
 _MODULES = COMMANDS | {"help": "main"}
-FORMER = {
-    "synthesize": "pocket",
-    "heat": "simulate",
-    "equations": "papers",
-    "reproduce": "papers --claims",
-    "materials": "list materials",
-    "examples": "list examples",
-}
+FORMER = table("""\
+synthesize = pocket; heat = simulate; equations = papers; reproduce = papers --claims;
+materials = list materials; examples = list examples""")
 """Command of an earlier version → the command in its place."""
 FORMER_OPTIONS = {
     **{f"--{name}": f"--set catalogues.{name}=FILE" for name in ("materials", "discs", "balls")},

@@ -7,33 +7,24 @@ from pydantic import BaseModel
 
 from ..equations.arrays import Values
 from ..messages import say
+from ..units import table
 from ..variants import foreign_keys
 from .models import Spec, resolved
 from .read import make_spec, put
 from .rules import given_in
 from .write import written
 
-_REPLACED = {
-    "control_unit.gain": ("control_unit.wall_angle",),
-    "control_unit.wall_angle": ("control_unit.gain",),
-    "control_unit.gain_slope": ("control_unit.pocket",),
-    "control_unit.pocket": ("control_unit.gain_slope",),
-    "friction_group.mean_radius": (
-        "friction_group.inner_radius", "friction_group.outer_radius", "friction_group.radius_model",
-    ),
-    "closing_spring.force": ("adjustment.nominal_torque",),
-    "adjustment.nominal_torque": ("closing_spring.force", "control_spring.force"),
-    "closing_spring.stiffness": ("closing_spring.disc", "closing_spring.coil"),
-    "control_spring.stiffness": ("control_spring.disc", "control_spring.coil"),
-    "fatigue.polar_section_modulus": ("shaft",),
-    "shaft.diameter": ("fatigue.polar_section_modulus",),
-    **{f"friction.{end}": ("friction.material",) for end in ("min", "mean", "max")},
-    **{
-        f"friction.{group}.{end}": (f"friction.{group}.material",)
-        for group in ("driving", "driven")
-        for end in ("min", "mean", "max")
-    },
-}  # fmt: skip
+_REPLACED = table("""\
+control_unit.gain = control_unit.wall_angle; control_unit.wall_angle = control_unit.gain;
+control_unit.gain_slope = control_unit.pocket; control_unit.pocket = control_unit.gain_slope;
+friction_group.mean_radius = friction_group.inner_radius friction_group.outer_radius friction_group.radius_model;
+closing_spring.force = adjustment.nominal_torque;
+adjustment.nominal_torque = closing_spring.force control_spring.force;
+closing_spring.stiffness = closing_spring.disc closing_spring.coil;
+control_spring.stiffness = control_spring.disc control_spring.coil; fatigue.polar_section_modulus = shaft;
+shaft.diameter = fatigue.polar_section_modulus; friction.min friction.mean friction.max = friction.material;
+friction.driving.min friction.driving.mean friction.driving.max = friction.driving.material;
+friction.driven.min friction.driven.mean friction.driven.max = friction.driven.material""")
 """Key → keys it stands in for: where it is set, they are taken out of the spec."""
 
 M = TypeVar("M", bound=BaseModel)
@@ -53,7 +44,7 @@ def replaced(spec: Spec, paths: Iterable[str]) -> dict[str, str]:
     return {
         other: path
         for path in sorted(given)
-        for other in _REPLACED.get(path, ())
+        for other in _REPLACED.get(path, "").split()
         if other not in given and value_at(spec, other) is not None
     }
 
