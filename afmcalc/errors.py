@@ -51,14 +51,7 @@ class FileError(AfmcalcError):
 
 
 def reason(error: OSError) -> str:
-    """Why a file could not be read or written; where the working directory is gone, which one it was."""
-    import os
-
-    if isinstance(error, FileNotFoundError) and not os.path.isabs(str(error.filename or "")):
-        try:
-            os.getcwd()
-        except FileNotFoundError:
-            return say("the working directory {path} does not exist any more", path=os.environ.get("PWD", "."))
+    """Why a file could not be read or written."""
     return translate(error.strerror or str(error))
 
 

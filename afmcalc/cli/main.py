@@ -212,7 +212,7 @@ def help(
 
 def _common_options() -> Named:
     """Return the options that commands share, each with its help, as the parser has them."""
-    options = [each for each in application(["torque"]).commands["torque"].params if each.name in COMMON]
+    options = [each for each in application(["torque", "--help"]).commands["torque"].params if each.name in COMMON]
     rows = [(f"{', '.join(each.opts)} {each.metavar or ''}", each.help) for each in options]
     return [*rows, ("--lang NAME", translate(LANG))]
 

@@ -46,11 +46,11 @@ class Source(Label):
         return next((by for gone, by in self.overridden.items() if f"{path}.".startswith(f"{gone}.")), "") or self
 
     def place(self, path: str) -> Place | None:
-        """Line of the key at a dotted path; of a missing one, that of the table that lacks it."""
-        if not path or any(f"{path}.".startswith(f"{gone}.") for gone in self.overridden):
+        """Line of the key at a dotted path of a TOML text; of a missing one, that of the table that lacks it."""
+        if not path or is_json(self) or any(f"{path}.".startswith(f"{gone}.") for gone in self.overridden):
             return None
         lines = self.text.split("\n")
-        number = _json_line(self.text, path) if self.text.lstrip()[:1] == "{" else _toml_line(lines, path)
+        number = _toml_line(lines, path)
         return Place(number, lines[number - 1]) if number else None
 
 
@@ -268,15 +268,3 @@ def _toml_line(lines: Iterable[str], path: str) -> int:
 
 def _bare(key: str) -> str:
     return re.sub(r"""["'\s]""", "", key)
-
-
-def _json_line(text: str, path: str) -> int:
-    """Line of the last key of a path that is found, each behind the one before it; 0: none is."""
-    spec = re.search(r'"spec"\s*:', text)
-    at, found = spec.end() if spec else 0, 0
-    for name in path.split("."):
-        match = re.compile(rf'"{re.escape(name)}"\s*:').search(text, at)
-        if match is None:
-            break
-        at, found = match.end(), text.count("\n", 0, match.start()) + 1
-    return found

@@ -58,14 +58,6 @@ def _put(document: Any, path: str, value: Any) -> None:
     if value is None:
         table.pop(name, None)
     else:
-        table[name] = in_units(value, path)
-
-
-def in_units(value: Any, path: str) -> Any:
-    """Return the value of a key as a file has it: with its unit."""
-    if isinstance(value, BaseModel):
-        value = value.model_dump(exclude_none=True)
-    if isinstance(value, Mapping):
-        return written(value, path)
-    key = keys().get(path)
-    return value_as_written(value, key.unit if key else None)
+        key = keys().get(path)
+        value = value.model_dump(exclude_none=True) if isinstance(value, BaseModel) else value
+        table[name] = written(value, path) if isinstance(value, Mapping) else value_as_written(value, key and key.unit)
