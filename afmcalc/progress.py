@@ -1,4 +1,4 @@
-"""How far a calculation is: any loop may tell, and a bar on standard error shows it to whoever waits.
+"""Progress of a calculation: any loop may tell it, and a bar on standard error shows it to whoever waits.
 
 The bar appears where something takes longer than a second; Ctrl-C ends it.
 """

@@ -168,11 +168,15 @@ class Common:
         result, findings = self.ask(clutch, **options)
         return self.emit(result, findings, resolved(clutch.spec))
 
-    def without_clutch(self, analysis: str, *arguments: object, **options: object) -> None:
-        """Run an analysis that reads no spec, and print its result; refuses overrides."""
+    def keep_without_clutch(self) -> None:
+        """Check the options of a command that reads no spec: it has nothing to override."""
         self.keep()
         if self.overrides:
             raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=self.command)
+
+    def without_clutch(self, analysis: str, *arguments: object, **options: object) -> None:
+        """Run an analysis that reads no spec, and print its result."""
+        self.keep_without_clutch()
         self.command = analysis
         self.emit(*self.ask(*arguments, **options))
 
@@ -264,7 +268,7 @@ def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Cal
 
         @wraps(function)
         def command(**arguments: Any) -> None:
-            common = Common(function.__name__, **{name: arguments.pop(name) for name in options})
+            common = Common(function.__name__.rstrip("_"), **{name: arguments.pop(name) for name in options})
             with common.shown():
                 function(**arguments, common=common)
 

@@ -27,7 +27,7 @@ class Disc(NamedTuple):
     printed_force: float | None
     """Force printed in the standard, at ¾ of the cone height, N."""
     source: str = ""
-    """Of a list of one's own."""
+    """Source of a disc of one's own list."""
     designation: str = ""
     """Designation of one's own list, such as by a standard of one's country."""
 

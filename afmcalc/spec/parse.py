@@ -60,7 +60,7 @@ PREFIX = "example:"
 
 
 def _folder() -> Path:
-    """Where the examples are: inside the installed package, or beside it in a checkout."""
+    """Folder of the examples: inside the installed package, or beside it in a checkout."""
     packaged = Path(__file__).parents[1] / "configs"
     return packaged if packaged.is_dir() else Path(__file__).parents[2] / "configs"
 
@@ -89,7 +89,7 @@ MOST_VALUES = 100_000
 DEEPEST = 32
 """Tables and lists inside each other, and parts of a dotted key."""
 MOST_BITS = 1024
-"""Of a whole number: what a real one can hold."""
+"""Bits of a whole number: as many as a real one can hold."""
 _LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){{{DEEPEST}}}"""
 
 

@@ -15,7 +15,6 @@ from ..errors import AfmcalcError, Problem, SpecError
 from ..messages import did_you_mean, say
 from .fields import Broken, keys_below, names_in
 from .keys import elsewhere, names, path_of
-from .lists import own_lists
 from .models import Spec
 from .parse import PREFIX, Source, check_size, is_json, parse, text_of, too_deep
 from .problems import given_at, problems_in
@@ -101,6 +100,8 @@ def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -
         told = ((path, say("is now {place}, in a spec with [search]", place=place)) for path, place in moved.items())
         raise SpecError(source, [Problem(path, None, message) for path, message in told])
     if named := data.get("catalogues"):
+        from .lists import own_lists
+
         source.lists = own_lists(named)
     problems, more = [Problem(path, given_at(path, data), message) for path, message in broken], 0
     try:

@@ -78,7 +78,7 @@ has no effect beside {other}
   - tolerance.fields.closing_spring.stiffness | closing_spring.disc |
   - tolerance.fields.control_spring.stiffness | control_spring.disc |
 """
-"""What is said, and below it: keys that are wrong (-) or wanting (+), keys given beside one, keys not given."""
+"""Message, and below it: keys that are wrong (-) or wanting (+), keys given beside one, keys not given."""
 
 
 def _rules_of(table: str) -> Iterator[KeyRule]:
