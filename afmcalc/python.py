@@ -4,6 +4,7 @@ import os
 import typing
 from collections.abc import Mapping, Sequence
 from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import numpy as np
@@ -18,7 +19,7 @@ from .findings import Finding
 from .messages import localized, named, native, say, translate
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
-from .spec.edit import respecified
+from .spec.edit import respecified, saved
 from .spec.read import Overrides, apply_overrides
 
 if TYPE_CHECKING:
@@ -201,10 +202,6 @@ class Clutch:
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the spec, over a file that exists; comments, order and units of the text it was read from stay."""
-        from pathlib import Path
-
-        from .spec.saved import saved
-
         target = Path(path)
         target.write_text(saved(self.spec, {}, self.spec, str(target.absolute().parent)), encoding="utf-8")
 

@@ -230,7 +230,7 @@ class Common:
     def save_spec(self, spec: "Spec", changes: Mapping[str, Any], changed: "Spec", path: str) -> None:
         """Write a spec with other values of some keys, its comments kept where the file is TOML."""
         from ..spec import resolved
-        from ..spec.saved import saved
+        from ..spec.edit import saved
 
         if is_json_spec(path):
             import json

@@ -1,5 +1,6 @@
-"""A spec with other values of some of its keys."""
+"""A spec with other values of some of its keys, and its text: the one that was read, its comments and order kept."""
 
+import os
 from collections.abc import Iterable, Mapping
 from typing import Any, TypeVar
 
@@ -9,10 +10,12 @@ from ..equations.arrays import Values
 from ..messages import say
 from ..units import table
 from ..variants import foreign_keys
+from .keys import keys
 from .models import Spec, resolved
+from .parse import is_json
 from .read import make_spec, put
 from .rules import given_in
-from .write import written
+from .write import to_toml, value_as_written, written
 
 _REPLACED = table("""\
 control_unit.gain = control_unit.wall_angle; control_unit.wall_angle = control_unit.gain;
@@ -102,3 +105,51 @@ def as_variant(spec: Spec, variant: str) -> Spec:
 def with_nominal_torque(spec: Spec, nominal_torque: float) -> Spec:
     """Return the spec with its spring set for a nominal torque."""
     return with_key(spec, "adjustment.nominal_torque", nominal_torque)
+
+
+def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, folder: str = "") -> str:
+    """Return the text of ``spec`` with other values of some keys.
+
+    What was read as TOML keeps comments, order and the units of what stays; any other text is written anew.
+
+    Args:
+        spec: as it was read.
+        changes: path → value, None for none.
+        changed: the spec with these values.
+        folder: where the text will be: its catalogues are relative to it.
+    """
+    source = spec.label
+    if not source.text or is_json(source):
+        return to_toml(resolved(changed))
+    import tomlkit
+
+    document = tomlkit.parse(source.text)
+    overridden = {path: value_at(changed, path) for path in source.overridden}
+    gone = dict.fromkeys(replaced(spec, changes))
+    listed = spec.catalogues.model_dump(exclude_none=True) if spec.catalogues else {}
+    lists = {f"catalogues.{name}": os.path.relpath(file, folder or ".") for name, file in listed.items()}
+    changed_values = {path: value for path, value in changes.items() if value != value_at(spec, path)}
+    values = {**overridden, **gone, **changed_values, **lists}
+    for path, value in values.items():
+        _put(document, path, value)
+    for path in foreign_keys(given_in(document.unwrap()), changed.variant):
+        _put(document, path, None)
+    return tomlkit.dumps(document).rstrip() + "\n"
+
+
+def _put(document: Any, path: str, value: Any) -> None:
+    """Set a value in a document, or take it out; comments beside it stay."""
+    *blocks, name = path.split(".")
+    table = document
+    for block in blocks:
+        if block not in table:
+            if value is None:
+                return
+            table[block] = {}
+        table = table[block]
+    if value is None:
+        table.pop(name, None)
+    else:
+        key = keys().get(path)
+        value = value.model_dump(exclude_none=True) if isinstance(value, BaseModel) else value
+        table[name] = written(value, path) if isinstance(value, Mapping) else value_as_written(value, key and key.unit)
