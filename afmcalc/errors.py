@@ -40,12 +40,8 @@ class AfmcalcError(Exception):
 
     def __str__(self) -> str:
         """The message in the language of the user, no line of it too long to read."""
-        return _cut(super().__str__())
-
-
-def _cut(text: str) -> str:
-    lines = text.split("\n")
-    return "\n".join(line if len(line) <= LONGEST_LINE else line[: LONGEST_LINE - 1] + "…" for line in lines)
+        lines = super().__str__().split("\n")
+        return "\n".join(line if len(line) <= LONGEST_LINE else f"{line[: LONGEST_LINE - 1]}…" for line in lines)
 
 
 class FileError(AfmcalcError):
@@ -55,14 +51,7 @@ class FileError(AfmcalcError):
 
 
 def reason(error: OSError) -> str:
-    """Why a file could not be read or written; where the working directory is gone, which one it was."""
-    import os
-
-    if isinstance(error, FileNotFoundError) and not os.path.isabs(str(error.filename or "")):
-        try:
-            os.getcwd()
-        except FileNotFoundError:
-            return say("the working directory {path} does not exist any more", path=os.environ.get("PWD", "."))
+    """Why a file could not be read or written."""
     return translate(error.strerror or str(error))
 
 
@@ -201,17 +190,6 @@ class SpecError(AfmcalcError, ValueError):
 
 OPTION, VARIABLE = "--lang", "AFMCALC_LANG"
 _LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
-_OF_WINDOWS = {0x19: "ru"}
-"""Number of a language in Windows, without that of the country → name."""
-
-
-def windows_language() -> str:
-    """Return the language of the texts of Windows; nothing of another system, whose environment tells it."""
-    if sys.platform != "win32":
-        return ""
-    import ctypes
-
-    return _OF_WINDOWS.get(ctypes.windll.kernel32.GetUserDefaultUILanguage() & 0x3FF, "")
 
 
 def chosen_language(
@@ -229,23 +207,19 @@ def chosen_language(
     Raises:
         AfmcalcError: what is asked for is unknown, or its texts are missing.
     """
-    asked = {
-        OPTION: lang, VARIABLE: environment.get(VARIABLE), "": _system_language(environment) or ENGLISH.name,
-    }  # fmt: skip
-    by, name = next((by, name) for by, name in asked.items() if name)
-    if name not in LANGUAGES:
-        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=LANGUAGES)
+    by, asked = (OPTION, lang) if lang else (VARIABLE, environment.get(VARIABLE, ""))
+    if asked and asked not in LANGUAGES:
+        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=asked, languages=LANGUAGES)
+    name = asked or _system_language(environment)
     try:
         return language(name)
     except Exception as error:  # whatever is wrong with the file
         missing = AfmcalcError(
             "the texts of the language {name} cannot be read ({folder}: {file}): install afmcalc anew, "
             "or ask for --lang en",
-            name=name,
-            folder=FOLDER,
-            file=f"{name}.mo",
-        )
-        if by:
+            name=name, folder=FOLDER, file=f"{name}.mo",
+        )  # fmt: skip
+        if asked:
             raise missing from error
         note(str(missing))
         return ENGLISH
@@ -254,10 +228,16 @@ def chosen_language(
 def _system_language(environment: Mapping[str, str]) -> str:
     """Return the language of the system: LANGUAGE, a list, is asked first, but not where the locale is plain C."""
     locale = next(filter(None, map(environment.get, _LOCALE)), "")
-    wanted = [locale] if _short(locale) in ("C", "POSIX") else [*environment.get("LANGUAGE", "").split(":"), locale]
-    wanted = [_short(name) for name in wanted if name] or [windows_language()]
-    return next((name for name in wanted if name in LANGUAGES), "")
+    others = [] if re.match(r"(C|POSIX)\b", locale) else environment.get("LANGUAGE", "").split(":")
+    wanted = [name for name in (*others, locale) if name] or [_windows_locale()]
+    return next((known for name in wanted if (known := re.split("[_.@]", name)[0]) in LANGUAGES), ENGLISH.name)
 
 
-def _short(name: str) -> str:
-    return re.split("[_.@]", name)[0]
+def _windows_locale() -> str:
+    """Return the language of the texts of Windows; nothing of another system, whose environment tells it."""
+    if sys.platform != "win32":
+        return ""
+    import ctypes
+    from locale import windows_locale
+
+    return windows_locale.get(ctypes.windll.kernel32.GetUserDefaultUILanguage(), "")

@@ -16,6 +16,8 @@ from functools import cache
 from gettext import GNUTranslations, NullTranslations
 from typing import Any, SupportsFloat
 
+from .units import in_unit, table, typeset
+
 FOLDER = os.path.join(os.path.dirname(__file__), "locale")
 WRITTEN = {"ru": (",", "\xa0")}
 """Language of those that ship → its decimal sign, and what sets groups of digits apart."""
@@ -50,8 +52,6 @@ class Language(string.Formatter):
             counts = is_number and (number_format or isinstance(value, float))  # a port or a line is no amount
             return self.number(format(value, number_format)) if counts else format(value, number_format)
         assert isinstance(value, SupportsFloat)
-        from .units import in_unit
-
         shown = self.number(format(in_unit(float(value), unit.removesuffix("…")), number_format))
         return f"{shown}…" if unit.endswith("…") else with_unit(shown, self.catalogue.pgettext("unit", unit))
 
@@ -175,8 +175,6 @@ def measured(value: float, unit: str, digits: int = 6) -> str:
     >>> measured(2000.0, "kN"), measured(0.5, "1")
     ('2 kN', '0.5')
     """
-    from .units import typeset
-
     return _current().format_field(value, f".{digits}g {typeset(unit)}")
 
 
@@ -195,15 +193,11 @@ def with_unit(number: str, unit: str) -> str:
     return number if unit in ("", "–") else f"{number}{unit if unit == '°' else f' {unit}'}"
 
 
-_LATIN = {
-    "н": "n", "т": "T", "п": "sp", "ш": "ball", "ц": "c", "д": "dyn", "в": "sh", "р": "s", "cp": "mean", "ср": "pub",
-    "муф": "c", "маш": "m", "дв": "mot", "пуск": "st", "тр": "fr", "зад": "req", "ном": "nom",
-}  # fmt: skip
+_LATIN = table("""\
+н = n; т = T; п = sp; ш = ball; ц = c; д = dyn; в = sh; р = s; cp = mean; ср = pub; муф = c; маш = m; дв = mot;
+пуск = st; тр = fr; зад = req; ном = nom""")
 """Letters of an index of the papers → Latin ones, of the English word that they stand for."""
-_LATIN_OF = {
-    "F_п": "cl", "T_п": "pot", "K_п": "n", "m_п": "st", "T_муф": "exp", "T_маш": "mach",
-    "σ_т": "y", "τ_т": "y",
-}  # fmt: skip
+_LATIN_OF = table("F_п = cl; T_п = pot; K_п = n; m_п = st; T_муф = exp; T_маш = mach; σ_т τ_т = y")
 """The same of a symbol in which they stand for another word."""
 _INDEX_WORD = re.compile(r"[а-яё]+|(?<![^\W\d_])cp(?![^\W\d_])")
 _INDEXED = re.compile(r"(?<![^\W_])[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*")

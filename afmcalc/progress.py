@@ -1,9 +1,8 @@
-"""How far a calculation is: any loop may tell, and a bar on standard error shows it to whoever waits.
+"""Progress of a calculation: any loop may tell it, and a bar on standard error shows it to whoever waits.
 
 The bar appears where something takes longer than a second; Ctrl-C ends it.
 """
 
-import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -47,16 +46,15 @@ def counted(work: str, parts: Sequence[T]) -> Iterator[T]:
 class Bar:
     """Progress with the time left, on a terminal, after the first second; leaves the line clean when it ends."""
 
-    def __init__(self, *, quiet: bool = False) -> None:
+    def __init__(self) -> None:
         """Begin to wait."""
         self._begun = time.monotonic()
-        self._wanted = not quiet and sys.stderr.isatty()
         self._shown: Any = None
         self._tasks: dict[str, Any] = {}
 
     def advance(self, work: str, done: int, total: int) -> None:
         """Show how much of a piece of work is done."""
-        if not self._wanted or time.monotonic() - self._begun < PATIENCE:
+        if time.monotonic() - self._begun < PATIENCE:
             return
         if self._shown is None:
             from rich.console import Console

@@ -1,11 +1,13 @@
 """The calculator from Python: a clutch with a method for each calculation, and answers for notebooks."""
 
-import math
 import os
 import typing
 from collections.abc import Mapping, Sequence
 from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+
+import numpy as np
 
 from . import __version__, engines
 from .analysis.registry import ANALYSES, SpringKind, SpringOrder, StressRule
@@ -17,7 +19,8 @@ from .findings import Finding
 from .messages import localized, named, native, say, translate
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
-from .spec.edit import Overrides, apply_overrides, respecified
+from .spec.edit import respecified, saved
+from .spec.read import Overrides, apply_overrides
 
 if TYPE_CHECKING:
     from .analysis.accuracy_factor import AccuracyResult
@@ -102,8 +105,6 @@ class Clutch:
 
     def history(self, friction: Friction = ()) -> dict[str, Floats]:
         """The event over time as arrays, SI, by name: time, torque_shaft, travel, …; without friction all three."""
-        import numpy as np
-
         from .analysis.simulate import history
 
         moments = [moment.to_dict() for moment in history(self._engine, _pairs(friction)).moments]
@@ -170,12 +171,9 @@ class Clutch:
         """Slip torque, N·m, at a friction or an array of them; without one what the command gives."""
         if friction is None and friction_driven is None:
             return self._ask("torque")
-        driving = driven = _checked(friction)
-        if friction_driven is not None:
-            driven = _checked(friction_driven)
-            same: Any = driving == driven
-            if self.spec.kind.travels and not (same if isinstance(same, bool) else same.all()):
-                raise ValueError(say("an indirect clutch has one friction for all pairs"))
+        driving, driven = _checked(friction), _checked(friction if friction_driven is None else friction_driven)
+        if self.spec.kind.travels and not np.all(driving == driven):
+            raise ValueError(say("an indirect clutch has one friction for all pairs"))
         return self._engine.at_friction(driving, driven)["torque"]
 
     def at(self, case: str = "", /, **values: Any) -> Quantities:
@@ -204,10 +202,6 @@ class Clutch:
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the spec, over a file that exists; comments, order and units of the text it was read from stay."""
-        from pathlib import Path
-
-        from .spec.saved import saved
-
         target = Path(path)
         target.write_text(saved(self.spec, {}, self.spec, str(target.absolute().parent)), encoding="utf-8")
 
@@ -239,10 +233,9 @@ class Clutch:
         from .analysis.dossier import dossier
         from .render.report import Subject, render
         from .render.report.title import text_as_given, title_block
-        from .spec.source import Source
 
         need("report")
-        source = self.spec.label if isinstance(self.spec.label, Source) else Source(self.spec.label)
+        source = self.spec.label
         told, digest = dossier(self.spec, explained=not short), sha256(source.text.encode()).hexdigest()
         given, title = text_as_given(source), title_block(self.spec, {})
         subject = Subject(told, given, title, digest, source, [], __version__, False, short)
@@ -308,22 +301,12 @@ def _rendered(output: Output, name: str) -> str:
 
 def _checked(friction: Any) -> Any:
     """Check a friction, or an array of them."""
-    if isinstance(friction, list | tuple):
-        import numpy as np
-
-        friction = np.asarray(friction, float)
-    if isinstance(friction, int | float) and not isinstance(friction, bool):
-        if 0 <= friction < math.inf:
-            return friction
-    elif hasattr(friction, "dtype"):
-        if friction.dtype.kind not in "fiu":
-            raise ValueError(say("friction must be numbers, not an array of {dtype}", dtype=friction.dtype))
-        if friction.size and not friction.min() >= 0:
-            raise ValueError(say("friction must be at least 0 everywhere"))
-        return friction
-    raise ValueError(
-        say("friction must be a finite number, at least 0, or an array of such; got {value!r}", value=friction)
-    )
+    given = np.asarray(friction)
+    if given.dtype.kind not in "fiu" or not np.all((given >= 0) & (given < np.inf)):
+        raise ValueError(
+            say("friction must be a finite number, at least 0, or an array of such; got {value!r:.80}", value=friction)
+        )
+    return given if given.ndim else friction
 
 
 def _pairs(friction: Friction) -> "list[Pair]":
@@ -337,8 +320,8 @@ def loads(text: str, set: Overrides = ()) -> Clutch:
     Raises:
         SpecError: the spec is invalid.
     """
+    from .spec.parse import Source
     from .spec.read import spec_of
-    from .spec.source import Source
 
     return Clutch(spec_of(Source("text", text), set))
 

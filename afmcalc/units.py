@@ -9,38 +9,37 @@ from typing import NamedTuple
 # An angle and an energy are dimensions of their own, so that 0.1 rad is no coefficient and 200 J is no torque.
 BASES = ("m", "N", "rad", "J", "s", "kg", "K")
 
-PREFIXED = {
-    "m": "1 m", "meter": "1 m", "metre": "1 m", "N": "1 N", "newton": "1 N", "rad": "1 rad", "radian": "1 rad",
-    "J": "1 J", "joule": "1 J", "s": "1 s", "second": "1 s", "g": "1e-3 kg", "gram": "1e-3 kg", "K": "1 K",
-    "kelvin": "1 K", "Pa": "1 N/m^2", "pascal": "1 N/m^2", "bar": "1e5 N/m^2", "W": "1 J/s", "watt": "1 J/s",
-}  # fmt: skip
-PLAIN = {
-    "in": "25.4e-3 m", "inch": "25.4e-3 m", "ft": "0.3048 m", "foot": "0.3048 m", "lbf": "4.4482216152605 N",
-    "kgf": "9.80665 N", "kp": "9.80665 N", "psi": "6894.757293168361336722673445 N/m^2",
-    "ksi": "6894757.293168361336722673445 N/m^2", "rpm": "0.1047197551196597746154214461 rad/s",
-    **dict.fromkeys(("deg", "degree", "°"), "0.01745329251994329576923690768489 rad"),
-    **dict.fromkeys(("rev", "revolution", "U"), "6.283185307179586476925286766559 rad"),
-    "min": "60 s", "minute": "60 s", "h": "3600 s", "hour": "3600 s",
-}  # fmt: skip
-"""Unit → its value in SI; the units of ``PREFIXED`` also take a prefix."""
-PREFIXES = {
-    "k": "1e3", "kilo": "1e3", "M": "1e6", "mega": "1e6", "G": "1e9", "giga": "1e9", "d": "0.1", "deci": "0.1",
-    "c": "0.01", "centi": "0.01", "m": "1e-3", "milli": "1e-3", "u": "1e-6", "µ": "1e-6", "μ": "1e-6", "micro": "1e-6",
-}  # fmt: skip
 
-RUSSIAN = {
-    "м": "m", "Н": "N", "рад": "rad", "Дж": "J", "с": "s", "г": "g", "К": "K", "Па": "Pa", "бар": "bar", "Вт": "W",
-    "град": "deg", "кгс": "kgf", "об": "rev", "мин": "min", "ч": "h",
-}  # fmt: skip
-RUSSIAN_PREFIXES = {"к": "k", "М": "M", "Г": "G", "д": "d", "с": "c", "м": "m", "мк": "u"}
+def table(text: str) -> dict[str, str]:
+    """Names and the value of each, from ``names = value; …``."""
+    rows = (row.split(" = ") for row in re.split(r";\s", text))
+    return {name: value for names, value in rows for name in names.split()}
+
+
+PREFIXED = table("""\
+m meter metre = 1 m; N newton = 1 N; rad radian = 1 rad; J joule = 1 J; s second = 1 s; g gram = 1e-3 kg;
+K kelvin = 1 K; Pa pascal = 1 N/m^2; bar = 1e5 N/m^2; W watt = 1 J/s""")
+PLAIN = table("""\
+in inch = 25.4e-3 m; ft foot = 0.3048 m; lbf = 4.4482216152605 N; kgf kp = 9.80665 N;
+psi = 6894.757293168361336722673445 N/m^2; ksi = 6894757.293168361336722673445 N/m^2;
+rpm = 0.1047197551196597746154214461 rad/s; deg degree ° = 0.01745329251994329576923690768489 rad;
+rev revolution U = 6.283185307179586476925286766559 rad; min minute = 60 s; h hour = 3600 s""")
+"""Unit → its value in SI; the units of ``PREFIXED`` also take a prefix."""
+PREFIXES = table("""\
+k kilo = 1e3; M mega = 1e6; G giga = 1e9; d deci = 0.1; c centi = 0.01; m milli = 1e-3; u µ μ micro = 1e-6""")
+
+RUSSIAN = table("""\
+м = m; Н = N; рад = rad; Дж = J; с = s; г = g; К = K; Па = Pa; бар = bar; Вт = W; град = deg; кгс = kgf;
+об = rev; мин = min; ч = h""")
+RUSSIAN_PREFIXES = table("""\
+к = k; М = M; Г = G; д = d; с = c; м = m; мк = u""")
 
 ZEROS = {"K": Decimal(0), "К": Decimal(0)} | dict.fromkeys(("degC", "°C", "°С"), Decimal("273.15"))
 """Scale of a temperature, in Latin or Cyrillic letters → its zero, K."""
 
-ENGINEER = {
-    "N": "kN", "m": "mm", "m^3": "cm^3", "N/m": "N/mm", "1/m": "1/mm", "rad": "deg", "Pa": "MPa", "J": "kJ", "W": "kW",
-    "J/m^2": "J/mm^2", "W/m^2": "W/mm^2", "N^2/m^2": "N^2/mm^2", "K abs": "degC",
-}  # fmt: skip
+ENGINEER = table("""\
+N = kN; m = mm; m^3 = cm^3; N/m = N/mm; 1/m = 1/mm; rad = deg; Pa = MPa; J = kJ; W = kW; J/m^2 = J/mm^2;
+W/m^2 = W/mm^2; N^2/m^2 = N^2/mm^2""") | {"K abs": "degC"}
 """SI unit → the unit in which engineers read the quantity, where it differs."""
 
 

@@ -3,7 +3,7 @@
 A new variant of a law is one more record in ``VARIANTS``; no other module names a variant.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
@@ -93,3 +93,24 @@ VARIANTS: dict[str, Variant] = {
     )
 }
 """Name in a spec → its record."""
+
+
+def special_keys() -> dict[str, tuple[str, ...]]:
+    """Keys that only some variants have → those variants."""
+    special: dict[str, tuple[str, ...]] = {}
+    for variant in VARIANTS.values():
+        for key in variant.keys:
+            special[key] = (*special.get(key, ()), variant.name)
+    return special
+
+
+def variants_of(path: str) -> tuple[str, ...]:
+    """Variants that have the key at a dotted path; empty when all have."""
+    having = [variants for key, variants in special_keys().items() if f"{path}.".startswith(f"{key}.")]
+    return min(having, key=len) if having else ()
+
+
+def foreign_keys(given: Container[str], variant: str) -> list[str]:
+    """Paths that are given and that the variant does not have; a block stands for its keys."""
+    foreign = [path for path, having in special_keys().items() if path in given and variant not in having]
+    return [path for path in foreign if "." not in path or path.partition(".")[0] not in foreign]

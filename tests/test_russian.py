@@ -91,7 +91,7 @@ def test_the_option_may_stand_anywhere_and_names_a_language_that_there_is():
 
 def test_windows_has_a_setting_of_its_own(monkeypatch):
     monkeypatch.setattr(sys, "platform", "win32")
-    own = ((0x0419, {}, "ru"), (0x0819, {}, "ru"), (0x0409, {}, "en"), (0x0419, {"LANG": "de_DE.UTF-8"}, "en"))
+    own = ((0x0419, {}, "ru"), (0x0409, {}, "en"), (0x0419, {"LANG": "de_DE.UTF-8"}, "en"))
     for number, environment, name in own:
         library = SimpleNamespace(kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda number=number: number))
         monkeypatch.setattr("ctypes.windll", library, raising=False)

@@ -64,14 +64,16 @@ def _tables() -> Iterator[Key]:
     from afmcalc.findings import FINDINGS
     from afmcalc.render.report import words
     from afmcalc.spec.quantity import EXAMPLES
+    from afmcalc.spec.rules import KEY_RULES
     from afmcalc.variants import VARIANTS
 
     tables = (FINDINGS.values(), words.REPORT.values(), map(os.strerror, FAILURES))
     abouts = (kind for kind, _ in EXAMPLES.values()), (plot.about for plot in PLOTS.values())
+    rules = (rule.message for rule in KEY_RULES)
     checks = (text for check in (*CHECKS, *RULES) for text in (check.name, check.symbol))
     sections = [each.section for each in ANALYSES.values() if each.section]
     titles = (text for each in sections for text in (each.title, each.about, *each.conclusion.values()))
-    yield from (("", text) for table in (*tables, *abouts, checks, get_args(Grade), titles) for text in table)
+    yield from (("", text) for table in (*tables, *abouts, rules, checks, get_args(Grade), titles) for text in table)
     yield from (("value", name) for name in VARIANTS)
 
 

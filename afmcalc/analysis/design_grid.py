@@ -19,10 +19,12 @@ from ..errors import SpecError
 from ..messages import deferred, say
 from ..progress import tell
 from ..spec import Spec, make_spec, resolved
-from ..spec.edit import put, value_at, with_values, without_replaced
+from ..spec.edit import value_at, with_values, without_replaced
 from ..spec.keys import keys
-from ..spec.rules import foreign_keys, given_in, variants_of
+from ..spec.read import put
+from ..spec.rules import given_in
 from ..spec.search import MOST, SPRINGS
+from ..variants import foreign_keys, variants_of
 
 Numbers = NDArray[np.float64]
 Mask = NDArray[np.bool_]

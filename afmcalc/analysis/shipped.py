@@ -6,9 +6,9 @@ from typing import Any, TypeVar
 
 from ..findings import Finding
 from ..result import Answer, Result, described, quantity
-from ..spec.catalogues import Disc, Material, friction_materials
+from ..spec.catalogues import Disc, Material, ball_designation, friction_materials
+from ..spec.catalogues import balls as standard_balls
 from ..spec.catalogues import discs as standard_discs
-from ..spec.lists import ball_designation, diameters
 from ..spec.parse import example_names, example_text
 
 R = TypeVar("R", bound=Result)
@@ -109,5 +109,5 @@ class BallsResult(Answer):
 
 def balls(listed: Sequence[float] | None = None) -> tuple[BallsResult, list[Finding]]:
     """List the ball diameters that ship, or one's own."""
-    sizes = listed or diameters()
+    sizes = listed or standard_balls()
     return BallsResult(balls=[BallRow(diameter=size, designation=ball_designation(size)) for size in sizes]), []

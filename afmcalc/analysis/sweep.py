@@ -22,7 +22,7 @@ from ..spec.keys import ALIASES, elsewhere, is_whole, keys, names, path_of
 from ..spec.models import FrictionRange
 from ..spec.quantity import asked_unit, parse_quantity
 from ..spec.removed import instead_of
-from ..spec.rules import variants_of
+from ..variants import variants_of
 
 MOST_POINTS = 200_000
 """Points of a sweep: its answers take 0.3 GB then."""

@@ -14,8 +14,8 @@ from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, described, quantity
 from ..spec import Spec
+from ..spec.catalogues import ball_designation
 from ..spec.edit import with_key
-from ..spec.lists import ball_designation
 from ..spec.models import ControlUnit
 from .asking import Asking, answer, asked
 from .clutch_findings import clutch_findings

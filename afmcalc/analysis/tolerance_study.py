@@ -24,7 +24,7 @@ from ..result import Answer, Result, described, quantity, shown_as
 from ..spec import Spec
 from ..spec.edit import value_at, with_key, with_nominal_torque, with_values
 from ..spec.keys import scatter_at
-from ..spec.tolerance import FRICTION, Distribution, Kind, Setting, Tolerance, percentage
+from ..spec.scatter import FRICTION, Distribution, Kind, Setting, Tolerance, percentage
 from .clutch_findings import clutch_findings
 from .drive_result import dynamic_factor
 from .registry import ANALYSES

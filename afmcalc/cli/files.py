@@ -1,7 +1,5 @@
 """Output: the standard streams, and files that are either whole or untouched; no file that exists is lost."""
 
-import errno
-import io
 import os
 import sys
 from collections.abc import Iterable
@@ -9,7 +7,7 @@ from contextlib import suppress
 from itertools import combinations
 
 from ..errors import LONGEST_LINE, AfmcalcError, FileError, reason
-from ..messages import is_unicode, printable, say
+from ..messages import is_unicode, printable
 
 _FORMATS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
@@ -22,7 +20,7 @@ def format_of(output: str | None, asked: str | None) -> str:
     if ending in _OTHERS:
         raise AfmcalcError(
             "--output {output}: a result is written as .txt, .json, .csv or .md "
-            "(afmcalc report writes HTML and PDF, afmcalc plot pictures)",
+            "(--save writes a spec, afmcalc report HTML and PDF, afmcalc plot pictures)",
             output=output,
         )
     named = _FORMATS.get(ending)
@@ -36,31 +34,22 @@ def format_of(output: str | None, asked: str | None) -> str:
     return asked or named or "table"
 
 
-def is_json_spec(output: str) -> bool:
+def ending_of(option: str, path: str | None, *kinds: str, others: bool = False) -> str:
+    """Return the ending of a file, one of ``kinds``; with ``others`` also one that names no other kind of file."""
+    ending = _ending(path)
+    if ending not in kinds and (not others or ending in {*_FORMATS, *_OTHERS}):
+        raise AfmcalcError("{option} {path}: end it in {kinds}", option=option, path=path, kinds=kinds)
+    return ending
+
+
+def is_json_spec(path: str) -> bool:
     """Return whether a file that gets a spec is JSON, by its name, not TOML; refuse another ending."""
-    ending = _ending(output)
-    if ending in {*_FORMATS, *_OTHERS} - {".toml", ".json"}:
-        raise AfmcalcError("--save {output}: it gets a spec: .toml or .json", output=output)
-    return ending == ".json"
-
-
-def is_pdf(output: str | None) -> bool:
-    """True if a page goes to a PDF alone, by its name; refuse a name that says it is neither that nor HTML."""
-    if _ending(output) in {*_FORMATS, *_OTHERS} - {".html", ".htm", ".pdf"}:
-        raise AfmcalcError("--output {output}: this page is HTML or PDF; end it in .html or .pdf", output=output)
-    return _ending(output) == ".pdf"
+    return ending_of("--save", path, ".toml", ".json", others=True) == ".json"
 
 
 def picture_of(output: str | None, *kinds: str) -> str:
     """Return the kind of picture that goes to a file, by its name, SVG to standard output; refuse others than kinds."""
-    if output in (None, "-"):
-        return "svg"
-    ending = _ending(output).removeprefix(".")
-    if ending not in kinds:
-        raise AfmcalcError(
-            "--output {output}: end it in {kinds}", output=output, kinds=", ".join(f".{kind}" for kind in kinds)
-        )
-    return ending
+    return "svg" if output in (None, "-") else ending_of("--output", output, *(f".{kind}" for kind in kinds))[1:]
 
 
 def is_drawing(output: str | None) -> bool:
@@ -114,67 +103,42 @@ def write_file(path: str, content: bytes, *, force: bool = False) -> None:
     """
     try:
         target = os.path.realpath(path)
-        if os.path.exists(target) and not os.path.isfile(target):
-            with open(path, "wb") as file:
+        if os.path.islink(target):
+            os.stat(target)  # links in a circle are an error
+        if os.path.exists(target) and not os.path.isfile(target):  # a device
+            with open(target, "wb") as file:
                 file.write(content)
-            return
-        created = _create(target)
-        if not (created or force):
-            raise _exists(path)
-        _replace(target, content, created=created)
+        else:
+            _write_whole(target, content, force=force)
+    except FileExistsError:
+        raise _exists(path) from None
     except OSError as error:
         raise FileError("{path}: cannot be written: {why}", path=path, why=reason(error)) from None
 
 
-def _create(target: str) -> bool:
-    """Create an empty file, and return whether it was not there: of several programs at once one creates it."""
-    if os.path.islink(target):
-        # links that lead to each other: replacing one would hide the fault
-        os.stat(target)
-    try:
-        open(target, "xb").close()
-    except FileExistsError:
-        return False
-    return True
+def _write_whole(target: str, content: bytes, *, force: bool) -> None:
+    """Write a file beside its place, then move it there at once."""
+    from tempfile import TemporaryDirectory
 
-
-def _replace(target: str, content: bytes, *, created: bool) -> None:
-    """Replace a file at once, by way of a temporary one beside it; one just created goes where that fails."""
-    import tempfile
-
-    temporary = ""
-    try:
-        handle, temporary = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".afmcalc-")
-        with os.fdopen(handle, "wb") as file:
+    with TemporaryDirectory(dir=os.path.dirname(target), prefix=".afmcalc-") as folder:
+        whole = os.path.join(folder, "whole")
+        with open(whole, "wb") as file:
             file.write(content)
-        os.chmod(temporary, os.stat(target).st_mode & 0o777)
-        os.replace(temporary, target)
-    except BaseException:
-        for path in (temporary, target if created else ""):
-            with suppress(OSError):
-                os.unlink(path)
-        raise
-
-
-class _Closed(io.TextIOBase):
-    """Standard output that was closed: an error when something is written, and not before."""
-
-    def __init__(self) -> None:
-        # takes the place of the closed one: a file opened later would get its number
-        self._place = open(os.devnull, "rb")  # noqa: SIM115
-
-    def write(self, text: str) -> int:
-        """Refuse."""
-        raise OSError(errno.EBADF, say("it is closed"))
-
-    def fileno(self) -> int:
-        """Return the number of the place."""
-        return self._place.fileno()
+        if not force:
+            open(target, "xb").close()  # of several programs at once one creates it
+        try:
+            if os.path.exists(target):
+                os.chmod(whole, os.stat(target).st_mode & 0o777)
+            os.replace(whole, target)
+        except BaseException:
+            if not force:
+                os.unlink(target)
+            raise
 
 
 def prepare() -> None:
     """Let no stream fail because it is closed, or lacks a letter."""
-    sys.stdout = sys.stdout or _Closed()
+    sys.stdout = sys.stdout or open(os.devnull, encoding="utf-8")  # noqa: SIM115  # to write to it is an error
     sys.stderr = sys.stderr or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if reconfigure := getattr(stream, "reconfigure", None):

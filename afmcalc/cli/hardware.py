@@ -1,6 +1,6 @@
 """Commands about parts and drive: pockets and balls, springs, the layout, what happens when the clutch trips."""
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
@@ -14,7 +14,6 @@ from .options import Common, SaveOption, SpecArgument, with_common
 if TYPE_CHECKING:
     from ..analysis.torque import Pair
     from ..engines import Clutch
-    from ..spec import Spec
 
 
 @with_common
@@ -32,7 +31,7 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
 
     clutch, drawing = _clutch(common, spec, "svg", "dxf", save=save)
     if drawing:
-        _draw_pocket(clutch, drawing, common)
+        _draw(clutch, drawing, common)
         if not save:
             return
         result = common.ask(clutch)[0]
@@ -59,35 +58,29 @@ def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = No
     return clutch, drawing
 
 
-def _draw_pocket(clutch: "Clutch", kind: str, common: Common) -> None:
-    """Write the pocket in true millimetres, a sheet for the shop."""
+def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
+    """Write a drawing to scale: the pocket in true millimetres for the shop, or the section with its part list."""
     from ..analysis.asking import Answers
-    from ..analysis.plot_data import Request, shop_drawing_of
+    from ..analysis.plot_data import Request, gathered, shop_drawing_of
     from ..render import shop
     from ..render.dxf import dxf
     from ..render.svg import svg
 
-    with common.bar():
-        drawing = shop.pocket(shop_drawing_of("pocket", Request([Answers(clutch)])))
-        content = dxf(drawing) if kind == "dxf" else svg(drawing).encode()
-    common.save(content, common.output or "")
-
-
-def _draw_section(clutch: "Clutch", kind: str, common: Common) -> None:
-    """Write the section of a clutch, with its part list, to scale."""
-    from ..analysis.asking import Answers
-    from ..analysis.plot_data import Request, gathered
-    from ..render import shop
-    from ..render.dxf import dxf
-    from ..render.plot import sheet_of
-    from ..render.plot.figure import save
-
     if kind == "pdf":
         need("plot")
         need("pdf", "typst")
+    request = Request([Answers(clutch)])
     with common.bar():
-        section = gathered("section", Request([Answers(clutch)]))
-        content = dxf(shop.section(section, clutch.spec)) if kind == "dxf" else save(sheet_of("section", section), kind)
+        if common.command == "pocket":
+            drawing = shop.pocket(shop_drawing_of("pocket", request))
+            content = dxf(drawing) if kind == "dxf" else svg(drawing).encode()
+        else:
+            from ..render.plot import sheet_of
+            from ..render.plot.figure import save
+
+            section = gathered("section", request)
+            sheet = sheet_of("section", section)
+            content = dxf(shop.section(section, clutch.spec)) if kind == "dxf" else save(sheet, kind)
     common.save(content, common.output or "")
 
 
@@ -104,7 +97,7 @@ def layout(spec: SpecArgument = None, *, common: Common) -> None:
     """  # noqa: D301
     clutch, drawing = _clutch(common, spec, "svg", "dxf", "pdf")
     if drawing:
-        _draw_section(clutch, drawing, common)
+        _draw(clutch, drawing, common)
     else:
         common.calculate(clutch)
 
@@ -132,7 +125,7 @@ def springs(
     """Disc stacks and coil springs that give the forces and stiffnesses of a clutch, within the room there is.
 
     What [closing_spring.room] and [control_spring.room] leave open is what the parts within [envelope] leave. With
-    --save the spec with the springs is checked; the keys changed and the verdict are told.
+    --save the spec with the springs is checked, and the verdict told.
 
     \b
     afmcalc springs clutch.toml --sort wear --kind disc
@@ -154,32 +147,18 @@ def springs(
     changes, sprung = picked(clutch, result, pick)
     common.emit(result, findings, resolved(sprung))
     if save:
-        _save_sprung(clutch.spec, changes, sprung, save, common)
+        from ..analysis.check import check
+        from ..engines import build
+        from ..spec.edit import in_units, value_at
 
-
-def _save_sprung(spec: "Spec", changes: dict[str, Any], sprung: "Spec", path: str, common: Common) -> None:
-    """Write a spec with its springs, and tell what changed and what a check of it says."""
-    from ..analysis.check import check
-    from ..engines import build
-    from ..spec.edit import value_at
-
-    common.save_spec(spec, changes, sprung, path)
-    for key, value in changes.items():
-        if value != (before := value_at(spec, key)):
-            common.note(say("{key}: {before} → {value}", key=key, before=_shown(before, key), value=_shown(value, key)))
-    with common.bar():
-        verdict = check(build(sprung))[0].verdict
-    common.note(verdict.sentence)
-
-
-def _shown(value: Any, key: str) -> str:
-    """Return a value of a spec as a file has it, on one line."""
-    from ..spec.saved import in_units
-
-    if value is None:
-        return "–"
-    told = in_units(value.model_dump(exclude_none=True) if hasattr(value, "model_dump") else value, key)
-    return ", ".join(f"{name} {each}" for name, each in told.items()) if isinstance(told, dict) else str(told)
+        common.save_spec(clutch.spec, changes, sprung, save)
+        for key, value in changes.items():
+            if value != (before := value_at(clutch.spec, key)):
+                before, after = ("–" if one is None else in_units(one, key) for one in (before, value))
+                common.note(say("{key}: {before} → {value}", key=key, before=before, value=after))
+        with common.bar():
+            verdict = check(build(sprung))[0].verdict
+        common.note(verdict.sentence)
 
 
 HistoryOption = Annotated[

@@ -14,6 +14,7 @@ from typer.core import TyperGroup
 from .. import __version__
 from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
 from ..messages import deferred, did_you_mean, say, speaking, translate
+from ..units import table
 from .files import drop_output, prepare, tell
 from .names import Named, names_of
 from .options import COMMON
@@ -22,28 +23,19 @@ Context: TypeAlias = Any
 """Context, formatter and error of the parser behind typer, which has no public names for them."""
 
 PANELS = {
-    "Everyday": {
-        "init": "specs", "check": "specs", "torque": "clutch", "design": "searches", "report": "report",
-        "serve": "serve",
-    },
-    "Questions": {
-        "accuracy": "clutch", "adjust": "clutch", "overload": "clutch", "life": "clutch", "tolerance": "searches",
-        "solve": "searches", "compare": "clutch", "explain": "papers", "plot": "plot",
-    },
-    "Parts and drive": dict.fromkeys(("pocket", "springs", "layout", "simulate", "effects"), "hardware"),
-    "Theory and lists": {"papers": "papers", "handbook": "report", "list": "papers", "schema": "specs"},
-}  # fmt: skip
+    "Everyday": table("init check = specs; torque = clutch; design = searches; report = report; serve = serve"),
+    "Questions": table("""\
+accuracy adjust overload life = clutch; tolerance solve = searches; compare = clutch; explain = papers;
+plot = plot"""),
+    "Parts and drive": table("pocket springs layout simulate effects = hardware"),
+    "Theory and lists": table("papers = papers; handbook = report; list = papers; schema = specs"),
+}
 """Heading in the help → command → module of this package that holds its function."""
 COMMANDS = {name: module for panel in PANELS.values() for name, module in panel.items()}
 _MODULES = COMMANDS | {"help": "main"}
-FORMER = {
-    "synthesize": "pocket",
-    "heat": "simulate",
-    "equations": "papers",
-    "reproduce": "papers --claims",
-    "materials": "list materials",
-    "examples": "list examples",
-}
+FORMER = table("""\
+synthesize = pocket; heat = simulate; equations = papers; reproduce = papers --claims;
+materials = list materials; examples = list examples""")
 """Command of an earlier version → the command in its place."""
 FORMER_OPTIONS = {
     **{f"--{name}": f"--set catalogues.{name}=FILE" for name in ("materials", "discs", "balls")},
@@ -97,8 +89,10 @@ def _run(given: list[str]) -> int:
 def _called(given: list[str]) -> list[str]:
     """Return a command line without ``help COMMAND``; refuse a former command, and a file without a command."""
     match given:
-        case ["help"]:
+        case ["help" | "-help"]:
             return ["--help"]
+        case ["-v" | "-V" | "version"]:
+            return ["--version"]
         case ["help", name] if name in COMMANDS:
             return [name, "--help"]
         case [name, *_] if name in FORMER:
@@ -128,6 +122,8 @@ def application(arguments: list[str]) -> Any:
         module = import_module(f".{_MODULES[name]}", __package__)
         app.command(name)(getattr(module, f"{name}_" if name == "list" else name))
     program: Any = typer.main.get_command(app)
+    if called and not {"-h", "--help"} & {*arguments}:
+        return program  # whose help is not shown
     foot = say("Options of every command (--set, --json, --lang, …): afmcalc help options")
     for name, command in [("", program), *program.commands.items()]:
         command.help = "\n\n".join(map(translate, paragraphs(command.help)))
@@ -216,7 +212,7 @@ def help(
 
 def _common_options() -> Named:
     """Return the options that commands share, each with its help, as the parser has them."""
-    options = [each for each in application(["torque"]).commands["torque"].params if each.name in COMMON]
+    options = [each for each in application(["torque", "--help"]).commands["torque"].params if each.name in COMMON]
     rows = [(f"{', '.join(each.opts)} {each.metavar or ''}", each.help) for each in options]
     return [*rows, ("--lang NAME", translate(LANG))]
 

@@ -43,7 +43,7 @@ QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the fin
 
 def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
     """Check that overrides have a ``=`` before SPEC is read: of ``--set gain 0.7`` the parser takes 0.7 as SPEC."""
-    from ..spec.edit import key_of
+    from ..spec.read import key_of
 
     for override in overrides or ():
         key_of(override)
@@ -121,9 +121,9 @@ class Common:
             is_json_spec(save)
         refuse(self.output, beside, save, force=self.force, inputs=sources)
 
-    def bar(self) -> Bar:
-        """Show progress while the block calculates."""
-        return Bar(quiet=self.quiet)
+    def bar(self) -> AbstractContextManager[object]:
+        """Show progress on a terminal while the block calculates."""
+        return nullcontext() if self.quiet or not sys.stderr.isatty() else Bar()
 
     def note(self, text: str) -> None:
         """Print a note on standard error, unless ``--quiet``."""
@@ -168,11 +168,15 @@ class Common:
         result, findings = self.ask(clutch, **options)
         return self.emit(result, findings, resolved(clutch.spec))
 
-    def without_clutch(self, analysis: str, *arguments: object, **options: object) -> None:
-        """Run an analysis that reads no spec, and print its result; refuses overrides."""
+    def keep_without_clutch(self) -> None:
+        """Check the options of a command that reads no spec: it has nothing to override."""
         self.keep()
         if self.overrides:
             raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=self.command)
+
+    def without_clutch(self, analysis: str, *arguments: object, **options: object) -> None:
+        """Run an analysis that reads no spec, and print its result."""
+        self.keep_without_clutch()
         self.command = analysis
         self.emit(*self.ask(*arguments, **options))
 
@@ -226,7 +230,7 @@ class Common:
     def save_spec(self, spec: "Spec", changes: Mapping[str, Any], changed: "Spec", path: str) -> None:
         """Write a spec with other values of some keys, its comments kept where the file is TOML."""
         from ..spec import resolved
-        from ..spec.saved import saved
+        from ..spec.edit import saved
 
         if is_json_spec(path):
             import json
@@ -264,7 +268,7 @@ def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Cal
 
         @wraps(function)
         def command(**arguments: Any) -> None:
-            common = Common(function.__name__, **{name: arguments.pop(name) for name in options})
+            common = Common(function.__name__.rstrip("_"), **{name: arguments.pop(name) for name in options})
             with common.shown():
                 function(**arguments, common=common)
 

@@ -110,9 +110,7 @@ def list_(
             return
         from ..spec.parse import example_text
 
-        if common.overrides:
-            raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name="list examples")
-        common.keep()
+        common.keep_without_clutch()
         write(example_text(name.removeprefix("example:")), common.output, force=common.force, utf8=True)
         return
     common.keep(name)

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Option
 
-from .. import __version__
+from .. import __version__, progress
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say, spoken
-from .files import is_pdf, refuse, write
+from .files import ending_of, refuse, write
 from .options import Common, SpecArgument, common_options, need_drawing
 
 if TYPE_CHECKING:
@@ -115,7 +115,7 @@ def _write(common: Common, lay_out: Callable[[], "Document"], *, spec: str | Non
     from ..render.report.html import page
 
     output, target = common.output, None
-    alone = is_pdf(output)
+    alone = output is not None and ending_of("--output", output, ".html", ".htm", ".pdf", others=True) == ".pdf"
     if alone:
         target = output
     elif pdf:
@@ -125,9 +125,9 @@ def _write(common: Common, lay_out: Callable[[], "Document"], *, spec: str | Non
     if target:
         need("pdf", "typst")
     refuse(*dict.fromkeys((output, target)), force=common.force, inputs=[spec])
-    with common.bar() as bar:
+    with common.bar():
         document = lay_out()
-        bar.advance("report", 1, 2 if target else 1)
+        progress.tell("report", 1, 2 if target else 1)
         sheets = b""
         if target:
             from ..render.report.sheets import lacking, print_pdf

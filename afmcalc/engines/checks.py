@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, cast
 from ..equations.arrays import is_array
 from ..findings import FINDINGS, Finding, Level, finding
 from ..messages import measured, translate
+from ..spec.catalogues import balls
 from ..spec.keys import keys
-from ..spec.lists import diameters
 from ..units import ENGINEER, ZEROS
 
 if TYPE_CHECKING:
@@ -241,7 +241,7 @@ def _stated(spec: "Spec", check: Check) -> Iterator[Check]:
     if check.requirement:
         yield from _required(spec, check, check.requirement)
     elif check.code == "no-standard-ball":
-        yield check._replace(limit=max(spec.lists.balls or diameters()))
+        yield check._replace(limit=max(spec.lists.balls or balls()))
     elif check.topic == "layout":
         room = getattr(spec.envelope, (check.path or "").rpartition(".")[2], None)
         yield from [] if room is None else [check._replace(limit=room)]

@@ -22,7 +22,7 @@ from ..equations import (
 )
 from ..equations.arrays import is_array, larger, smaller
 from ..messages import say
-from ..spec.lists import diameters
+from ..spec.catalogues import balls
 from ..variants import VARIANTS, Variant
 from .quantities import Case, Laws, Quantities
 
@@ -196,7 +196,7 @@ def given(spec: "Spec") -> dict[str, Any]:
             found |= {name: value for key, name in names.items() if (value := getattr(block, key)) is not None}
     found |= dict(_materials(spec))
     if "ball_circle_radius" in found:
-        found["balls_listed"] = tuple(spec.lists.balls or diameters())
+        found["balls_listed"] = tuple(spec.lists.balls or balls())
     slope = found.get("gain_slope")
     if slope is not None and not (slope.any() if is_array(slope) else slope):
         del found["gain_slope"]  # a straight wall

@@ -1,13 +1,16 @@
-"""Catalogues of bought parts: disc springs of DIN EN 16983 and friction materials, each with its source."""
+"""Catalogues that ship: disc springs of DIN EN 16983, balls of ISO 3290-1, friction materials with their sources."""
 
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from csv import reader
+from decimal import Decimal
 from functools import cache
 from importlib.resources import files
 from itertools import islice
 from typing import Any, NamedTuple
+
+from ..messages import say
 
 
 class Disc(NamedTuple):
@@ -24,7 +27,7 @@ class Disc(NamedTuple):
     printed_force: float | None
     """Force printed in the standard, at ¾ of the cone height, N."""
     source: str = ""
-    """Of a list of one's own."""
+    """Source of a disc of one's own list."""
     designation: str = ""
     """Designation of one's own list, such as by a standard of one's country."""
 
@@ -56,6 +59,21 @@ def discs() -> tuple[Disc, ...]:
         outer, inner, thickness, reduced, height = (float(f"{mm or 0}e-3") for mm in lengths)
         discs.append(Disc(series, outer, inner, thickness, reduced or None, height, float(force) if force else None))
     return tuple(discs)
+
+
+@cache
+def balls() -> tuple[float, ...]:
+    """Nominal diameters of balls by ISO 3290-1 in ascending order, m."""
+    text = files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8")
+    return tuple(sorted(float(line) / 1000 for line in text.splitlines() if line[:1].isdigit()))
+
+
+def ball_designation(diameter: float) -> str | None:
+    """Designation of a ball, but for its grade; None of a size that is no standard one."""
+    # inch sizes to three decimals, in specs as in lists of balls: 11.1125 is 11.112, 20.6375 is 20.638
+    sizes = (float(Decimal(f"{size * 1e3:.9g}").quantize(Decimal("0.001"))) for size in balls())
+    size = next((size for size in sizes if abs(diameter * 1e3 - size) < 1e-3), None)
+    return None if size is None else say("ball {diameter:.6g} mm, ISO 3290-1", diameter=size)
 
 
 class Material(NamedTuple):

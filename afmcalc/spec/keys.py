@@ -4,18 +4,18 @@ from collections import Counter
 from functools import cache
 
 from ..messages import latin, say
+from ..units import table
 from .fields import Key, Quantity, keys_below
 from .models import Spec
-from .tolerance import scattering
+from .scatter import scattering
 
-ALIASES = {
-    "C": "control_unit.gain", "z": "friction_group.pairs", "z1": "friction_group.driving_pairs",
-    "R": "friction_group.mean_radius", "F": "closing_spring.force", "f_min": "friction.min", "f_cp": "friction.mean",
-    "f_mean": "friction.mean", "f_max": "friction.max", "c1": "closing_spring.stiffness",
-    "c2": "control_spring.stiffness", "beta": "adjustment.margin", "T_n": "adjustment.nominal_torque",
-    "r": "control_unit.ball_circle_radius", "alpha": "control_unit.wall_angle", "f1": "control_unit.key_friction",
-    "d": "control_unit.hub_diameter", "gain_slope": "control_unit.gain_slope", "speed": "drive.speed",
-}  # fmt: skip
+ALIASES = table("""\
+C = control_unit.gain; z = friction_group.pairs; z1 = friction_group.driving_pairs;
+R = friction_group.mean_radius; F = closing_spring.force; f_min = friction.min; f_cp f_mean = friction.mean;
+f_max = friction.max; c1 = closing_spring.stiffness; c2 = control_spring.stiffness; beta = adjustment.margin;
+T_n = adjustment.nominal_torque; r = control_unit.ball_circle_radius; alpha = control_unit.wall_angle;
+f1 = control_unit.key_friction; d = control_unit.hub_diameter; gain_slope = control_unit.gain_slope;
+speed = drive.speed""")
 """Symbols that stand for a path on the command line."""
 
 

@@ -1,13 +1,8 @@
 """Lists of one's own in the place of those that ship: friction materials, disc springs, balls; TOML or CSV."""
 
-import math
 import re
-import sys
 from collections.abc import Iterable, Iterator, Mapping
 from csv import DictReader
-from decimal import Decimal
-from functools import cache
-from importlib.resources import files
 from os import PathLike
 from typing import Annotated, Any, Literal, TypeVar
 
@@ -18,10 +13,9 @@ from ..messages import say
 from .catalogues import Disc, Lists, Material, plain
 from .fields import Broken, Key, Name, Quantity, RuledBlock, key, keys_below, required
 from .models import Coefficient, DiscSpring, Stress
-from .parse import check_size, text_of, toml_of
+from .parse import Source, check_size, text_of, toml_of
 from .problems import problems_in
 from .quantity import parse_quantity
-from .source import Source
 
 Celsius = Annotated[float, Quantity("K abs", gt=0), AfterValidator(lambda kelvin: round(kelvin - 273.15, 6))]
 Names = Annotated[
@@ -85,8 +79,7 @@ def _rows(source: Source, table: str, model: type[R]) -> Iterator[R]:
     """Read the rows of a list, TOML or CSV."""
     given: list[tuple[str, Mapping[str, object]]] = []
     if source.lower().endswith(".csv"):
-        lines = [line for line in source.text.splitlines() if line.strip() and not line.startswith("#")]
-        given = [(row.pop("name", ""), row) for row in DictReader(lines, restkey="", restval="")]
+        given = [(row.pop("name", ""), row) for row in DictReader(_lines(source), restkey="", restval="")]
     else:
         data = toml_of(source)
         check_size(data, source)
@@ -133,80 +126,42 @@ def _columns(cells: Mapping[str, object], keys: Mapping[str, Key]) -> Iterator[t
             yield column, float(text) if number else text if isinstance(cell, str) else cell
 
 
-def diameters(source: str | PathLike[str] | None = None) -> list[float]:
-    """Standard ball diameters in ascending order, m.
-
-    Source: ISO 3290-1, nominal diameters, for the list that ships.
-
-    Args:
-        source: TOML file with ``diameters = […]`` in mm (or strings with units), or CSV file (named ``….csv``) with the
-            heading ``diameter_mm`` and one diameter a line; None for the list that ships.
+def balls(file: str | PathLike[str]) -> list[float]:
+    """Ball diameters of a file in ascending order, m; numbers are in mm.
 
     Raises:
         FileError: the file cannot be read.
         AfmcalcError: the file is no such list.
     """
-    if source is None:
-        return [*_standard_balls()]
-    label = text_of(source)
-    if label.lower().endswith(".csv"):
-        return sorted(_of_csv(label))
-    data = toml_of(label)
-    check_size(data, label)
-    listed = data.get("diameters")
+    source = text_of(file)
+    listed: object
+    if source.lower().endswith(".csv"):
+        heading, *cells = [line.strip() for line in _lines(source)] or [""]
+        listed = [float(cell) if re.fullmatch(r"[\d.]+", cell) else cell for cell in cells if heading == "diameter_mm"]
+    else:
+        listed = toml_of(source).get("diameters")
     if not isinstance(listed, list) or not listed:
         raise AfmcalcError(
-            "{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=label
-        )
-    return sorted(_diameter(item, label) for item in listed)
-
-
-@cache
-def _standard_balls() -> list[float]:
-    text = files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8")
-    return sorted(_of_csv(Source("balls.csv", text)))
-
-
-def _of_csv(source: Source) -> list[float]:
-    lines = [line.strip() for line in source.text.splitlines()]
-    heading, *cells = [line for line in lines if line and not line.startswith("#")] or [""]
-    if heading != "diameter_mm" or not cells:
-        raise AfmcalcError(
-            "{label}: must begin with the heading {heading}, then one ball diameter in mm a line",
+            "{label}: is no list of balls: TOML has diameters = [5, 6, 6.35] in mm, CSV the heading diameter_mm "
+            "and a line for each",
             label=source,
-            heading="diameter_mm",
         )
-    for cell in cells:
-        if not re.fullmatch(r"\d{1,300}(\.\d+)?", cell, re.ASCII):
-            raise AfmcalcError(
-                "{label}: line {line}: {cell!r} is no diameter in mm, such as 6.35",
-                label=source, line=lines.index(cell) + 1, cell=cell,
-            )  # fmt: skip
-    return [_diameter(float(cell), source) for cell in cells]
+    return sorted(_diameter(item, source) for item in listed)
 
 
 def _diameter(item: object, label: str) -> float:
     """Read one entry: a number in mm, or a string with a unit."""
-    if isinstance(item, str):
-        try:
-            value = parse_quantity(item, "m")
-        except ValueError as error:
-            raise AfmcalcError("{label}: diameters: {item!r}: {why}", label=label, item=item, why=error) from None
-    elif isinstance(item, int | float) and not isinstance(item, bool):
-        value = item / 1000 if abs(item) <= sys.float_info.max else math.inf
-    else:
-        raise AfmcalcError("{label}: diameters: {item!r} is no diameter; give numbers in mm", label=label, item=item)
-    if not 0 < value < math.inf:
-        raise AfmcalcError("{label}: diameters: {item!r} must be greater than 0 and finite", label=label, item=item)
-    return value
+    try:
+        size = parse_quantity(item, "m") / (1 if isinstance(item, str) else 1000)
+    except ValueError as error:
+        raise AfmcalcError("{label}: {item!r:.80}: {why}", label=label, item=item, why=error) from None
+    if size <= 0:
+        raise AfmcalcError("{label}: {item!r:.80}: must be greater than 0", label=label, item=item)
+    return size
 
 
-def ball_designation(diameter: float) -> str | None:
-    """Designation of a ball, but for its grade; None of a size that is no standard one."""
-    # inch sizes to three decimals, in specs as in lists of balls: 11.1125 is 11.112, 20.6375 is 20.638
-    sizes = (float(Decimal(f"{size * 1e3:.9g}").quantize(Decimal("0.001"))) for size in diameters())
-    size = next((size for size in sizes if abs(diameter * 1e3 - size) < 1e-3), None)
-    return None if size is None else say("ball {diameter:.6g} mm, ISO 3290-1", diameter=size)
+def _lines(source: Source) -> list[str]:
+    return [line for line in source.text.splitlines() if line.strip() and not line.startswith("#")]
 
 
-_READ: dict[str, Any] = {"materials": friction_materials, "discs": discs, "balls": diameters}
+_READ: dict[str, Any] = {"materials": friction_materials, "discs": discs, "balls": balls}

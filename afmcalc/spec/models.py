@@ -24,9 +24,9 @@ from ..variants import VARIANTS, Variant
 from . import rules
 from .catalogues import Lists, Material, friction_materials, material_named, worst_of
 from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required, rule_error
+from .parse import Source
+from .scatter import Tolerance, in_si
 from .search import Search, axes_of
-from .source import Source
-from .tolerance import Tolerance, in_si
 
 Coefficient = Annotated[float, Quantity("1", gt=0)]
 Ratio = Annotated[float, Quantity("1", ge=0)]
@@ -240,7 +240,7 @@ class FrictionGroup(RuledBlock):
 SNAPS = 1.4
 """Cone height over thickness up to which the force of a disc only grows (√2)."""
 SHEAR_MODULUS = 81.5e9
-"""Of patented drawn wire (EN 13906-1), Pa."""
+"""Shear modulus of patented drawn wire (EN 13906-1), Pa."""
 ROUNDED = 0.005
 """Relative deviation of a stiffness written to three figures."""
 
@@ -405,7 +405,7 @@ class ControlUnit(Block):
 
 
 class Adjustment(Block):
-    """How the spring is set."""
+    """Setting of the spring."""
 
     method: Method = key("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key("torque margin", "β_н", default=1.0)
@@ -641,7 +641,7 @@ class ShopNotes(Block):
 
 @dataclass(frozen=True)
 class Origin:
-    """Where a spec was read from; specs that say the same are equal wherever that was."""
+    """Source of a spec; specs that say the same are equal wherever they were read."""
 
     label: Source = field(compare=False)
 

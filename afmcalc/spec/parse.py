@@ -1,17 +1,58 @@
-"""From a file to plain data: bytes, text, TOML or JSON, within stated limits; the examples that ship."""
+"""The text of a spec: its file, TOML or JSON made plain data within stated limits, the line of each key."""
 
 import json
 import os
 import re
 import sys
 import tomllib
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from os import PathLike
 from pathlib import Path
 
-from ..errors import AfmcalcError, FileError, Place, Problem, SpecError, reason
+from ..errors import AfmcalcError, FileError, Label, Place, Problem, SpecError, reason
+from ..findings import Finding
 from ..messages import deferred, did_you_mean, say, translate
-from .source import Source
+from .catalogues import Lists
+
+
+class Source(Label):
+    """Name of a text in messages; carries the text, so that an error can show the line."""
+
+    text: str
+    overridden: Mapping[str, str]
+    """Dotted paths whose values are no longer those of the text → what gave them, where that is told."""
+    findings: tuple[Finding, ...]
+    """Numbers without a unit that may be meant in another than SI."""
+    lists: Lists = Lists()
+    """Lists of one's own that it names, for what is validated of it."""
+
+    def __new__(
+        cls, label: str, text: str = "", overridden: Mapping[str, str] | None = None, findings: Iterable[Finding] = ()
+    ) -> "Source":
+        """Name a text."""
+        source = str.__new__(cls, label)
+        source.text, source.overridden, source.findings = text, dict(overridden or {}), tuple(findings)
+        return source
+
+    def but(self, paths: Iterable[str]) -> "Source":
+        """The same text, with other values at some paths."""
+        gone = dict.fromkeys(paths, "")
+        findings = (finding for finding in self.findings if finding.path not in gone)
+        return Source(self, self.text, {**self.overridden, **gone}, findings)
+
+    def origin(self, path: str) -> str:
+        """Origin of the value at a dotted path: the text, or an option of the command line."""
+        return next((by for gone, by in self.overridden.items() if f"{path}.".startswith(f"{gone}.")), "") or self
+
+    def place(self, path: str) -> Place | None:
+        """Line of the key at a dotted path of a TOML text; of a missing one, that of the table that lacks it."""
+        if not path or is_json(self) or any(f"{path}.".startswith(f"{gone}.") for gone in self.overridden):
+            return None
+        lines = self.text.split("\n")
+        number = _toml_line(lines, path)
+        return Place(number, lines[number - 1]) if number else None
+
 
 _STANDARD_INPUT = deferred("standard input")
 PREFIX = "example:"
@@ -19,7 +60,7 @@ PREFIX = "example:"
 
 
 def _folder() -> Path:
-    """Where the examples are: inside the installed package, or beside it in a checkout."""
+    """Folder of the examples: inside the installed package, or beside it in a checkout."""
     packaged = Path(__file__).parents[1] / "configs"
     return packaged if packaged.is_dir() else Path(__file__).parents[2] / "configs"
 
@@ -39,22 +80,16 @@ def example_text(name: str) -> str:
 
 LONGEST = 64 << 20
 """Bytes of a file; the JSON of a long sweep is a spec too."""
-MOST_COMMAS = 5_000_000
-"""Values in a JSON text, all its parts counted."""
-MOST_BRACKETS = 500_000
-"""Tables and lists in it."""
 LONGEST_TOML = 1 << 18
 """Characters of a TOML text, which takes longer to read than JSON."""
 LONGEST_TEXT = 1_000
 """Characters of a key or a text."""
-MOST_KEYS = 2_000
-"""Keys in all tables."""
-MOST_ITEMS = 100_000
-"""Items in all lists."""
+MOST_VALUES = 100_000
+"""Keys, and items of lists, in all."""
 DEEPEST = 32
 """Tables and lists inside each other, and parts of a dotted key."""
 MOST_BITS = 1024
-"""Of a whole number: what a real one can hold."""
+"""Bits of a whole number: as many as a real one can hold."""
 _LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){{{DEEPEST}}}"""
 
 
@@ -171,9 +206,6 @@ def _json_of(source: Source) -> dict[str, object]:
             seen[key] = value
         return seen
 
-    # JSON of very many values would take gigabytes to read
-    if source.text.count(",") > MOST_COMMAS or source.text.count("{") + source.text.count("[") > MOST_BRACKETS:
-        raise _refused(source, say("holds more than {most:,} values, the most that are read", most=MOST_COMMAS))
     try:
         data = json.loads(source.text, object_pairs_hook=unique)
     except json.JSONDecodeError as error:
@@ -194,32 +226,45 @@ def _json_of(source: Source) -> dict[str, object]:
 
 def check_size(data: object, label: str) -> None:
     """Hold parsed data to every limit; a ``SpecError`` where it is beyond one."""
-    keys = items = 0
     left: list[tuple[str, int, object]] = [("", 0, data)]
-    while left:
-        path, depth, value = left.pop()
+    for path, depth, value in left:
+        texts = [*value] if isinstance(value, dict) else [value] if isinstance(value, str) else []
         if depth > DEEPEST:
             raise _refused(label, too_deep())
-        if isinstance(value, dict):
-            if (keys := keys + len(value)) > MOST_KEYS:
-                raise _refused(label, say("has more than {most:,} keys", most=MOST_KEYS))
-            if any(len(key) > LONGEST_TEXT for key in value):
-                raise _refused(label, say("a key has more than {most:,} characters", most=LONGEST_TEXT), path)
-            if any(map(_has_surrogate, value)):
-                raise _refused(label, say("holds a lone surrogate, which is no character"), path)
-            left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
-        elif isinstance(value, list):
-            if (items := items + len(value)) > MOST_ITEMS:
-                raise _refused(label, say("has more than {most:,} items in its lists", most=MOST_ITEMS))
-            left += [(path, depth + 1, inner) for inner in value]
-        elif isinstance(value, str) and len(value) > LONGEST_TEXT:
-            raise _refused(label, say("has more than {most:,} characters", most=LONGEST_TEXT), path)
-        elif isinstance(value, str) and _has_surrogate(value):
-            raise _refused(label, say("holds a lone surrogate, which is no character"), path)
+        if len(left) > MOST_VALUES:
+            raise _refused(label, say("has more than {most:,} values", most=MOST_VALUES))
+        if any(len(text) > LONGEST_TEXT for text in texts):
+            why = say("has more than {most:,} characters", most=LONGEST_TEXT)
+        elif any(re.search("[\ud800-\udfff]", text) for text in texts):  # JSON spells them, a shell hands on bytes
+            why = say("holds a lone surrogate, which is no character")
         elif isinstance(value, int) and value.bit_length() > MOST_BITS:
-            raise _refused(label, say("is beyond the range of numbers"), path)
+            why = say("is beyond the range of numbers")
+        else:
+            if isinstance(value, dict):
+                left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
+            elif isinstance(value, list):
+                left += [(path, depth + 1, inner) for inner in value]
+            continue
+        raise _refused(label, why, path)
 
 
-def _has_surrogate(text: str) -> bool:
-    """True if a text cannot be written as UTF-8: JSON spells halves of characters, a shell hands on bytes."""
-    return re.search("[\ud800-\udfff]", text) is not None
+_KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
+
+
+def _toml_line(lines: Iterable[str], path: str) -> int:
+    """Line of ``key =`` under its ``[table]``, else of the innermost table or key around it; 0: there is none."""
+    best, number, table = "", 0, ""
+    for at, line in enumerate(lines, start=1):
+        if line.lstrip()[:1] == "[" and (head := line.split("#")[0].strip()).endswith("]"):
+            name = table = _bare(head.strip("[]"))
+        elif match := _KEY.match(line):
+            name = f"{table}.{_bare(match[1])}" if table else _bare(match[1])
+        else:
+            continue
+        if f"{path}.".startswith(f"{name}.") and len(name) > len(best):
+            best, number = name, at
+    return number
+
+
+def _bare(key: str) -> str:
+    return re.sub(r"""["'\s]""", "", key)

@@ -9,20 +9,18 @@ from functools import cache
 
 from ..findings import Finding, finding
 from ..messages import deferred, did_you_mean, filled, say, translate
-from ..units import BASES, ZEROS, UnknownUnitError, product, words
+from ..units import BASES, ZEROS, UnknownUnitError, product, table, words
 
-EXAMPLES = {
-    "N": ("a force", "2 kN"), "m": ("a length", "100 mm"), "N*m": ("a torque", "200 N*m"),
-    "N/m": ("a stiffness", "20 N/mm"), "1/m": ("a slope of the gain", "18.75 1/m"), "rad": ("an angle", "30 deg"),
-    "Pa": ("a pressure or stress", "400 MPa"), "m^3": ("a section modulus", "15 cm^3"),
-    "rad/s": ("a speed of rotation", "1430 rpm"), "W": ("a power", "11 kW"), "m/s": ("a speed", "0.3 m/s"),
-    "s": ("a time", "10 ms"), "kg": ("a mass", "2 kg"), "kg*m^2": ("a moment of inertia", "8 kg*m^2"),
-    "N*m/rad": ("a torsional stiffness", "8 kN*m/rad"), "kg/m^3": ("a density", "7850 kg/m^3"),
-    "K abs": ("a temperature", "20 degC"), "J/kg/K": ("a specific heat", "480 J/kg/K"),
-    "W/m/K": ("a thermal conductivity", "50 W/m/K"), "W/K": ("a cooling per kelvin", "2.5 W/K"),
-    "J/m^2": ("a work per area", "1 J/mm^2"), "m^3/J": ("a wear per energy", "2e-5 mm^3/J"),
-    "1": ("a plain number", "0.3"),
-}  # fmt: skip
+_EXAMPLES = table("""\
+N = a force | 2 kN; m = a length | 100 mm; N*m = a torque | 200 N*m; N/m = a stiffness | 20 N/mm;
+1/m = a slope of the gain | 18.75 1/m; rad = an angle | 30 deg; Pa = a pressure or stress | 400 MPa;
+m^3 = a section modulus | 15 cm^3; rad/s = a speed of rotation | 1430 rpm; W = a power | 11 kW;
+m/s = a speed | 0.3 m/s; s = a time | 10 ms; kg = a mass | 2 kg; kg*m^2 = a moment of inertia | 8 kg*m^2;
+N*m/rad = a torsional stiffness | 8 kN*m/rad; kg/m^3 = a density | 7850 kg/m^3;
+J/kg/K = a specific heat | 480 J/kg/K; W/m/K = a thermal conductivity | 50 W/m/K;
+W/K = a cooling per kelvin | 2.5 W/K; J/m^2 = a work per area | 1 J/mm^2;
+m^3/J = a wear per energy | 2e-5 mm^3/J; 1 = a plain number | 0.3""") | {"K abs": "a temperature | 20 degC"}
+EXAMPLES = {unit: tuple(row.split(" | ")) for unit, row in _EXAMPLES.items()}
 """SI unit of a field → the quantity, and an example of a value."""
 
 _FOREIGN = {"J": deferred("an energy"), "m^2": deferred("an area"), "K": deferred("a temperature difference")}

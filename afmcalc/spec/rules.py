@@ -1,10 +1,10 @@
 """Rules between the keys of a spec: what excludes what, what needs what, what a variant does not have."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple, TypeAlias, TypeGuard
 
 from ..messages import deferred, filled, say, say_many
-from ..variants import VARIANTS
+from ..variants import VARIANTS, foreign_keys, special_keys
 from .fields import Broken
 
 Table: TypeAlias = Mapping[str, object]
@@ -18,87 +18,82 @@ class KeyRule(NamedTuple):
     """A key is wrong, or wanting, where some keys are given and others are not; ``friction.`` is a block, a table."""
 
     key: str
-    given: tuple[str, ...]
-    absent: tuple[str, ...]
+    given: frozenset[str]
+    absent: frozenset[str]
     message: str
     """Template, which may name the first of ``given`` but the key as ``{other}``."""
-
-    def said(self) -> str:
-        """Message in the language of the user."""
-        other = next((path.rstrip(".") for path in self.given if path != self.key), "")
-        return filled(self.message, {"other": other})
+    other: str
 
 
-def _wrong(key: str, message: str, *beside: str) -> KeyRule:
-    return KeyRule(key, (key, *beside), (), message)
+_TABLE = """\
+give friction for all pairs or per group (friction.driving, friction.driven), not both
+  - friction.min friction.mean friction.max friction.material | friction.driving |
+  - friction.min friction.mean friction.max friction.material | friction.driven |
+required beside {other}
+  + friction.driven | friction.driving |
+  + friction.driving | friction.driven |
+required (or give material instead of min and max)
+  + friction.driving.min friction.driving.max | friction.driving. | friction.driving.material
+  + friction.driven.min friction.driven.max | friction.driven. | friction.driven.material
+  + friction.min friction.max | friction. | friction.material friction.driving friction.driven
+excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius
+  - friction_group.inner_radius friction_group.outer_radius friction_group.radius_model | friction_group.mean_radius |
+required beside {other}
+  + friction_group.outer_radius | friction_group.inner_radius | friction_group.mean_radius
+  + friction_group.inner_radius | friction_group.outer_radius | friction_group.mean_radius
+required (or give inner_radius and outer_radius)
+  + friction_group.mean_radius | friction_group. | friction_group.inner_radius friction_group.outer_radius
+excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius
+  - control_unit.wall_angle | control_unit.gain |
+required beside {other}
+  + control_unit.ball_circle_radius | control_unit.wall_angle | control_unit.gain
+required (or give wall_angle and ball_circle_radius)
+  + control_unit.gain | control_unit. | control_unit.wall_angle
+excludes control_unit.pocket: give the slope, or the pocket that it follows from
+  - control_unit.gain_slope | control_unit.pocket |
+required (or give adjustment.nominal_torque, which sets it)
+  + closing_spring.force |  | adjustment.nominal_torque
+required beside control_spring.force: both forces as made
+  + closing_spring.force | control_spring.force adjustment.nominal_torque |
+excludes drive.motor: give a constant torque, or the motor's curve
+  - drive.motor_torque | drive.motor |
+required beside {other}
+  + drive.motor_inertia drive.shaft_stiffness | drive.event. |
+  + drive.driven_inertia | drive.event. | envelope.
+required beside [envelope]: both radii of the faces, instead of mean_radius
+  + friction_group.inner_radius friction_group.outer_radius | envelope. |
+required beside {other}
+  + envelope.hub_diameter | envelope. | control_unit.hub_diameter
+excludes {other}: it is the same hub
+  - envelope.hub_diameter | control_unit.hub_diameter |
+required beside {other}
+  + drive.speed | drive.event. | drive.motor
+excludes [machine], whose plate gives it
+  - requirements.machine_torque | machine. |
+excludes [shaft], whose diameter gives it
+  - fatigue.polar_section_modulus | shaft. |
+required (or give shaft.diameter)
+  + fatigue.polar_section_modulus | fatigue. | shaft.
+has no effect beside {other}
+  - tolerance.fields.closing_spring.stiffness | closing_spring.disc |
+  - tolerance.fields.control_spring.stiffness | control_spring.disc |
+"""
+"""Message, and below it: keys that are wrong (-) or wanting (+), keys given beside one, keys not given."""
 
 
-def _wanted(key: str, *beside: str, unless: tuple[str, ...] = (), message: str = "") -> KeyRule:
-    return KeyRule(key, beside, (key, *unless), message or _BESIDE)
+def _rules_of(table: str) -> Iterator[KeyRule]:
+    message = ""
+    for line in table.splitlines():
+        if line[0] != " ":
+            message = line
+            continue
+        sign, *cells = line[2], *map(str.split, line[3:].split("|"))
+        for key in cells[0]:
+            given, absent = (cells[1], [key, *cells[2]]) if sign == "+" else ([key, *cells[1]], cells[2])
+            yield KeyRule(key, frozenset(given), frozenset(absent), message, "".join(cells[1][:1]).rstrip("."))
 
 
-_ONE_FRICTION = deferred("give friction for all pairs or per group (friction.driving, friction.driven), not both")
-_RANGE = deferred("required (or give material instead of min and max)")
-_RADII = deferred("required (or give inner_radius and outer_radius)")
-_WALL = deferred("required (or give wall_angle and ball_circle_radius)")
-_BOTH_FORCES = deferred("required beside control_spring.force: both forces as made")
-_ONE_RADIUS = deferred("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius")
-_ONE_MOTOR = deferred("excludes drive.motor: give a constant torque, or the motor's curve")
-BY_PLATE = deferred("excludes [machine], whose plate gives it")
-_ONE_SLOPE = deferred("excludes control_unit.pocket: give the slope, or the pocket that it follows from")
-_MODULUS = "fatigue.polar_section_modulus"
-_GROUPS = ("friction.driving", "friction.driven")
-_MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "inner", "outer"))
-_GAIN, _ANGLE, _CIRCLE = "control_unit.gain", "control_unit.wall_angle", "control_unit.ball_circle_radius"
-_SLOPE, _POCKET = "control_unit.gain_slope", "control_unit.pocket"
-_HUB = "control_unit.hub_diameter"
-_ENVELOPE = deferred("required beside [envelope]: both radii of the faces, instead of mean_radius")
-_FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
-
-_RULES = (
-    *(
-        _wrong(key, _ONE_FRICTION, group)
-        for group in _GROUPS
-        for key in ("friction.min", "friction.mean", "friction.max", "friction.material")
-    ),
-    _wanted("friction.driven", "friction.driving"),
-    _wanted("friction.driving", "friction.driven"),
-    *(
-        _wanted(f"{block}.{end}", f"{block}.", unless=(f"{block}.material", *groups), message=_RANGE)
-        for block, groups in (("friction.driving", ()), ("friction.driven", ()), ("friction", _GROUPS))
-        for end in ("min", "max")
-    ),
-    *(_wrong(key, _ONE_RADIUS, _MEAN) for key in (_INNER, _OUTER, "friction_group.radius_model")),
-    _wanted(_OUTER, _INNER, unless=(_MEAN,)),
-    _wanted(_INNER, _OUTER, unless=(_MEAN,)),
-    _wanted(_MEAN, "friction_group.", unless=(_INNER, _OUTER), message=_RADII),
-    _wrong(_ANGLE, deferred("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"), _GAIN),
-    _wanted(_CIRCLE, _ANGLE, unless=(_GAIN,)),
-    _wanted(_GAIN, "control_unit.", unless=(_ANGLE,), message=_WALL),
-    _wrong(
-        _SLOPE, deferred("excludes control_unit.pocket: give the slope, or the pocket that it follows from"), _POCKET
-    ),
-    _wanted(_FORCE, unless=(_TORQUE,), message=deferred("required (or give adjustment.nominal_torque, which sets it)")),
-    _wanted(_FORCE, "control_spring.force", _TORQUE, message=_BOTH_FORCES),
-    _wrong("drive.motor_torque", _ONE_MOTOR, "drive.motor"),
-    *(_wanted(f"drive.{key}", "drive.event.") for key in ("motor_inertia", "shaft_stiffness")),
-    _wanted("drive.driven_inertia", "drive.event.", unless=("envelope.",)),
-    *(_wanted(key, "envelope.", message=_ENVELOPE) for key in (_INNER, _OUTER)),
-    _wanted("envelope.hub_diameter", "envelope.", unless=(_HUB,)),
-    _wrong("envelope.hub_diameter", deferred("excludes {other}: it is the same hub"), _HUB),
-    _wanted("drive.speed", "drive.event.", unless=("drive.motor",)),
-    _wrong("requirements.machine_torque", BY_PLATE, "machine."),
-    _wrong(_MODULUS, deferred("excludes [shaft], whose diameter gives it"), "shaft."),
-    _wanted(_MODULUS, "fatigue.", unless=("shaft.",), message=deferred("required (or give shaft.diameter)")),
-    *(
-        _wrong(
-            f"tolerance.fields.{spring}.stiffness",
-            deferred("has no effect beside {other}"),
-            f"{spring}.disc",
-        )
-        for spring in ("closing_spring", "control_spring")
-    ),
-)
+KEY_RULES = (*_rules_of(_TABLE),)
 """Rules that ask only whether keys are given."""
 
 
@@ -107,13 +102,10 @@ def broken_rules(data: Table) -> list[Broken]:
     given = given_in(data)
     variant = VARIANTS.get(str(given.get("variant")))
     of_event = _event(given, travels=variant is not None and variant.travels)
-    return [*_broken(given, _RULES), *_static_friction(given), *_variant(given), *_pairs(given), *of_event]
-
-
-def _broken(given: Table, rules: Iterable[KeyRule]) -> list[Broken]:
     keys = given.keys()
-    wrong = ((rule.key, rule.said()) for rule in rules if keys >= set(rule.given) and keys.isdisjoint(rule.absent))
-    return list(dict.fromkeys(wrong))
+    wrong = (rule for rule in KEY_RULES if keys >= rule.given and keys.isdisjoint(rule.absent))
+    of_keys = {(rule.key, filled(rule.message, {"other": rule.other})): None for rule in wrong}
+    return [*of_keys, *_static_friction(given), *_variant(given), *_pairs(given), *of_event]
 
 
 def given_in(data: Table, prefix: str = "") -> dict[str, object]:
@@ -133,33 +125,12 @@ def _static_friction(given: Table) -> Iterator[Broken]:
         yield "friction.stribeck_speed", filled(_BESIDE, {"other": "friction.static_ratio"})
 
 
-def _special_keys() -> dict[str, tuple[str, ...]]:
-    """Keys that only some variants have → those variants."""
-    special: dict[str, tuple[str, ...]] = {}
-    for variant in VARIANTS.values():
-        for key in variant.keys:
-            special[key] = (*special.get(key, ()), variant.name)
-    return special
-
-
-def variants_of(path: str) -> tuple[str, ...]:
-    """Variants that have the key at a dotted path; empty when all have."""
-    having = [variants for key, variants in _special_keys().items() if f"{path}.".startswith(f"{key}.")]
-    return min(having, key=len) if having else ()
-
-
-def foreign_keys(given: Table, variant: str) -> list[str]:
-    """Paths that are given and that the variant does not have; a block stands for its keys."""
-    foreign = [path for path, having in _special_keys().items() if path in given and variant not in having]
-    return [path for path in foreign if "." not in path or path.partition(".")[0] not in foreign]
-
-
 def _variant(given: Table) -> Iterator[Broken]:
     name = given.get("variant")
     if not isinstance(name, str) or name not in VARIANTS:
         return
     for path in foreign_keys(given, name):
-        only = ", ".join(_special_keys()[path])
+        only = ", ".join(special_keys()[path])
         yield path, say("not for variant {variant!r}; only for {only}", variant=name, only=only)
     for path in VARIANTS[name].needs + VARIANTS[name].requires:
         table = path.partition(".")[0]

@@ -33,8 +33,7 @@ from ..render.report.title import text_as_given, title_block
 from ..render.units import display_unit
 from ..result import Result
 from ..spec import Spec, make_spec, resolved, to_toml
-from ..spec.parse import parse
-from ..spec.source import Source
+from ..spec.parse import Source, parse
 from ..spec.write import written
 from .curve import curve
 from .filled import template

@@ -14,13 +14,11 @@ from ..messages import translate
 from ..render.units import display, display_unit
 from ..spec import Spec
 from ..spec.catalogues import friction_materials
-from ..spec.edit import as_override
 from ..spec.fields import Key, Quantity, block_at
 from ..spec.keys import keys
-from ..spec.parse import PREFIX
-from ..spec.read import data_of, spec_of
+from ..spec.parse import PREFIX, Source
+from ..spec.read import as_override, data_of, spec_of
 from ..spec.rules import given_in
-from ..spec.source import Source
 from ..variants import VARIANTS
 
 _REFUSED = ("catalogues.", "tolerance.fields")

@@ -141,7 +141,7 @@ def main(language_name: str, units: str) -> None:
         for line in sys.stdin.buffer:
             job, began = json.loads(line), time.perf_counter()
             state, pinned = (each and State(Base(*each[0]), each[1]) for each in (job["state"], job["pinned"]))
-            progress = _Progress(quiet=True)
+            progress = _Progress()
             progress.out = out
             with progress:
                 try:

@@ -13,7 +13,7 @@ from afmcalc.analysis.check import check
 from afmcalc.analysis.synthesize import pocket
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec
-from afmcalc.spec.lists import diameters
+from afmcalc.spec.catalogues import balls
 from afmcalc.spec.models import Required
 
 
@@ -25,7 +25,7 @@ def codes(findings):
 def test_the_next_standard_ball_not_smaller(spec, gap, clearance):
     unit = spec.control_unit.model_copy(update={"face_gap": gap, "edge_clearance": clearance})
     result, findings = pocket(build(spec.model_copy(update={"control_unit": unit})))
-    sizes = diameters()
+    sizes = balls()
     wanted = 2 * result.ball_radius
     if result.ball_diameter_standard is None:
         assert wanted > max(sizes) == codes(findings)["no-standard-ball"].limit

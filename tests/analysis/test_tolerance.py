@@ -19,8 +19,9 @@ from afmcalc.drive.cases import outcome_of
 from afmcalc.engines import build
 from afmcalc.errors import CalculationError, SpecError
 from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.edit import put, value_at
-from afmcalc.spec.tolerance import FRICTION
+from afmcalc.spec.edit import value_at
+from afmcalc.spec.read import put
+from afmcalc.spec.scatter import FRICTION
 
 BASE = {"variant": "conventional", "friction": {"min": 0.1, "mean": 0.2, "max": 0.4},
         "friction_group": {"pairs": 4, "mean_radius": 0.1}, "closing_spring": {"force": 1000}}  # fmt: skip

@@ -47,7 +47,9 @@ def test_the_panels_hold_every_command_and_topics_the_rest(afmcalc):
         "quantities": "peak_torque",
     }.items():
         assert named in afmcalc("help", topic).out
-    assert afmcalc("help").out == shown
+    assert afmcalc("help").out == afmcalc("-help").out == shown
+    assert afmcalc("-v").out == afmcalc("--version").out
+    assert "Заменить" in afmcalc("help", "options", "--lang", "ru").out
     wrong = afmcalc("help", "keyz")
     assert (wrong.code, "did you mean 'keys'" in wrong.err) == (2, True)
 

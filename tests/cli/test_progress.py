@@ -2,10 +2,12 @@
 
 import io
 import sys
+from types import SimpleNamespace
 
 import pytest
 
 from afmcalc import progress
+from afmcalc.cli.options import Common
 
 LONG = """tolerance example:tolerance --set tolerance.samples=2000 --set tolerance.sobol_base=64
 design example:requirements --set search.friction_group.pairs=8
@@ -42,13 +44,13 @@ def test_where_and_when_the_bar_appears(stream, quiet, shown, passes, monkeypatc
     monkeypatch.setattr(sys, "stderr", stream())
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setenv("COLUMNS", "100")
-    with progress.Bar(quiet=quiet) as bar:
-        bar.advance("searching", 0, 10)
+    with Common("design", quiet=quiet).bar():
+        progress.tell("searching", 0, 10)
         passes(0.9)
-        bar.advance("searching", 1, 10)
+        progress.tell("searching", 1, 10)
         assert sys.stderr.getvalue() == ""
         passes(4.1)
-        bar.advance("searching", 4, 10)
+        progress.tell("searching", 4, 10)
     written = sys.stderr.getvalue()
     assert (" 40%" in written) == ("searching" in written) == shown
     assert written.rstrip().endswith("\x1b[2K") == shown, "what it showed is gone"
@@ -56,10 +58,11 @@ def test_where_and_when_the_bar_appears(stream, quiet, shown, passes, monkeypatc
 
 
 @pytest.mark.parametrize("line", LONG)
-def test_a_command_that_may_take_long_tells_how_far_it_is(line, afmcalc, monkeypatch):
-    told = []
-    monkeypatch.setattr(progress.Bar, "advance", lambda self, work, done, total: told.append((work, done, total)))
+def test_a_command_that_may_take_long_tells_how_far_it_is(line, afmcalc):
+    shares = set()
+    watcher = SimpleNamespace(advance=lambda work, done, total: shares.add(done / total))
+    token = progress.WATCHER.set(watcher)
     assert afmcalc(*line.split()).code == 0
-    shares = {done / total for _, done, total in told}
+    progress.WATCHER.reset(token)
     assert max(shares) == 1
     assert any(0 < share < 1 for share in shares)

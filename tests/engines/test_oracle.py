@@ -9,7 +9,7 @@ import pytest
 from afmcalc.engines.elasticity import elasticities
 from afmcalc.engines.selection import quantities_of
 from afmcalc.spec import make_spec
-from afmcalc.spec.lists import diameters
+from afmcalc.spec.catalogues import balls
 
 CLUTCHES = 100
 
@@ -34,7 +34,7 @@ def compare(number):
     clutch = quantities_of(make_spec(stored()["specs"][number]))
     slopes = elasticities(clutch)
     if "balls_listed" in clutch.laws.names:
-        clutch = clutch.at(balls_listed=tuple(diameters()))
+        clutch = clutch.at(balls_listed=balls())
     own = {name: values[number] for name, values in stored()["values"].items() if values[number] is not None}
     for name, old in own.items():
         if name.startswith("∂ "):  # at a kink the old engine told one side

@@ -16,8 +16,8 @@ from afmcalc.errors import SpecError
 from afmcalc.messages import did_you_mean
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import replaced, respecified
+from afmcalc.spec.parse import Source
 from afmcalc.spec.read import spec_of
-from afmcalc.spec.source import Source
 
 BASE = """\
 variant = "differentiated"
@@ -49,15 +49,14 @@ def test_message_with_line(old, new, says, afmcalc):
 
 
 @pytest.mark.parametrize(("given", "says"), REFUSED["json"])
-def test_places_in_json_also_inside_the_output_of_a_command(given, says, afmcalc):
+def test_problems_of_json_also_inside_the_output_of_a_command(given, says, afmcalc):
     spec = afmcalc("torque", "-", "--json", stdin=BASE).json["spec"]
     del spec["control_unit"]
     rest = json.dumps(spec)[1:]
     for head, below in (("{", 0), ('{"command": "torque", "result": {"gain": 1},\n"spec": {', 1)):
         text = f'{head}\n"name": "x",\n"control_unit": {{\n  {given}\n}},\n{rest}' + "}" * below
         run = afmcalc("torque", "-", stdin=text)
-        line, told = says.split(":", 1)
-        assert run.err.startswith(f"error: standard input:{int(line) + below}:{told}\n"), run.err
+        assert re.match(rf"error: standard input(:\d+)?: {re.escape(says)}\n", run.err), run.err
 
 
 def test_all_problems_at_once_each_with_its_line(afmcalc):
@@ -234,7 +233,7 @@ def test_a_nominal_torque_takes_the_place_of_both_springs():
 
 
 def test_the_line_of_a_key():
-    """In TOML as people write it and as JSON is indented; of a key that lacks, that of its table."""
+    """In TOML as people write it; of a key that lacks, that of its table."""
     text = """# [no.table]
 a.b = 1 # gain = 2
 'c.d' = "x"
@@ -249,5 +248,3 @@ k = 1
         place = Source("x", text).place(path)
         assert (place.line, place.text) == (line, text.split("\n")[line - 1]), path
     assert Source("x", text).place("z") is None
-    lines = json.dumps({"a": {"k": 1}, "j": {"i": 0, "k": 1}}, indent=1)
-    assert [Source("x", lines).place(path).line for path in ("a.k", "j", "j.k", "j.x")] == [3, 5, 7, 5]

@@ -11,8 +11,9 @@ from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError
 from afmcalc.messages import language, speaking
 from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.catalogues import friction_materials, material_named
-from afmcalc.spec.lists import ball_designation, diameters, discs
+from afmcalc.spec.catalogues import ball_designation, balls, friction_materials, material_named
+from afmcalc.spec.lists import balls as own_balls
+from afmcalc.spec.lists import discs
 from afmcalc.spec.lists import friction_materials as own_materials
 
 CSV = """# from the works' laboratory
@@ -187,12 +188,8 @@ PRINTED = 5e-6
 """Half a unit of the fifth decimal, in mm: the sizes are printed to five."""
 
 
-def in_mm(source=None):
-    return [1000 * size for size in diameters(source)]
-
-
 def test_sizes_ascend_metric_or_sixty_fourths_of_an_inch():
-    sizes = in_mm()
+    sizes = [1000 * size for size in balls()]
     assert sizes == sorted(set(sizes))
     assert (len(sizes), sizes[0], sizes[-1]) == (148, pytest.approx(0.3), pytest.approx(4.125 * INCH))
     for size in sizes:
@@ -201,7 +198,7 @@ def test_sizes_ascend_metric_or_sixty_fourths_of_an_inch():
 
 
 def test_a_makers_list_is_contained():
-    sizes = in_mm()
+    sizes = [1000 * size for size in balls()]
     for size in READ["balls"][0]:
         assert min(abs(size - other) for other in sizes) <= 1e-4 / 2 + PRINTED, size
 
@@ -215,14 +212,14 @@ LISTS = {
 @pytest.mark.parametrize("name", LISTS)
 def test_a_list_of_the_users_own(tmp_path, name):
     (tmp_path / name).write_bytes(LISTS[name].encode())
-    assert in_mm(tmp_path / name) == pytest.approx([5, 6.35, 8])
+    assert [1000 * size for size in own_balls(tmp_path / name)] == pytest.approx([5, 6.35, 8])
 
 
 @pytest.mark.parametrize(("name", "text", "says"), REFUSED["balls"])
 def test_what_is_no_list(tmp_path, name, text, says):
     (tmp_path / name).write_text(text, encoding="utf-8")
     with pytest.raises(AfmcalcError, match=says) as raised:
-        diameters(tmp_path / name)
+        own_balls(tmp_path / name)
     assert name in str(raised.value)
 
 

@@ -9,8 +9,8 @@ from sources import REFUSED
 
 from afmcalc.errors import AfmcalcError, SpecError
 from afmcalc.spec import Spec, make_spec, read_spec, resolved, to_toml
-from afmcalc.spec.edit import put
 from afmcalc.spec.fields import keys_below
+from afmcalc.spec.read import put
 
 EXAMPLES = sorted(path for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)
 DEFAULT = (CONFIGS / "default.toml").read_text(encoding="utf-8")

@@ -15,9 +15,8 @@ from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec, resolved, to_toml
 from afmcalc.spec.edit import as_written
 from afmcalc.spec.keys import keys
-from afmcalc.spec.parse import example_names
+from afmcalc.spec.parse import Source, example_names
 from afmcalc.spec.quantity import parse_quantity
-from afmcalc.spec.source import Source
 from afmcalc.spec.write import WRITTEN
 
 LINE = re.compile(r"(?P<key>\w+) = (?P<value>.+?)\s+# .+")

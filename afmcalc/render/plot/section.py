@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 from ...analysis.assembly import Box, ClutchSection, DrawnPart, MainDimension
 from ...findings import finding
 from ...messages import say, translate
+from ...spec.catalogues import ball_designation
 from ...spec.keys import keys
-from ...spec.lists import ball_designation
 from .. import drawing as draw
 from ..units import display, measured
 from .chart import Sheet, stated

@@ -5,21 +5,20 @@ import os
 from collections.abc import Mapping
 from datetime import UTC, datetime
 
-from ...errors import AfmcalcError
+from ...errors import AfmcalcError, given
 from ...messages import say, spoken
 from ...spec import Spec
-from ...spec.make import validated
+from ...spec.edit import respecified
 from ...spec.models import TitleBlock
-from ...spec.parse import parse
-from ...spec.source import Source
+from ...spec.parse import Source, parse
 from ...spec.write import annotated
 
 
 def title_block(spec: Spec, entries: Mapping[str, str | None]) -> TitleBlock:
     """Return the [report] block of the spec under further entries, dated today where neither has a date."""
-    given = {name: text for name, text in entries.items() if text is not None}
-    block = {"date": None} if spec.report is None else spec.report.model_dump()
-    return validated(TitleBlock, {**block, "date": block["date"] or today(), **given}, "report")
+    entered = {f"report.{name}": text for name, text in entries.items() if text is not None}
+    dated = {} if spec.report and spec.report.date else {"report.date": today()}
+    return given(respecified(spec, dated | entered).report)
 
 
 def text_as_given(source: Source) -> str:

@@ -39,7 +39,7 @@ Given = Annotated[float | str, BeforeValidator(_number_or_text)]
 
 
 class Distribution(Block):
-    """How one number scatters about its value in the spec."""
+    """Scatter of one number about its value in the spec."""
 
     distribution: Kind = required("kind of the distribution")
     center: Given | None = key(
