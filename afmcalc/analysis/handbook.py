@@ -26,7 +26,7 @@ from ..variants import VARIANTS
 from .answers import Answers
 from .asking import names_asked
 from .explain.explain import noting, shown, steps_of
-from .explain.formula import FormulaText, symbol_latex
+from .explain.formula import FormulaText, Tree
 from .figures import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
@@ -39,12 +39,11 @@ class Entry(NamedTuple):
     """A formula with its numbers, places, proofs and commands."""
 
     equation: Equation
-    latex: str
-    """``symbol = formula``."""
+    formula: Tree
     example: str
     """Example whose numbers are put in; empty where no explained command calculates the formula."""
-    worked: str
-    """``symbol = formula with numbers``, LaTeX."""
+    worked: Tree
+    """Formula with numbers."""
     value: float
     printed: list[Formula]
     """Its places in the papers."""
@@ -135,10 +134,9 @@ def _entry(equation: Equation) -> Entry:
     numbers = step.values if step else dict.fromkeys(terms, 1.0)
     text = FormulaText(equation.function, symbols, numbers, units)
     printed = [entry for entry in register() if entry.function == equation.name]
-    symbol = symbol_latex(equation.result.symbol)
     return Entry(
-        equation=equation, latex=f"{symbol} = {text.latex()}", example=example,
-        worked=f"{symbol} = {text.latex_with_numbers()}" if step else "", value=float(step.value) if step else 0.0,
+        equation=equation, formula=text.tree(), example=example,
+        worked=text.tree_with_numbers() if step else (), value=float(step.value) if step else 0.0,
         printed=printed, proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
         commands=commands_of(equation.name),
     )  # fmt: skip

@@ -7,6 +7,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from .. import __version__
+from ..analysis.explain.formula import symbol_tree, value_tree
 from ..analysis.handbook import Entry, Handbook
 from ..messages import say, spoken, translate
 from ..papers.register import Misprint, misprints, references
@@ -15,13 +16,11 @@ from .plot import sheet_of
 from .plot.schemes import SCHEMES
 from .report import blocks
 from .report.blocks import Block, Document, Piece, Text, listed, piece, text, when
-from .report.chapters import broken
-from .report.formulas import formula
+from .report.formulas import broken, equated, formula
 from .report.html import page
 from .report.page import figure_of
 from .report.pieces import said
 from .report.title import today
-from .symbols import value_latex
 from .units import measured, worded
 
 
@@ -113,6 +112,7 @@ class _Book:
     def _formula(self, entry: Entry) -> blocks.Step:
         """Lay out a formula: what its symbols are, an example, sources, proofs, and the commands that calculate it."""
         equation = entry.equation
+        symbol = symbol_tree(equation.result.symbol)
         source = self._linked(translate(equation.source).rstrip("."), equation.name)
         what = [
             text(_strong(said(equation.result.symbol))),
@@ -122,8 +122,8 @@ class _Book:
         lines = []
         if entry.worked:
             example = piece("soft", say("In numbers, example:{example}", example=entry.example))
-            value = value_latex(measured(entry.value, equation.result.unit))
-            lines = [([text(example)], [formula(broken(f"{entry.worked} = {value}"))])]
+            value = value_tree(measured(entry.value, equation.result.unit))
+            lines = [([text(example)], [formula(broken(equated(symbol, entry.worked, value)))])]
         notes = []
         if validity := translate(equation.validity):
             notes.append(text(_strong(say("Validity:")), " ", self._linked(validity, equation.name)))
@@ -148,7 +148,7 @@ class _Book:
         return blocks.Step(
             what=listed(what, " "),
             number=self.numbers[equation.name],
-            formula=formula(broken(entry.latex)),
+            formula=formula(broken(equated(symbol, entry.formula))),
             where=[_term(term.symbol, term.meaning, typeset(term.unit)) for term in equation.arguments.values()],
             lines=lines,
             notes=notes,

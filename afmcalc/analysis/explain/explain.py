@@ -23,7 +23,7 @@ from ...result import Answer, Result, described
 from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
-from .formula import FormulaText, symbol_latex
+from .formula import FormulaText, Tree, latex, symbol_tree
 
 
 class Step(Result):
@@ -202,12 +202,12 @@ def _step(step: NotedStep) -> Step:
     equation, formula, case = _equation(step), _formula_text(step), _circumstance(step.case)
     result = _result(step)
     return Step(
-        symbol=native(result.symbol), symbol_latex=symbol_latex(translate(result.symbol)),
+        symbol=native(result.symbol), symbol_latex=latex(symbol_tree(translate(result.symbol))),
         name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
         formula=native(formula.text()), substituted=native(formula.text_with_numbers()), value=float(step.value),
         unit=result.unit, source=translate(equation.source),
-        print_differs=_print_differs(equation.name) or None, function=equation.name, formula_latex=formula.latex(),
-        substituted_latex=formula.latex_with_numbers(),
+        print_differs=_print_differs(equation.name) or None, function=equation.name,
+        formula_latex=latex(formula.tree()), substituted_latex=latex(formula.tree_with_numbers()),
     )  # fmt: skip
 
 
@@ -226,10 +226,10 @@ class Meaning(NamedTuple):
 
 
 class CaseRow(NamedTuple):
-    """One case: what it is for, the numbers put in (LaTeX), and what comes out (SI)."""
+    """One case: what it is for, the numbers put in, and what comes out (SI)."""
 
     case: Circumstance
-    numbers: str
+    numbers: Tree
     value: float
 
 
@@ -241,9 +241,8 @@ class Derivation(NamedTuple):
     symbol: str
     name: str
     unit: str
-    symbol_latex: str
-    formula: str
-    """Formula, LaTeX; empty where an earlier derivation has shown it."""
+    formula: Tree
+    """Empty where an earlier derivation has shown it."""
     where: list[Meaning]
     """Symbols that no formula before has explained so."""
     rows: list[CaseRow]
@@ -292,11 +291,14 @@ class _Report:
             symbol=result.symbol,
             name=result.meaning or equation.about,
             unit=result.unit,
-            symbol_latex=symbol_latex(translate(result.symbol)),
-            formula=texts[0].latex() if is_new else "",
+            formula=texts[0].tree() if is_new else (),
             where=list(self.meanings_of(steps)),
             rows=[
-                CaseRow(_circumstance(step.case), text.latex_with_numbers(line=len(steps) > _FEW), float(step.value))
+                CaseRow(
+                    _circumstance(step.case),
+                    text.tree_with_numbers(units=False, line=len(steps) > _FEW),
+                    float(step.value),
+                )
                 for step, text in zip(steps, texts, strict=True)
             ],
             source=equation.source if is_new else "",

@@ -1,12 +1,13 @@
-"""The text of a law, from running it on terms that keep what is done to them."""
+"""The formula of a law, as text and as a tree, from running it on terms that keep what is done to them."""
 
 import math
 import operator
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple, TypeAlias
 
+from ...messages import localized, native, translate
 from ...units import typeset
 
 
@@ -64,6 +65,8 @@ class Leaf(Expression):
     """True if it is a number of the equation itself."""
     value: float = field(default=math.nan, compare=False)
     """Value that it stands for: a law may ask whether there is one."""
+    unit: str | None = None
+    """SI unit of a number that is put in."""
 
     def __gt__(self, other: float) -> bool:
         """Compare what it stands for."""
@@ -194,52 +197,87 @@ class _Text:
         return self._in_brackets(term, isinstance(term, Sum | Product) or of_sum or several)
 
 
-class _Latex(_Text):
-    """LaTeX: quotients as fractions."""
+class Node(NamedTuple):
+    """A part of a formula that is more than one sign."""
 
-    brackets = "\\left({}\\right)"
-    minus = "- "
+    kind: str
+    """``number``, ``text``, ``function`` or ``gap`` have a text; ``root`` and ``brackets`` have one tree, ``fraction``
+    two, ``rows`` several; ``script`` has base, index and exponent, of which one may be empty."""
+    text: str = ""
+    parts: "tuple[Tree, ...]" = ()
 
-    def __init__(self, dot: str = " ") -> None:
-        self._dot = dot
 
-    def _leaf(self, text: str) -> str:
-        return symbol_latex(text)
+Tree: TypeAlias = tuple[str | Node, ...]
+"""A formula as a row of signs and nodes, set in the letters, numbers and units of the user's language."""
+_GAP = Node("gap", "0.17")
+"""Space between a number and its unit, em."""
 
-    def _function(self, name: str) -> str:
-        return f"\\{name.replace('atan', 'arctan')} "
 
-    def _power(self, base: Expression, exponent: Expression) -> str:
-        if exponent in (Leaf("0.5"), Leaf("0.5", own=True)):
-            return f"\\sqrt{{{self.show(base)}}}"
-        whole = isinstance(base, Leaf) and not re.search(r"[ /^]|\\,", base.text)
-        return f"{self._in_brackets(base, not whole)}^{{{self.show(exponent)}}}"
+class _Tree:
+    """Writes an expression as a tree; ``line``: quotients in one line, not as fractions."""
 
-    def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> str:
-        above = self._factors(over)
-        return f"\\frac{{{above}}}{{{self._factors(under)}}}" if under else above
+    def __init__(self, *, numbers: bool, units: bool = True, line: bool = False) -> None:
+        self._numbers, self._units, self._line = numbers, units, line
 
-    def _factors(self, factors: tuple[Expression, ...]) -> str:
-        text = ""
+    def show(self, term: Expression) -> Tree:
+        match term:
+            case Power(base, Leaf("0.5")):
+                return (Node("root", parts=(self.show(base),)),)
+            case Power(base, exponent):
+                whole = isinstance(base, Leaf) and not re.search("[ /^]" if self._units else "[/^]", base.text)
+                return raised(self._in_brackets(base, not whole), self.show(exponent))
+            case Sum(terms):
+                return self._sum(terms)
+            case Product(True, (Sum() as taken_off,), ()):
+                return ("−", *self._in_brackets(taken_off, True))
+            case Product(negative, over, under):
+                return ("−", *self._quotient(over, under)) if negative else self._quotient(over, under)
+            case Called(name, arguments):
+                shown = [sign for one in arguments for sign in (",", *self.show(one))][1:]
+                function = Node("function", translate(name.replace("atan", "arctan"), "symbol"))
+                return (function, Node("brackets", parts=(tuple(shown),)))
+        assert isinstance(term, Leaf)
+        return self._leaf(term)
+
+    def _leaf(self, leaf: Leaf) -> Tree:
+        if leaf.unit is None:
+            return symbol_tree(leaf.text)
+        unit = translate(leaf.unit, "unit") if self._units else ""
+        shown = value_tree(f"{localized(f'{leaf.value:.5g}')} {unit}")
+        return ("(", *shown, ")") if leaf.value < 0 else shown
+
+    def _in_brackets(self, term: Expression, when: bool) -> Tree:
+        own = self.show(term)
+        return (Node("brackets", parts=(own,)),) if when else own
+
+    def _sum(self, terms: tuple[Expression, ...]) -> Tree:
+        tree: Tree = ()
+        for term in terms:
+            minus = isinstance(term, Product) and term.negative
+            own = _negated(term) if minus else term
+            sign = ("−",) if minus else ("+",) if tree else ()
+            tree += (*sign, *self._in_brackets(own, isinstance(own, Sum)))
+        return tree
+
+    def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> Tree:
+        above, below = self._factors(over), self._factors(under)
+        if not under:
+            return above
+        if not self._line:
+            return (Node("fraction", parts=(above, below)),)
+        if len(over) == 1 and isinstance(over[0], Sum):
+            above = (Node("brackets", parts=(above,)),)
+        # a number with its unit is divided by as a whole
+        whole = len(below) == 1 and isinstance(below[0], Node) and below[0].kind == "number"
+        return (*above, "/", *(below if whole else (Node("brackets", parts=(below,)),)))
+
+    def _factors(self, factors: tuple[Expression, ...]) -> Tree:
+        tree: Tree = ()
         for factor in factors:
             own = self._in_brackets(factor, isinstance(factor, Sum) and len(factors) > 1)
-            between = " \\cdot " if text[-1:].isdigit() and own[:1].isdigit() else self._dot
-            text += (between if text else "") + own
-        return text
-
-
-class _LatexLine(_Latex):
-    """LaTeX in one line: a stroke for a fraction's bar, brackets that do not grow."""
-
-    brackets = "({})"
-
-    def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> str:
-        above, below = self._factors(over), self._factors(under)
-        if len(over) == 1 and isinstance(over[0], Sum) and under:
-            above = self.brackets.format(above)
-        # a number with its unit is divided by as a whole
-        whole = len(under) == 1 and isinstance(under[0], Leaf) and "\\" not in under[0].text
-        return f"{above}/{below if whole else self.brackets.format(below)}" if under else above
+            digits = tree and all(isinstance(each, Node) and each.kind == "number" for each in (tree[-1], own[0]))
+            tree += ("·", *own) if tree and (self._numbers or digits) else own
+        return tree
 
 
 class FormulaText:
@@ -253,55 +291,130 @@ class FormulaText:
         units: Mapping[str, str],
     ) -> None:
         """Run ``function`` on the symbols and on the values of its arguments."""
-        plain = {name: _number(values[name], units[name], latex=False) for name in symbols}
-        set_in_latex = {name: _number(values[name], units[name], latex=True) for name in symbols}
-        self._symbolic, self._plain, self._latex = (
-            _term(function(**{name: Leaf(text, value=values[name]) for name, text in texts.items()}))
-            for texts in (symbols, plain, set_in_latex)
-        )
+        self._symbols = _term(function(**{name: Leaf(text, value=values[name]) for name, text in symbols.items()}))
+        self._numbers = _term(function(**{name: _number(values[name], units[name]) for name in symbols}))
 
     def text(self) -> str:
         """Return the formula on one line, Unicode."""
-        return _Text().show(self._symbolic)
+        return _Text().show(self._symbols)
 
     def text_with_numbers(self) -> str:
         """Return the formula with numbers and units put in, Unicode."""
-        return _Text().show(self._plain)
+        return _Text().show(self._numbers)
 
-    def latex(self) -> str:
-        """Return the formula in LaTeX."""
-        return _Latex().show(self._symbolic)
+    def tree(self) -> Tree:
+        """Return the formula as a tree."""
+        return _Tree(numbers=False).show(self._symbols)
 
-    def latex_with_numbers(self, *, line: bool = False) -> str:
-        """Return the formula with numbers and units in LaTeX, in one line if so wanted."""
-        return (_LatexLine if line else _Latex)(" \\cdot ").show(self._latex)
+    def tree_with_numbers(self, *, units: bool = True, line: bool = False) -> Tree:
+        """Return the formula with numbers as a tree, with their units, in one line if so wanted."""
+        return _Tree(numbers=True, units=units, line=line).show(self._numbers)
 
 
-def _number(value: Any, unit: str, *, latex: bool) -> str:
-    """Write a value with its SI unit; the spaces keep it apart from operators."""
+def _number(value: Any, unit: str) -> Leaf:
+    """Return a value with its SI unit; the spaces keep it apart from operators."""
     text = f"{value:.5g}"
     if "e" in text:
         mantissa, _, exponent = text.partition("e")
-        text = f"{mantissa}\\cdot 10^{{{int(exponent)}}}" if latex else f"({mantissa}·10^{int(exponent)})"
-    if unit != "1":
-        text = f"{text}\\,\\text{{{typeset(unit)}}}" if latex else f"{text} {typeset(unit)}"
-    return f"({text})" if value < 0 else text
+        text = f"({mantissa}·10^{int(exponent)})"
+    shown = "" if unit == "1" else typeset(unit)
+    text = f"{text} {shown}".rstrip()
+    return Leaf(f"({text})" if value < 0 else text, value=value, unit=shown)
 
 
-def symbol_latex(name: str) -> str:
-    """Return a symbol of the papers in LaTeX."""
-    if "\\" in name or (name[:1].isdigit() and "_" not in name) or name[:1] == "-":
-        return name
-    for letter, command in _GREEK.items():
-        name = name.replace(letter, command)
-    indexed = _INDEXED.sub(r"\1_{\\text{\2}}", name.replace("'", "^{\\prime}"))
-    return _FUNCTION.sub(r"\\\1 ", indexed).replace("²", "^{2}")
+def raised(base: Tree, exponent: Tree, index: Tree = ()) -> Tree:
+    """Add an exponent, or an index, to the last part of a tree."""
+    *before, last = base
+    parts: tuple[Tree, ...] = ((last,), (), ())
+    if isinstance(last, Node) and last.kind == "script":
+        parts = last.parts
+    return (*before, Node("script", parts=(parts[0], parts[1] + index, parts[2] + exponent)))
 
 
-_GREEK = {
-    "α": "\\alpha ", "β": "\\beta", "κ": "\\kappa ", "ν": "\\nu", "π": "\\pi ", "τ": "\\tau", "ψ": "\\psi",
-    "Δ": "\\Delta ", "∂": "\\partial ",
+def symbol_tree(symbol: str) -> Tree:
+    """Return a symbol of the papers as a tree.
+
+    >>> symbol_tree("F_п2")[0].parts
+    (('F',), (Node(kind='text', text='sp2', parts=()),), ())
+    """
+    tree: Tree = ()
+    for number, function, word, sign, index in _SIGNS.findall(native(symbol)):
+        if word:
+            tree += (Node("text", f"\xa0{word}\xa0"),)
+        elif index:
+            tree = raised(tree, (), (Node("text", index),))
+        elif number:
+            tree += (Node("number", localized(number)),)
+        elif function:
+            tree += (Node("function", function),)
+        elif sign in "'²":
+            tree = raised(tree, ("′",) if sign == "'" else (Node("number", "2"),))
+        else:
+            tree += ("−" if sign == "-" else sign,)
+    return tree
+
+
+_SIGNS = re.compile(
+    r"(\d+(?:\.\d+)*)|\b(sin|cos|tan|tg|ln)(?=[ \w(])|(?<= )([^\W\d_]{2,})(?= |$)|([^\s_])|_((?:[^\W²]|[.,+])+)"
+)
+
+
+def value_tree(shown: str) -> Tree:
+    """Return a number as people see it, with its unit, as a tree.
+
+    >>> value_tree("1.2e+07")[1:]
+    ('·', Node(kind='script', text='', parts=((Node(kind='number', text='10', parts=()),), (), ...
+    """
+    number, _, unit = re.sub("(?<! )°", " °", shown).partition(" ")
+    mantissa, _, exponent = number.partition("e")
+    if power := _POWER.fullmatch(number):
+        mantissa, exponent = power[1] or "1", power[2].translate(_LOWERED)
+    minus = ("−",) if mantissa[:1] in ("-", "−") else ()
+    tree: Tree = (*minus, Node("number", mantissa.lstrip("-−")))
+    if exponent:
+        sign: Tree = ("−",) if int(exponent) < 0 else ()
+        ten = raised((Node("number", "10"),), (*sign, Node("number", str(abs(int(exponent))))))
+        tree = (*tree, "·", *ten)
+    return (*tree, _GAP, Node("text", unit)) if unit else tree
+
+
+_POWER = re.compile("(?:(.+)·)?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
+_LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def latex(tree: Tree) -> str:
+    """Write a tree as LaTeX.
+
+    >>> latex((*symbol_tree("F_п"), "=", *value_tree("0,5 кН")))
+    'F_{\\\\text{cl}} = 0{,}5 \\\\, \\\\text{кН}'
+    """
+    return " ".join(map(_latex, tree))
+
+
+def _latex(node: str | Node) -> str:
+    if isinstance(node, str):
+        return _LATEX.get(node, node)
+    parts = [*map(latex, node.parts)]
+    match node.kind:
+        case "number":
+            return node.text.replace(",", "{,}").replace("\xa0", "\\,")
+        case "text":
+            return f"\\text{{{node.text}}}"
+        case "function":
+            return f"\\operatorname{{{node.text}}}" if node.text.endswith("tg") else f"\\{node.text}"
+        case "gap":
+            return "\\,"
+        case "brackets":
+            return f"\\left({parts[0]}\\right)"
+        case "root":
+            return f"\\sqrt{{{parts[0]}}}"
+        case "fraction":
+            return f"\\frac{{{parts[0]}}}{{{parts[1]}}}"
+    base, below, above = parts
+    return base + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
+
+
+_LATEX = {
+    "α": "\\alpha", "β": "\\beta", "κ": "\\kappa", "ν": "\\nu", "π": "\\pi", "σ": "\\sigma", "τ": "\\tau", "ψ": "\\psi",
+    "Δ": "\\Delta", "∂": "\\partial", "·": "\\cdot", "′": "\\prime", "−": "-", "+": "+", "=": "=",
 }  # fmt: skip
-_INDEXED = re.compile(r"((?:\\[a-z]+|[^\W_]|\))(?:\^\{\\prime\})?)_((?:[^\W²]|[.,+])+)")
-"""A letter with an index: F_п, ΔT_2, T'_п."""
-_FUNCTION = re.compile(r"\b(sin|cos|tan|ln) ?(?=[\w\\(])")

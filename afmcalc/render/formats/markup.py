@@ -4,11 +4,11 @@ import re
 from collections.abc import Iterable
 from html import escape
 
+from ...analysis.explain.formula import latex, value_tree
 from ...messages import native, printable, say, translate
 from ...result import Output
 from ..document import Document, document
 from ..layout import TextTable, blocks, findings_lines, lead, step_lines, title, told_apart, unfolded
-from ..symbols import latex_in_numbers, native_latex, value_latex
 from ..units import in_numbers, measured
 
 
@@ -36,10 +36,10 @@ def _steps(laid_out: Document) -> list[str]:
     for step in laid_out.steps:
         places = [*([in_numbers(step.at)] if step.at else []), *told_apart(step, laid_out.steps)]
         at = f" ({_escape(', '.join(places))})" if places else ""
-        equals = " = ".join(dict.fromkeys(map(latex_in_numbers, (step.formula_latex, step.substituted_latex))))
+        equals = " = ".join(dict.fromkeys((step.formula_latex, step.substituted_latex)))
         lines += [f"### {_escape(native(step.symbol))}{at}: {_escape(translate(step.name))}", ""]
-        value = value_latex(measured(step.value, step.unit))
-        lines += [f"$${native_latex(step.symbol_latex)} = {equals} = {value}$$", ""]
+        value = latex(value_tree(measured(step.value, step.unit)))
+        lines += [f"$${step.symbol_latex} = {equals} = {value}$$", ""]
         lines += [say("Source: {source}", source=_escape(translate(step.source))), ""]
         if step.print_differs:
             lines += [say("*Print differs:* {what}", what=_escape(translate(step.print_differs))), ""]

@@ -11,7 +11,7 @@ from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.accuracy import accuracy
 from afmcalc.analysis.explain.explain import explain
-from afmcalc.analysis.explain.formula import Expression, FormulaText, Leaf
+from afmcalc.analysis.explain.formula import Expression, FormulaText, Leaf, Node
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
@@ -105,16 +105,19 @@ def read_as_printed(text, names):
     return eval("".join(f"({names[part]})" if part in names else symbols.get(part, part) for part in parts), functions)
 
 
-def from_latex(text):
-    """One line of text from LaTeX: a fraction's parts, and what is raised, in brackets; of what is innermost first."""
-    text = re.sub(r"\\(?:arc|a)?(max|min|sin|cos|tan) ", lambda match: match[0][1:-1].replace("arc", "a"), text)
-    text = text.replace("\\pi ", "π")
-    text = re.sub(r"\\,\\text\{([^{}]*)\}", r" \1", text).replace("\\left", "").replace("\\right", "")
-    while match := re.search(r"\\frac\{([^{}]*)\}\{([^{}]*)\}|\^\{([^{}]*)\}|\\sqrt\{([^{}]*)\}", text):
-        above, below, raised, root = match.groups()
-        shown = f"^({raised})" if raised else f"(({root})^(0.5))" if root else f"(({above})/({below}))"
-        text = text[: match.start()] + shown + text[match.end() :]
-    return re.sub(r"(?<! )- ", "-", text.replace(" \\cdot ", "·").replace("\\cdot ", "·"))
+def from_tree(tree):
+    """One line of text from a tree: a fraction's parts, and what is raised, in brackets."""
+
+    def line(node, before):
+        if isinstance(node, str):
+            sign = {"−": "-", ",": ", "}.get(node, node)
+            return f" {sign} " if node in "+−" and before not in ("", "(", "·", "/", ",") else sign
+        parts = [*map(from_tree, node.parts)]
+        forms = {"gap": " ", "brackets": "({0})", "root": "(({0})^(0.5))", "fraction": "(({0})/({1}))"}
+        forms["script"] = "{0}^{2}" if node.parts[:1] == ((Node("number", "10"),),) else "{0}^({2})"
+        return forms[node.kind].format(*parts) if node.kind in forms else node.text.replace("arc", "a")
+
+    return "".join(map(line, tree, ("", *tree)))
 
 
 def printed_forms(equation, sign):
@@ -134,7 +137,7 @@ def printed_forms(equation, sign):
             first = names.setdefault(match[1], 1.9)
             names[match[3]] = numbers[argument] / first if match[2] == " " else first / numbers[argument]
     of_result = read_as_printed(equation.result.unit.replace("*", "·"), NUMBER_OF_UNIT)
-    shown = (text.text_with_numbers(), *(from_latex(text.latex_with_numbers(line=line)) for line in (False, True)))
+    shown = (text.text_with_numbers(), *(from_tree(text.tree_with_numbers(line=line)) for line in (False, True)))
     read = [read_as_printed(one, NUMBER_OF_UNIT) / of_result for one in shown]
     return complex(equation.function(**numbers)), [read_as_printed(text.text(), names), *read]
 
