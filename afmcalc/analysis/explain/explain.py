@@ -204,7 +204,7 @@ def _step(step: NotedStep) -> Step:
     return Step(
         symbol=native(result.symbol), symbol_latex=latex(symbol_tree(translate(result.symbol))),
         name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
-        formula=native(formula.text()), substituted=native(formula.text_with_numbers()), value=float(step.value),
+        formula=formula.text(), substituted=formula.text_with_numbers(), value=float(step.value),
         unit=result.unit, source=translate(equation.source),
         print_differs=_print_differs(equation.name) or None, function=equation.name,
         formula_latex=latex(formula.tree()), substituted_latex=latex(formula.tree_with_numbers()),

@@ -135,68 +135,6 @@ def _negated(term: Expression) -> Expression:
     return _joined(not own.negative, own.over, own.under)
 
 
-_SEVERAL = re.compile(r"^(?!sin|cos|tan|ln)\D\S* |^[^(]*/|\d .*·")
-"""One term that reads as several: a symbol such as α A_c or A/B, a number whose unit is a product or a ratio."""
-
-
-class _Text:
-    """One line, Unicode: a raised dot for products, no space around it."""
-
-    brackets = "({})"
-    minus = "-"
-
-    def show(self, term: Expression) -> str:
-        """Write an expression."""
-        match term:
-            case Power(base, exponent):
-                return self._power(base, exponent)
-            case Sum(terms):
-                return self._sum(terms)
-            case Product(True, (Sum() as taken_off,), ()):
-                return self.minus + self._in_brackets(taken_off, True)
-            case Product(negative, over, under):
-                return (self.minus if negative else "") + self._quotient(over, under)
-            case Called(name, arguments):
-                return self._function(name) + self.brackets.format(", ".join(map(self.show, arguments)))
-        assert isinstance(term, Leaf)
-        return self._leaf(term.text)
-
-    def _leaf(self, text: str) -> str:
-        return text
-
-    def _function(self, name: str) -> str:
-        return name
-
-    def _in_brackets(self, term: Expression, when: bool) -> str:
-        own = self.show(term)
-        return self.brackets.format(own) if when else own
-
-    def _power(self, base: Expression, exponent: Expression) -> str:
-        # a number with a unit is raised as a whole, and so is a ratio that is one symbol
-        whole = (isinstance(each, Leaf) and not re.search("[ /]", each.text) for each in (base, exponent))
-        parts = (self._in_brackets(each, not one) for each, one in zip((base, exponent), whole, strict=True))
-        return "^".join(parts)
-
-    def _sum(self, terms: tuple[Expression, ...]) -> str:
-        text = ""
-        for term in terms:
-            minus = isinstance(term, Product) and term.negative
-            own = _negated(term) if minus else term
-            shown = self._in_brackets(own, isinstance(own, Sum))
-            text += (" - " if minus else " + ") + shown if text else (self.minus if minus else "") + shown
-        return text
-
-    def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> str:
-        above = "·".join(self._in_brackets(each, isinstance(each, Sum | Product)) for each in over)
-        below = "·".join(self._divisor(each) for each in under)
-        return f"{above}/({below})" if len(under) > 1 else f"{above}/{below}" if under else above
-
-    def _divisor(self, term: Expression) -> str:
-        of_sum = isinstance(term, Power) and isinstance(term.base, Sum)
-        several = isinstance(term, Leaf) and _SEVERAL.search(term.text) is not None
-        return self._in_brackets(term, isinstance(term, Sum | Product) or of_sum or several)
-
-
 class Node(NamedTuple):
     """A part of a formula that is more than one sign."""
 
@@ -211,6 +149,8 @@ Tree: TypeAlias = tuple[str | Node, ...]
 """A formula as a row of signs and nodes, set in the letters, numbers and units of the user's language."""
 _GAP = Node("gap", "0.17")
 """Space between a number and its unit, em."""
+TIMES = "\u2062"
+"""Sign between factors where none is seen."""
 
 
 class _Tree:
@@ -224,31 +164,27 @@ class _Tree:
             case Power(base, Leaf("0.5")):
                 return (Node("root", parts=(self.show(base),)),)
             case Power(base, exponent):
-                whole = isinstance(base, Leaf) and not re.search("[ /^]" if self._units else "[/^]", base.text)
-                return raised(self._in_brackets(base, not whole), self.show(exponent))
+                own = self.show(base)
+                return raised(own if _is_single(own) else _bracketed(own), self.show(exponent))
             case Sum(terms):
                 return self._sum(terms)
             case Product(True, (Sum() as taken_off,), ()):
-                return ("−", *self._in_brackets(taken_off, True))
+                return ("−", *_bracketed(self.show(taken_off)))
             case Product(negative, over, under):
                 return ("−", *self._quotient(over, under)) if negative else self._quotient(over, under)
             case Called(name, arguments):
                 shown = [sign for one in arguments for sign in (",", *self.show(one))][1:]
                 function = Node("function", translate(name.replace("atan", "arctan"), "symbol"))
-                return (function, Node("brackets", parts=(tuple(shown),)))
+                return (function, *_bracketed(tuple(shown)))
         assert isinstance(term, Leaf)
         return self._leaf(term)
 
     def _leaf(self, leaf: Leaf) -> Tree:
         if leaf.unit is None:
-            return symbol_tree(leaf.text)
+            return value_tree(localized(leaf.text)) if leaf.own and leaf is not _PI else symbol_tree(leaf.text)
         unit = translate(leaf.unit, "unit") if self._units else ""
         shown = value_tree(f"{localized(f'{leaf.value:.5g}')} {unit}")
-        return ("(", *shown, ")") if leaf.value < 0 else shown
-
-    def _in_brackets(self, term: Expression, when: bool) -> Tree:
-        own = self.show(term)
-        return (Node("brackets", parts=(own,)),) if when else own
+        return _bracketed(shown) if leaf.value < 0 else shown
 
     def _sum(self, terms: tuple[Expression, ...]) -> Tree:
         tree: Tree = ()
@@ -256,7 +192,7 @@ class _Tree:
             minus = isinstance(term, Product) and term.negative
             own = _negated(term) if minus else term
             sign = ("−",) if minus else ("+",) if tree else ()
-            tree += (*sign, *self._in_brackets(own, isinstance(own, Sum)))
+            tree += (*sign, *(_bracketed(self.show(own)) if isinstance(own, Sum) else self.show(own)))
         return tree
 
     def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> Tree:
@@ -266,17 +202,17 @@ class _Tree:
         if not self._line:
             return (Node("fraction", parts=(above, below)),)
         if len(over) == 1 and isinstance(over[0], Sum):
-            above = (Node("brackets", parts=(above,)),)
+            above = _bracketed(above)
         # a number with its unit is divided by as a whole
-        whole = len(below) == 1 and isinstance(below[0], Node) and below[0].kind == "number"
-        return (*above, "/", *(below if whole else (Node("brackets", parts=(below,)),)))
+        return (*above, "/", *(below if _is_single(below) else _bracketed(below)))
 
     def _factors(self, factors: tuple[Expression, ...]) -> Tree:
         tree: Tree = ()
         for factor in factors:
-            own = self._in_brackets(factor, isinstance(factor, Sum) and len(factors) > 1)
+            own = self.show(factor)
+            own = _bracketed(own) if isinstance(factor, Sum) and len(factors) > 1 else own
             digits = tree and all(isinstance(each, Node) and each.kind == "number" for each in (tree[-1], own[0]))
-            tree += ("·", *own) if tree and (self._numbers or digits) else own
+            tree += ("·" if self._numbers or digits else TIMES, *own) if tree else own
         return tree
 
 
@@ -292,15 +228,17 @@ class FormulaText:
     ) -> None:
         """Run ``function`` on the symbols and on the values of its arguments."""
         self._symbols = _term(function(**{name: Leaf(text, value=values[name]) for name, text in symbols.items()}))
-        self._numbers = _term(function(**{name: _number(values[name], units[name]) for name in symbols}))
+        shown = {name: "" if units[name] == "1" else typeset(units[name]) for name in symbols}
+        numbers = {name: Leaf(f"{values[name]:.5g}", value=values[name], unit=unit) for name, unit in shown.items()}
+        self._numbers = _term(function(**numbers))
 
     def text(self) -> str:
         """Return the formula on one line, Unicode."""
-        return _Text().show(self._symbols)
+        return text(self.tree())
 
     def text_with_numbers(self) -> str:
         """Return the formula with numbers and units put in, Unicode."""
-        return _Text().show(self._numbers)
+        return text(self.tree_with_numbers())
 
     def tree(self) -> Tree:
         """Return the formula as a tree."""
@@ -311,15 +249,16 @@ class FormulaText:
         return _Tree(numbers=True, units=units, line=line).show(self._numbers)
 
 
-def _number(value: Any, unit: str) -> Leaf:
-    """Return a value with its SI unit; the spaces keep it apart from operators."""
-    text = f"{value:.5g}"
-    if "e" in text:
-        mantissa, _, exponent = text.partition("e")
-        text = f"({mantissa}·10^{int(exponent)})"
-    shown = "" if unit == "1" else typeset(unit)
-    text = f"{text} {shown}".rstrip()
-    return Leaf(f"({text})" if value < 0 else text, value=value, unit=shown)
+def _bracketed(tree: Tree) -> Tree:
+    single = len(tree) == 1 and isinstance(tree[0], Node) and tree[0].kind == "brackets"
+    return tree if single else (Node("brackets", parts=(tree,)),)
+
+
+def _is_single(tree: Tree) -> bool:
+    """True if a tree is one sign, number or symbol, perhaps with an index."""
+    first, *others = tree
+    kind = "number" if isinstance(first, str) else first.kind
+    return not others and (kind in ("number", "text") or (kind == "script" and not first[2][2]))
 
 
 def raised(base: Tree, exponent: Tree, index: Tree = ()) -> Tree:
@@ -338,7 +277,7 @@ def symbol_tree(symbol: str) -> Tree:
     (('F',), (Node(kind='text', text='sp2', parts=()),), ())
     """
     tree: Tree = ()
-    for number, function, word, sign, index in _SIGNS.findall(native(symbol)):
+    for function, word, number, sign, index in _SIGNS.findall(native(symbol)):
         if word:
             tree += (Node("text", f"\xa0{word}\xa0"),)
         elif index:
@@ -355,7 +294,7 @@ def symbol_tree(symbol: str) -> Tree:
 
 
 _SIGNS = re.compile(
-    r"(\d+(?:\.\d+)*)|\b(sin|cos|tan|tg|ln)(?=[ \w(])|(?<= )([^\W\d_]{2,})(?= |$)|([^\s_])|_((?:[^\W²]|[.,+])+)"
+    r"\b(sin|cos|tan|tg|ln)(?: |(?=[\w(]))| ([^\W\d_]{2,})(?: |$)|(\d+(?:\.\d+)*)|([^_])|_((?:[^\W²]|[.,+])+)"
 )
 
 
@@ -380,6 +319,52 @@ def value_tree(shown: str) -> Tree:
 
 _POWER = re.compile("(?:(.+)·)?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def text(tree: Tree) -> str:
+    """Write a tree in one line.
+
+    >>> text(("a", "+", Node("fraction", parts=(("b", "+", "c"), ("d", TIMES, "e")))))
+    'a + (b + c)/(d·e)'
+    """
+    line = ""
+    for node, after in zip(tree, (*tree[1:], "("), strict=False):
+        if isinstance(node, Node):
+            called = after == "(" or isinstance(after, Node) and after.kind == "brackets"
+            line += _text(node, *node.parts) + " " * (node.kind == "function" and not called)
+        elif node in "+−":
+            sign = "+" if node == "+" else localized("-")
+            line += sign if line[-1:] in ("", "(", "·", "/") else f" {sign} "
+        else:
+            line += {"=": " = ", ",": ", ", TIMES: "·"}.get(node, node)
+    return line
+
+
+def _text(node: Node, *parts: Tree) -> str:
+    match node.kind:
+        case "fraction":
+            return f"{_without(parts[0], '+−')}/{_without(parts[1], '+−·/ ' + TIMES)}"
+        case "root":
+            return f"{text(parts[0] if _is_single(parts[0]) else _bracketed(parts[0]))}^{localized('0.5')}"
+        case "brackets":
+            return f"({text(parts[0])})"
+        case "rows":
+            return " ".join(map(text, parts))
+        case "gap":
+            return " "
+        case "script":
+            base, index, power = text(parts[0]), text(parts[1]), tuple(sign for sign in parts[2] if sign != "′")
+            base += "'" * (len(parts[2]) - len(power)) + (f"_{index}" if index else "")
+            return base + (f"^{text(power if _is_single(power) else _bracketed(power))}" if power else "")
+    return node.text
+
+
+def _without(tree: Tree, signs: str) -> str:
+    """Write a tree, in brackets if one of some signs is in it or in a unit of it."""
+    marks = (
+        node if isinstance(node, str) else {"text": node.text, "fraction": "/"}.get(node.kind, "") for node in tree
+    )
+    return text(_bracketed(tree) if {*"".join(marks)} & {*signs} else tree)
 
 
 def latex(tree: Tree) -> str:
@@ -416,5 +401,5 @@ def _latex(node: str | Node) -> str:
 
 _LATEX = {
     "α": "\\alpha", "β": "\\beta", "κ": "\\kappa", "ν": "\\nu", "π": "\\pi", "σ": "\\sigma", "τ": "\\tau", "ψ": "\\psi",
-    "Δ": "\\Delta", "∂": "\\partial", "·": "\\cdot", "′": "\\prime", "−": "-", "+": "+", "=": "=",
+    "Δ": "\\Delta", "∂": "\\partial", "·": "\\cdot", "′": "\\prime", "−": "-", TIMES: "",
 }  # fmt: skip

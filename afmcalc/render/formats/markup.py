@@ -9,7 +9,7 @@ from ...messages import native, printable, say, translate
 from ...result import Output
 from ..document import Document, document
 from ..layout import TextTable, blocks, findings_lines, lead, step_lines, title, told_apart, unfolded
-from ..units import in_numbers, measured
+from ..units import measured
 
 
 def markdown(output: Output, terminal: bool) -> str:
@@ -34,7 +34,7 @@ def _steps(laid_out: Document) -> list[str]:
     """Steps of an explanation with their formulas in LaTeX."""
     lines = []
     for step in laid_out.steps:
-        places = [*([in_numbers(step.at)] if step.at else []), *told_apart(step, laid_out.steps)]
+        places = [*([step.at] if step.at else []), *told_apart(step, laid_out.steps)]
         at = f" ({_escape(', '.join(places))})" if places else ""
         equals = " = ".join(dict.fromkeys((step.formula_latex, step.substituted_latex)))
         lines += [f"### {_escape(native(step.symbol))}{at}: {_escape(translate(step.name))}", ""]

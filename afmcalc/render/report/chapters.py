@@ -19,7 +19,7 @@ from ..layout import TextTable, blocks, cells, quantities
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curves import SPRINGS
-from ..units import in_numbers, measured, significant
+from ..units import measured, significant
 from .blocks import Piece, Step, Text, listed, piece, text
 from .formulas import SHORT, Formula, broken, formula, size
 from .pieces import marks, said
@@ -191,7 +191,7 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
     """One column of labels; empty where it would say of each line what goes without saying."""
     cases = [row.case for row in rows]
     if name == "friction":
-        return [in_numbers(case.at) if case.at else "" for case in cases]
+        return [case.at or "" for case in cases]
     if name == "side":
         on_sides = any(case.side for case in cases)
         return [told(f"side/{case.side or 'protected'}") if on_sides else "" for case in cases]

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ...analysis.explain.formula import Node, Tree
+from ...analysis.explain.formula import TIMES, Node, Tree, text
 
 
 @dataclass(frozen=True)
@@ -17,44 +17,15 @@ def formula(*sides: Tree) -> Formula:
     """Set the sides of an equation.
 
     >>> formula(("F",), (Node("fraction", parts=(("a", "b"), ("c",))),)).alt
-    'F = (ab)/(c)'
+    'F = ab/c'
     """
     tree = equated(*sides)
-    return Formula(tree, plain(tree))
+    return Formula(tree, text(tree))
 
 
 def equated(*sides: Tree) -> Tree:
     """Join the sides of an equation."""
     return tuple(sign for side in sides for sign in ("=", *side))[1:]
-
-
-def plain(tree: Tree) -> str:
-    """Say a formula in one line."""
-    return "".join(map(_plain, tree))
-
-
-def _plain(node: str | Node) -> str:
-    if isinstance(node, str):
-        return f" {node} " if node in "=+−" else node
-    parts = [*map(plain, node.parts)]
-    match node.kind:
-        case "fraction":
-            return f"({parts[0]})/({parts[1]})"
-        case "root":
-            return f"√({parts[0]})"
-        case "brackets":
-            return f"({parts[0]})"
-        case "rows":
-            return " ".join(parts)
-        case "script":
-            base, below, above = parts
-            power = above if above.startswith("′") or not above else f"^{above}"
-            return base + (f"_{below}" if below else "") + power
-        case "gap":
-            return "\u2009"
-        case "function":
-            return f"{node.text} "
-    return node.text
 
 
 SHORT = 64
@@ -72,7 +43,7 @@ def broken(tree: Tree, most: int = SHORT) -> Tree:
         return tree
     rows: list[Tree] = [()]
     for node in tree:
-        if rows[-1] and (node in ("+", "−") or (node == "·" and size(rows[-1]) > most / 2)):
+        if rows[-1] and (node in ("+", "−") or (node in ("·", TIMES) and size(rows[-1]) > most / 2)):
             rows.append(())
         rows[-1] += (node,)
     return (Node("rows", parts=tuple(rows)),) if len(rows) > 1 else tree
