@@ -15,10 +15,9 @@ from .drive_result import SimulateResult
 from .effects import effects_curve
 from .registry import ANALYSES, PLOTS, Plot, StressRule
 from .section import section
-from .shop import ShopDrawing, shop_drawing
+from .shop import shop_drawing
 from .simulate import MomentRow, history
 from .springs import springs_curve
-from .synthesize import SynthesisResult
 from .tolerance_result import ToleranceResult
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "search": "SPEC"}
@@ -32,14 +31,6 @@ class Request(NamedTuple):
     """``Answers`` of clutches, names of the papers' figures, or specs with [search]."""
     sweep: str | None = None
     model: StressRule | None = None
-
-
-class PocketSection(NamedTuple):
-    """The section through one ball and its pockets."""
-
-    name: str | None
-    balls: int | None
-    synthesis: SynthesisResult
 
 
 class ToleranceFigure(NamedTuple):
@@ -128,8 +119,7 @@ def gathered(name: str, request: Request) -> Any:
         case "life":
             return _life(request)
         case "pocket":
-            (synthesis, _), spec = subject.ask("pocket"), subject.clutch.spec  # refuses a clutch without balls
-            return PocketSection(spec.name, spec.control_unit.balls, synthesis)
+            return shop_drawing(subject.clutch, subject.ask("pocket")[0])  # which refuses a clutch without balls
         case "effects":
             return effects_curve(subject.clutch)
         case "springs":
@@ -181,16 +171,3 @@ def _pareto(spec: Spec) -> ParetoFigure:
     if not result.front:
         raise CalculationError(findings[0].message)
     return ParetoFigure(spec.name, result)
-
-
-def shop_drawing_of(name: str, request: Request) -> ShopDrawing:
-    """Lay out the pockets of a clutch for the shop; ``name``: the plot that was asked.
-
-    Raises:
-        AfmcalcError: no one clutch with a control unit, or a pocket that cannot be cut.
-    """
-
-    check_request(name, request)
-    (answers,) = request.subjects
-    synthesis, _ = answers.ask("pocket")
-    return shop_drawing(answers.clutch, synthesis)

@@ -62,13 +62,13 @@ def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = No
 def _draw_pocket(clutch: "Clutch", kind: str, common: Common) -> None:
     """Write the pocket in true millimetres, a sheet for the shop."""
     from ..analysis.answers import Answers
-    from ..analysis.figures import Request, shop_drawing_of
+    from ..analysis.figures import Request, gathered
     from ..render import shop
     from ..render.dxf import dxf
     from ..render.svg import svg
 
     with common.bar():
-        drawing = shop.pocket(shop_drawing_of("pocket", Request([Answers(clutch)])))
+        drawing = shop.pocket(gathered("pocket", Request([Answers(clutch)])))
         content = dxf(drawing) if kind == "dxf" else svg(drawing).encode()
     common.save(content, common.output or "")
 

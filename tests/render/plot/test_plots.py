@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from conftest import CONFIGS, ROOT
 
-from afmcalc.render.drawing import Circle, Stroke
+from afmcalc.render.drawing import Circle
 
 from .test_figures import sheet
 
@@ -101,18 +101,15 @@ def test_a_life_is_its_command(answered):
 
 
 def test_the_ball_touches_the_walls_of_its_pockets():
-    """As drawn: no wall is nearer to the ball's centre than its radius, and each dot is there and on a wall."""
+    """As drawn: no wall is nearer to the ball's centre than its radius, at the stop and at the largest travel."""
     (drawing,) = sheet("pocket", "indirect").panels
-    balls, dots = ([each for each in drawing.shapes if getattr(each, "layer", "") == name and isinstance(each, Circle)]
-                   for name in ("balls", "contact"))  # fmt: skip
-    walls = [shape.points for shape in drawing.shapes if isinstance(shape, Stroke) and shape.layer == "outline"]
-    assert (len(balls), len(dots), len(walls)) == (2, 4 + 2, 4)
-    for ball, count in zip(balls, (4, 2), strict=True):
-        edges = [edge for wall in walls for edge in zip(wall, wall[1:], strict=False)]
-        assert min(distance(ball.centre, *edge) for edge in edges) == pytest.approx(ball.radius)
-        own = [dot.centre for dot in dots if math.dist(dot.centre, ball.centre) == pytest.approx(ball.radius)]
-        assert len(own) == count
-        assert max(min(distance(dot, *edge) for edge in edges) for dot in own) == pytest.approx(0, abs=1e-6)
+    balls = [shape for shape in drawing.shapes if isinstance(shape, Circle)]
+    sleeves = [shape.contours[0] for shape in drawing.shapes if shape.layer in ("sleeve_1", "sleeve_2")]
+    assert (len(balls), len(sleeves)) == (2, 4)
+    for ball, both in zip(balls, (sleeves[:2], sleeves[2:]), strict=True):
+        for wall in both:
+            edges = zip(wall, wall[1:], strict=False)
+            assert min(distance(ball.centre, *edge) for edge in edges) == pytest.approx(ball.radius)
 
 
 def distance(point, start, end):
