@@ -301,8 +301,8 @@ _SIGNS = re.compile(
 def value_tree(shown: str) -> Tree:
     """Return a number as people see it, with its unit, as a tree.
 
-    >>> value_tree("1.2e+07")[1:]
-    ('·', Node(kind='script', text='', parts=((Node(kind='number', text='10', parts=()),), (), ...
+    >>> text(value_tree("1.2e+07 N"))
+    '1.2·10^7 N'
     """
     number, _, unit = re.sub("(?<! )°", " °", shown).partition(" ")
     mantissa, _, exponent = number.partition("e")

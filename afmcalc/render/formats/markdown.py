@@ -1,18 +1,16 @@
-"""Markdown, and HTML for a notebook: the tables of the terminal in markup."""
+"""Markdown: the tables of the terminal in markup."""
 
 import re
-from collections.abc import Iterable
-from html import escape
 
 from ...analysis.explain.formula import latex, value_tree
 from ...messages import native, printable, say, translate
 from ...result import Output
 from ..document import Document, document
-from ..layout import TextTable, blocks, findings_lines, lead, step_lines, title, told_apart, unfolded
+from ..layout import blocks, findings_lines, lead, title, told_apart, unfolded
 from ..units import measured
 
 
-def markdown(output: Output, terminal: bool) -> str:
+def render(output: Output, terminal: bool) -> str:
     """Write tables in the engineer's units and the findings as a list."""
     laid_out = document(output.result)
     lines = [f"## {_escape(title(output))}", ""]
@@ -53,31 +51,3 @@ def _escape(text: str) -> str:
 
 _MARKUP = re.compile(r"[\\|<>*`\[\]]|(?<!\w)_|_(?!\w)")
 """Signs Markdown reads as markup; an underscore only at the edge of a word."""
-
-
-def html(output: Output, terminal: bool) -> str:
-    """Write tables in the engineer's units and the findings as a list, a fragment of a page."""
-    laid_out = document(output.result)
-    parts = [f"<h4>{escape(title(output))}</h4>"]
-    parts += [f"<p>{escape(judged)}</p>"] if (judged := lead(output)) else []
-    for block in unfolded(blocks(laid_out)):
-        parts += [f"<h5>{escape(block.title)}</h5>"] if block.title else []
-        parts += [f"<p>{escape(line)}</p>" for line in (block.legend, block.meanings) if line]
-        parts.append(_html_table(block))
-    if laid_out.steps:
-        parts.append(f"<pre>{escape(chr(10).join(step_lines(laid_out)))}</pre>")
-    if remarks := findings_lines(output.findings):
-        parts.append("<ul>" + "".join(f"<li>{escape(line)}</li>" for line in remarks) + "</ul>")
-    return "\n".join(parts) + "\n"
-
-
-def _html_table(block: TextTable) -> str:
-    sides = ["right" if right else "left" for right in block.numeric]
-
-    def row(tag: str, cells: Iterable[str]) -> str:
-        texts = zip(cells, sides, strict=True)
-        marked = (f'<{tag} style="text-align:{side}">{escape(text)}</{tag}>' for text, side in texts)
-        return f"<tr>{''.join(marked)}</tr>"
-
-    body = "".join(row("td", cells) for cells in block.rows)
-    return f"<table><thead>{row('th', block.header)}</thead><tbody>{body}</tbody></table>"
