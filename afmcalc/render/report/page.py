@@ -320,7 +320,8 @@ class _Parts:
 def see(what: Literal["table", "figure"], *numbers: int) -> Text:
     """Name tables or figures, each with a link to it."""
     name = {"table": "table {number}", "figure": "figure {number}"}[what]
-    return listed([piece("link", filled(name, {"number": number}), f"{what}-{number}") for number in numbers])
+    shown = ((number, filled(name, {"number": number}).replace(" ", "\xa0")) for number in numbers)
+    return listed([piece("link", name, f"{what}-{number}") for number, name in shown])
 
 
 def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterator[Block]:
