@@ -89,7 +89,7 @@ class _Book:
                 yield blocks.Paragraph(self._inline(token))
         elif token.type == "fence":
             lines = [*map(said, token.content.splitlines())]
-            yield blocks.Code(token.content) if token.info == "sh" else blocks.Reasoning(lines)
+            yield blocks.Code(token.content) if token.info == "sh" else blocks.Bullets(lines, "derivation")
         elif token.type == "bullet_list_open":
             yield blocks.Bullets([*map(self._inline, _until("bullet_list_close", left))])
         elif token.type == "table_open":

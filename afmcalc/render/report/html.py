@@ -115,21 +115,12 @@ def _block(block: Block, level: int) -> str:
             return _list(map(inline, texts), role)
         case blocks.Definitions(role, pairs):
             return _pairs(((inline(name), inline(text), "") for name, text in pairs), role)
-        case blocks.Reasoning(lines):
-            return element("div", *(element("p", inline(line)) for line in lines), class_="derivation")
         case blocks.Code(code):
             return element("pre", escape(code, quote=False))
         case blocks.Entries(entries):
             return _pairs(
                 ((escape(name), escape(value), "wide" if long else "") for name, value, long in entries), "block"
             )
-        case blocks.Signatures(head, people):
-            rows = (
-                element("tr", element("th", escape(role), scope="row"), element("td", escape(name)), "<td></td>" * 2)
-                for role, name in people
-            )
-            heads = _head([blocks.text(each) for each in head])
-            return element("table", heads, element("tbody", *rows), class_="signatures")
         case Section(key, label, title, body):
             heading = element(f"h{level}", element("span", label, class_="count"), " ", inline(title))
             return element("section", heading, fragment(body, level + 1), id=key)

@@ -439,12 +439,16 @@ def _entries(subject: Subject) -> blocks.Entries:
     )
 
 
-def _signatures(title: TitleBlock) -> blocks.Signatures:
+def _signatures(title: TitleBlock) -> blocks.Table:
     """Cells of all who sign in this language, and of others who are named."""
-    heads = say("Responsible"), say("Name"), say("Signature"), say("Date")
+    heads = map(text, (say("Responsible"), say("Name"), say("Signature"), say("Date")))
     names = {who: getattr(title, who) for who in form().people}
-    people = [(told(who), printable(name or "")) for who, name in names.items() if name or who in form().signed]
-    return blocks.Signatures(heads, people)
+    rows = [
+        [text(told(who)), text(printable(name or "")), text(), text()]
+        for who, name in names.items()
+        if name or who in form().signed
+    ]
+    return blocks.Table("signatures", text(), [*heads], rows)
 
 
 def _frame(title: TitleBlock, headline: str) -> blocks.Frame:

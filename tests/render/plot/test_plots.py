@@ -64,7 +64,7 @@ def test_overload_of_eight_driving_pairs_is_s22s():
 def test_a_front_a_study_and_springs_are_their_commands(answered):
     few = ["search.friction_group.pairs=[8, 10]", "search.control_unit.gain=[0.4, 0.5, 0.6]"]
     front = answered("design", WISHES, *(part for each in few for part in ("--set", each)), "--json").json["result"]
-    (panel,) = sheet("pareto", "requirements", *few).panels
+    panel, _ = sheet("pareto", "requirements", *few).panels
     shown = {name: (x, y) for line in panel.lines for name, x, y in zip(line.names, line.x, line.y, strict=True)}
     wanted = {str(row["number"]): [row[name] for name in front["objectives"][:2]] for row in front["front"]}
     assert {name: list(place) for name, place in shown.items()} == wanted
