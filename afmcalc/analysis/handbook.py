@@ -18,6 +18,7 @@ from ..engines import Clutch, build
 from ..engines.quantities import NotedStep
 from ..engines.selection import CURVED, KEYS, laws_for
 from ..equations.catalogue import Equation, equation_of, equations
+from ..formula_tree import Tree
 from ..papers.claims import Row, claims
 from ..papers.register import Formula, register
 from ..result import shown_as
@@ -26,7 +27,7 @@ from ..variants import VARIANTS
 from .answers import Answers
 from .asking import names_asked
 from .explain.explain import noting, shown, steps_of
-from .explain.formula import FormulaText, Tree
+from .explain.formula import FormulaText
 from .figures import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 

@@ -63,12 +63,12 @@ def _draw_pocket(clutch: "Clutch", kind: str, common: Common) -> None:
     """Write the pocket in true millimetres, a sheet for the shop."""
     from ..analysis.answers import Answers
     from ..analysis.figures import Request, gathered
-    from ..render import shop
+    from ..render import shop_sheet
     from ..render.dxf import dxf
     from ..render.svg import svg
 
     with common.bar():
-        drawing = shop.pocket(gathered("pocket", Request([Answers(clutch)])))
+        drawing = shop_sheet.pocket(gathered("pocket", Request([Answers(clutch)])))
         content = dxf(drawing) if kind == "dxf" else svg(drawing).encode()
     common.save(content, common.output or "")
 
@@ -77,7 +77,7 @@ def _draw_section(clutch: "Clutch", kind: str, common: Common) -> None:
     """Write the section of a clutch, with its part list, to scale."""
     from ..analysis.answers import Answers
     from ..analysis.figures import Request, gathered
-    from ..render import shop
+    from ..render import shop_sheet
     from ..render.dxf import dxf
     from ..render.plot import sheet_of
     from ..render.plot.figure import save
@@ -87,7 +87,10 @@ def _draw_section(clutch: "Clutch", kind: str, common: Common) -> None:
         need("pdf", "typst")
     with common.bar():
         section = gathered("section", Request([Answers(clutch)]))
-        content = dxf(shop.section(section, clutch.spec)) if kind == "dxf" else save(sheet_of("section", section), kind)
+        if kind == "dxf":
+            content = dxf(shop_sheet.section(section, clutch.spec))
+        else:
+            content = save(sheet_of("section", section), kind)
     common.save(content, common.output or "")
 
 

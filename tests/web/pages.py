@@ -49,7 +49,7 @@ class Here:
         pass
 
     async def ask(self, job: Any, gone: Any) -> Any:
-        from afmcalc.web.answers import answer
+        from afmcalc.web.replies import answer
 
         self.jobs.append(job)
         yield json.loads(json.dumps(answer(job["state"], job)))

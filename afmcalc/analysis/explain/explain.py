@@ -17,13 +17,14 @@ from ...equations.catalogue import Equation, equation_of
 from ...equations.terms import CASES, Term, quantity_of, term_of
 from ...errors import AfmcalcError
 from ...findings import Finding
+from ...formula_tree import Tree, latex, symbol_tree
 from ...messages import did_you_mean, native, say, translate
 from ...papers.register import register
 from ...result import Answer, Result, described
 from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
-from .formula import FormulaText, Tree, latex, symbol_tree
+from .formula import FormulaText
 
 
 class Step(Result):

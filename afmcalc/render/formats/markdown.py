@@ -2,12 +2,12 @@
 
 import re
 
-from ...analysis.explain.formula import latex, value_tree
+from ...formula_tree import latex, value_tree
 from ...messages import native, printable, say, translate
 from ...result import Output
+from ..amounts import measured
 from ..document import Document, document
-from ..layout import blocks, findings_lines, lead, title, told_apart, unfolded
-from ..units import measured
+from ..text_tables import blocks, findings_lines, lead, title, told_apart, unfolded
 
 
 def render(output: Output, terminal: bool) -> str:

@@ -3,11 +3,11 @@
 from ...messages import printable
 from ...result import Output
 from ..document import document
-from ..layout import blocks, lead, ranked, step_lines, title, unfolded
 from ..report.blocks import Block, Code, Heading, Paragraph, text
 from ..report.html import fragment
 from ..report.page import findings_of, quantities
 from ..report.pieces import said
+from ..text_tables import blocks, lead, ranked, step_lines, title, unfolded
 
 
 def render(output: Output, terminal: bool) -> str:

@@ -5,7 +5,7 @@ from collections import Counter
 from typing import TYPE_CHECKING
 
 from ...messages import localized, say, translate
-from ..units import display
+from ..amounts import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, stated
 
 if TYPE_CHECKING:

@@ -7,19 +7,19 @@ from typing import Any, NamedTuple
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
 from ...analysis.explain.explain import CaseRow, Derivation, Meaning
-from ...analysis.explain.formula import Tree, symbol_tree, value_tree
 from ...analysis.springs import SpringsResult
 from ...analysis.tolerance_result import ToleranceResult
+from ...formula_tree import Tree, symbol_tree, value_tree
 from ...messages import deferred, say, translate, with_unit
 from ...result import Result, Triple
 from ...spec.keys import keys
 from ...units import typeset
+from ..amounts import measured, significant
 from ..document import ENDS, Column, Document, document, fields_of
-from ..layout import TextTable, blocks, cells, quantities
 from ..plot import sheet_of
 from ..plot.chart import Sheet
-from ..plot.curves import SPRINGS
-from ..units import measured, significant
+from ..plot.curve_sheets import SPRINGS
+from ..text_tables import TextTable, blocks, cells, quantities
 from .blocks import Piece, Step, Text, listed, piece, text
 from .formulas import SHORT, Formula, broken, formula, size
 from .pieces import marks, said

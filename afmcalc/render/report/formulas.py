@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ...analysis.explain.formula import TIMES, Node, Tree, text
+from ...formula_tree import TIMES, Node, Tree, text
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from importlib.resources import files
 
-from ...analysis.explain.formula import Node, Tree
+from ...formula_tree import Node, Tree
 from ...messages import say
 from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
 from . import blocks

@@ -17,11 +17,11 @@ from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
-from ..layout import TextTable, ranked
+from ..amounts import display, display_unit, worded
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
-from ..units import display, display_unit, worded
+from ..text_tables import TextTable, ranked
 from . import blocks
 from .blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .chapters import Chapter, chapters, explained, peaks

@@ -11,11 +11,12 @@ from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.accuracy import accuracy
 from afmcalc.analysis.explain.explain import explain
-from afmcalc.analysis.explain.formula import Expression, FormulaText, Leaf, text
+from afmcalc.analysis.explain.formula import Expression, FormulaText, Leaf
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
 from afmcalc.errors import AfmcalcError
+from afmcalc.formula_tree import text
 from afmcalc.messages import native
 from afmcalc.spec import make_spec, read_spec, resolved
 

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 from ..findings import Finding
 from ..messages import named, native, printable, say, translate, with_unit
 from ..result import Output
+from .amounts import display, display_unit, estimate, headed, measured, worded
 from .document import ENDS, Column, Document, Table
-from .units import display, display_unit, estimate, headed, measured, worded
 
 
 class TextTable(NamedTuple):

@@ -15,6 +15,7 @@ from ..analysis.shop import ShopDrawing
 from ..messages import localized, named, say, translate
 from ..spec import Spec
 from ..spec.models import ShopNotes, TitleBlock
+from .amounts import display
 from .drawing import (
     Angle,
     Circle,
@@ -29,9 +30,8 @@ from .drawing import (
     corners,
     leader,
 )
-from .plot import pocket as pockets
-from .plot.section import section as laid_out
-from .units import display
+from .plot import pocket_drawing as pockets
+from .plot.section_drawing import section as laid_out
 
 _TITLE_TEXT, _TEXT, _SMALL, _LETTER, _LINE = 7.0, 5.0, 3.5, 0.54, 4.2
 """Sizes of titles, text and notes on paper, mm; width of a letter over them, at most about; from note to note."""

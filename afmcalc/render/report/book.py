@@ -6,22 +6,22 @@ from collections.abc import Callable, Iterator, Sequence
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from .. import __version__
-from ..analysis.explain.formula import symbol_tree, value_tree
-from ..analysis.handbook import Entry, Handbook
-from ..messages import say, spoken, translate
-from ..papers.register import Misprint, misprints, references
-from ..units import typeset
-from .plot import sheet_of
-from .plot.schemes import SCHEMES
-from .report import blocks
-from .report.blocks import Block, Document, Piece, Text, listed, piece, text, when
-from .report.formulas import broken, equated, formula
-from .report.html import page
-from .report.page import figure_of
-from .report.pieces import said
-from .report.title import today
-from .units import measured, worded
+from ... import __version__
+from ...analysis.handbook import Entry, Handbook
+from ...formula_tree import symbol_tree, value_tree
+from ...messages import say, spoken, translate
+from ...papers.register import Misprint, misprints, references
+from ...units import typeset
+from ..amounts import measured, worded
+from ..plot import sheet_of
+from ..plot.schemes import SCHEMES
+from . import blocks
+from .blocks import Block, Document, Piece, Text, listed, piece, text, when
+from .formulas import broken, equated, formula
+from .html import page
+from .page import figure_of
+from .pieces import said
+from .title import today
 
 
 def render(handbook: Handbook) -> str:

@@ -21,8 +21,8 @@ from ..analysis.sweep import parse_axis
 from ..engines import build
 from ..errors import AfmcalcError, CalculationError
 from ..messages import localized, native, say, translate
+from ..render.amounts import display_unit
 from ..render.document import Column, document
-from ..render.layout import TextTable, blocks, cells, ranked
 from ..render.plot import sheet_of
 from ..render.plot.chart import Chart, Line, Sheet
 from ..render.plot.figure import inline_svg
@@ -30,7 +30,7 @@ from ..render.report import Subject, render
 from ..render.report.chapters import chapters
 from ..render.report.html import drawing
 from ..render.report.title import text_as_given, title_block
-from ..render.units import display_unit
+from ..render.text_tables import TextTable, blocks, cells, ranked
 from ..result import Result
 from ..spec import Spec, make_spec, resolved, to_toml
 from ..spec.parse import parse

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from ...analysis.shop import ShopDrawing
 from ...analysis.synthesize import SynthesisResult
 from ...messages import localized, say, translate
+from ..amounts import display
 from ..drawing import (
     TEXT,
     WIDTH,
@@ -20,7 +21,6 @@ from ..drawing import (
     Stroke,
     tenths,
 )
-from ..units import display
 from .chart import Sheet, stated
 
 Label = Callable[[str, float], str]
