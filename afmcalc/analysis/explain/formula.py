@@ -1,201 +1,167 @@
 """The formula of a law, as text and as a tree, from running it on terms that keep what is done to them."""
 
 import math
-import operator
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple, TypeAlias
 
 from ...formula_tree import TIMES, Node, Tree, bracketed, is_single, raised, symbol_tree, text, value_tree
 from ...messages import localized, translate
 from ...units import typeset
 
-
-def _reflected(
-    operation: "Callable[[Expression, Expression], Expression]",
-) -> "Callable[[Expression, float], Expression]":
-    return lambda own, other: operation(_term(other), own)
+Factor: TypeAlias = "Tree | Expression"
+"""An atom or a quotient as a tree, or a sum."""
 
 
+class Style(NamedTuple):
+    """How products and quotients are written."""
+
+    dots: bool = False
+    """True if a dot stands between factors, as between numbers."""
+    line: bool = False
+    """True if quotients are in one line, not fractions."""
+
+
+_OF_SYMBOLS = Style()
+
+
+class Product(NamedTuple):
+    """A product; without factors it is 1."""
+
+    negative: bool = False
+    over: tuple[Factor, ...] = ()
+    under: tuple[Factor, ...] = ()
+
+
+@dataclass(frozen=True)
 class Expression:
-    """An expression, kept as it was written; arithmetic on it gives another."""
+    """A sum of products, kept as it was written; arithmetic on it gives another."""
+
+    terms: tuple[Product, ...] = (Product(),)
+    style: Style | None = None
+    """None of a number of the law itself."""
+    value: float = math.nan
+    """Value that it stands for: a law may ask whether there is one."""
+
+    def __gt__(self, other: float) -> bool:
+        """Compare what it stands for; what is calculated from it stands for no value."""
+        if math.isnan(self.value):
+            raise TypeError("a law that compares results is no formula")
+        return self.value > other
 
     def __add__(self, other: "Expression | float") -> "Expression":
         """Join sums."""
-        return Sum((*_summands(self), *_summands(_term(other))))
+        return self._with((*self.terms, *_term(other).terms), other)
 
     def __sub__(self, other: "Expression | float") -> "Expression":
         """Take off; a sum that is taken off stays in brackets."""
-        return Sum((*_summands(self), _negated(_term(other))))
+        return self + -_term(other)
 
     def __mul__(self, other: "Expression | float") -> "Expression":
         """Join products and quotients."""
         one, two = _product(self), _product(_term(other))
-        return _joined(one.negative != two.negative, (*one.over, *two.over), (*one.under, *two.under))
+        return self._joined(Product(one.negative != two.negative, one.over + two.over, one.under + two.under), other)
 
     def __truediv__(self, other: "Expression | float") -> "Expression":
         """Put below the line; a quotient stays one."""
         one, two = _product(self), _product(_term(other))
-        below = (two,) if two.under else two.over
-        return _joined(one.negative != two.negative, one.over, (*one.under, *below))
+        below = (self._with((two._replace(negative=False),), other).tree(),) if two.under else two.over
+        return self._joined(Product(one.negative != two.negative, one.over, one.under + below), other)
 
     def __pow__(self, exponent: "Expression | float") -> "Expression":
         """Raise; a third stays a fraction, which has no last decimal."""
-        return Power(self, _ONE / 3 if exponent == 1 / 3 else _term(exponent))
+        base = self.tree()
+        if exponent == 0.5:
+            return self._atom((Node("root", parts=(base,)),))
+        power = Expression() / 3 if exponent == 1 / 3 else _term(exponent)
+        return self._atom(raised(base if is_single(base) else bracketed(base), power.tree()))
 
     def __neg__(self) -> "Expression":
         """Change the sign."""
-        return _negated(self)
+        own = _product(self)
+        return self._joined(own._replace(negative=not own.negative), 1.0)
 
-    @staticmethod
-    def called(name: str, *values: "Expression | float") -> "Expression":
+    def called(self, name: str, *values: "Expression | float") -> "Expression":
         """Keep a function that is no arithmetic, as ``equations.arrays`` calls it."""
-        return Called(name, tuple(map(_term, values)))
+        shown = [sign for one in values for sign in (",", *_term(one).tree())][1:]
+        function = Node("function", translate(name.replace("atan", "arctan"), "symbol"))
+        return self._atom((function, *bracketed(tuple(shown))))
 
-    __radd__, __rsub__ = _reflected(operator.add), _reflected(operator.sub)
-    __rmul__, __rtruediv__ = _reflected(operator.mul), _reflected(operator.truediv)
+    def __radd__(self, other: float) -> "Expression":
+        """Join sums."""
+        return _term(other) + self
 
+    def __rsub__(self, other: float) -> "Expression":
+        """Take off."""
+        return _term(other) - self
 
-@dataclass(frozen=True)
-class Leaf(Expression):
-    """A symbol, or a number."""
+    def __rmul__(self, other: float) -> "Expression":
+        """Join products."""
+        return _term(other) * self
 
-    text: str
-    own: bool = False
-    """True if it is a number of the equation itself."""
-    value: float = field(default=math.nan, compare=False)
-    """Value that it stands for: a law may ask whether there is one."""
-    unit: str | None = None
-    """SI unit of a number that is put in."""
+    def __rtruediv__(self, other: float) -> "Expression":
+        """Put below the line."""
+        return _term(other) / self
 
-    def __gt__(self, other: float) -> bool:
-        """Compare what it stands for."""
-        return self.value > other
+    def _with(self, terms: tuple[Product, ...], other: "Expression | float") -> "Expression":
+        return Expression(terms, self.style or _term(other).style)
 
+    def _atom(self, tree: Tree) -> "Expression":
+        return Expression((Product(over=(tree,)),), self.style)
 
-@dataclass(frozen=True)
-class Power(Expression):
-    """A power."""
+    def _joined(self, product: Product, other: "Expression | float") -> "Expression":
+        match product:
+            case Product(False, (Expression() as only,), ()):
+                return only
+        return self._with((product,), other)
 
-    base: Expression
-    exponent: Expression
+    def tree(self) -> Tree:
+        """Return it as a tree."""
+        tree: Tree = ()
+        for term in self.terms:
+            own = self._quotient(term)
+            is_sum = not term.under and len(term.over) == 1 and isinstance(term.over[0], Expression)
+            sign = ("−",) if term.negative else ("+",) if tree else ()
+            tree += (*sign, *(bracketed(own) if is_sum else own))
+        return tree
 
+    def _quotient(self, term: Product) -> Tree:
+        above, below = self._factors(term.over) or (Node("number", "1"),), self._factors(term.under)
+        if not below:
+            return above
+        if not (self.style and self.style.line):
+            return (Node("fraction", parts=(above, below)),)
+        if len(term.over) == 1 and isinstance(term.over[0], Expression):
+            above = bracketed(above)
+        # a number with its unit is divided by as a whole
+        return (*above, "/", *(below if is_single(below) else bracketed(below)))
 
-@dataclass(frozen=True)
-class Product(Expression):
-    """A product, the factors it is divided by apart."""
-
-    negative: bool
-    over: tuple[Expression, ...]
-    under: tuple[Expression, ...] = ()
-
-
-@dataclass(frozen=True)
-class Sum(Expression):
-    """A sum of two terms or more; those taken off are negative products."""
-
-    terms: tuple[Expression, ...]
-
-
-@dataclass(frozen=True)
-class Called(Expression):
-    """A function of expressions: max, sin, …"""
-
-    name: str
-    arguments: tuple[Expression, ...]
-
-
-_ONE, _PI = Leaf("1", own=True), Leaf("π", own=True)
+    def _factors(self, factors: tuple[Factor, ...]) -> Tree:
+        tree: Tree = ()
+        for factor in factors:
+            own = replace(factor, style=self.style).tree() if isinstance(factor, Expression) else factor
+            own = bracketed(own) if isinstance(factor, Expression) and len(factors) > 1 else own
+            digits = tree and all(isinstance(each, Node) and each.kind == "number" for each in (tree[-1], own[0]))
+            dot = digits or (self.style and self.style.dots)
+            tree += ("·" if dot else TIMES, *own) if tree else own
+        return tree
 
 
 def _term(value: Expression | float) -> Expression:
     if isinstance(value, Expression):
         return value
-    own = _PI if abs(value) == math.pi else Leaf(f"{abs(value):g}", own=True)
-    return _negated(own) if value < 0 else own
+    size = abs(value)
+    own: Iterable[Factor] = [] if size == 1 else [("π",) if size == math.pi else value_tree(localized(f"{size:g}"))]
+    return Expression((Product(value < 0, (*own,)),))
 
 
 def _product(term: Expression) -> Product:
-    return term if isinstance(term, Product) else Product(False, (term,))
+    return term.terms[0] if len(term.terms) == 1 else Product(over=(term,))
 
 
-def _joined(negative: bool, over: Iterable[Expression], under: tuple[Expression, ...]) -> Expression:
-    above = tuple(factor for factor in over if factor != _ONE)
-    if not negative and not under and len(above) == 1:
-        return above[0]
-    return Product(negative, above or (_ONE,), under)
-
-
-def _summands(term: Expression) -> tuple[Expression, ...]:
-    return term.terms if isinstance(term, Sum) else (term,)
-
-
-def _negated(term: Expression) -> Expression:
-    own = _product(term)
-    return _joined(not own.negative, own.over, own.under)
-
-
-class _Tree:
-    """Writes an expression as a tree; ``line``: quotients in one line, not as fractions."""
-
-    def __init__(self, *, numbers: bool, units: bool = True, line: bool = False) -> None:
-        self._numbers, self._units, self._line = numbers, units, line
-
-    def show(self, term: Expression) -> Tree:
-        match term:
-            case Power(base, Leaf("0.5")):
-                return (Node("root", parts=(self.show(base),)),)
-            case Power(base, exponent):
-                own = self.show(base)
-                return raised(own if is_single(own) else bracketed(own), self.show(exponent))
-            case Sum(terms):
-                return self._sum(terms)
-            case Product(True, (Sum() as taken_off,), ()):
-                return ("−", *bracketed(self.show(taken_off)))
-            case Product(negative, over, under):
-                return ("−", *self._quotient(over, under)) if negative else self._quotient(over, under)
-            case Called(name, arguments):
-                shown = [sign for one in arguments for sign in (",", *self.show(one))][1:]
-                function = Node("function", translate(name.replace("atan", "arctan"), "symbol"))
-                return (function, *bracketed(tuple(shown)))
-        assert isinstance(term, Leaf)
-        return self._leaf(term)
-
-    def _leaf(self, leaf: Leaf) -> Tree:
-        if leaf.unit is None:
-            return value_tree(localized(leaf.text)) if leaf.own and leaf is not _PI else symbol_tree(leaf.text)
-        unit = translate(leaf.unit, "unit") if self._units else ""
-        shown = value_tree(f"{localized(f'{leaf.value:.5g}')} {unit}")
-        return bracketed(shown) if leaf.value < 0 else shown
-
-    def _sum(self, terms: tuple[Expression, ...]) -> Tree:
-        tree: Tree = ()
-        for term in terms:
-            minus = isinstance(term, Product) and term.negative
-            own = _negated(term) if minus else term
-            sign = ("−",) if minus else ("+",) if tree else ()
-            tree += (*sign, *(bracketed(self.show(own)) if isinstance(own, Sum) else self.show(own)))
-        return tree
-
-    def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> Tree:
-        above, below = self._factors(over), self._factors(under)
-        if not under:
-            return above
-        if not self._line:
-            return (Node("fraction", parts=(above, below)),)
-        if len(over) == 1 and isinstance(over[0], Sum):
-            above = bracketed(above)
-        # a number with its unit is divided by as a whole
-        return (*above, "/", *(below if is_single(below) else bracketed(below)))
-
-    def _factors(self, factors: tuple[Expression, ...]) -> Tree:
-        tree: Tree = ()
-        for factor in factors:
-            own = self.show(factor)
-            own = bracketed(own) if isinstance(factor, Sum) and len(factors) > 1 else own
-            digits = tree and all(isinstance(each, Node) and each.kind == "number" for each in (tree[-1], own[0]))
-            tree += ("·" if self._numbers or digits else TIMES, *own) if tree else own
-        return tree
+def leaf(tree: Tree, value: float = math.nan, style: Style = _OF_SYMBOLS) -> Expression:
+    """Return a symbol, or a number put in, that stands for a value."""
+    return Expression((Product(over=(tree,)),), style, value)
 
 
 class FormulaText:
@@ -208,15 +174,17 @@ class FormulaText:
         values: Mapping[str, Any],
         units: Mapping[str, str],
     ) -> None:
-        """Run ``function`` on the symbols and on the values of its arguments."""
-        self._symbols = _term(function(**{name: Leaf(text, value=values[name]) for name, text in symbols.items()}))
-        shown = {name: "" if units[name] == "1" else typeset(units[name]) for name in symbols}
-        numbers = {name: Leaf(f"{values[name]:.5g}", value=values[name], unit=unit) for name, unit in shown.items()}
-        self._numbers = _term(function(**numbers))
+        """Run ``function`` on the symbols; its numbers are those values."""
+        self._function, self._values, self._units = function, {name: values[name] for name in symbols}, units
+        self._tree = self._run({name: symbol_tree(symbol) for name, symbol in symbols.items()}, _OF_SYMBOLS)
+
+    def _run(self, trees: Mapping[str, Tree], style: Style) -> Tree:
+        leaves = {name: leaf(tree, self._values[name], style) for name, tree in trees.items()}
+        return _term(self._function(**leaves)).tree()
 
     def text(self) -> str:
         """Return the formula on one line, Unicode."""
-        return text(self.tree())
+        return text(self._tree)
 
     def text_with_numbers(self) -> str:
         """Return the formula with numbers and units put in, Unicode."""
@@ -224,8 +192,13 @@ class FormulaText:
 
     def tree(self) -> Tree:
         """Return the formula as a tree."""
-        return _Tree(numbers=False).show(self._symbols)
+        return self._tree
 
     def tree_with_numbers(self, *, units: bool = True, line: bool = False) -> Tree:
         """Return the formula with numbers as a tree, with their units, in one line if so wanted."""
-        return _Tree(numbers=True, units=units, line=line).show(self._numbers)
+        trees = {}
+        for name, value in self._values.items():
+            unit = translate(typeset(self._units[name]), "unit") if units and self._units[name] != "1" else ""
+            shown = value_tree(f"{localized(f'{value:.5g}')} {unit}")
+            trees[name] = bracketed(shown) if value < 0 else shown
+        return self._run(trees, Style(True, line))

@@ -11,7 +11,7 @@ from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.accuracy import accuracy
 from afmcalc.analysis.explain.explain import explain
-from afmcalc.analysis.explain.formula import Expression, FormulaText, Leaf
+from afmcalc.analysis.explain.formula import Expression, FormulaText, leaf
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
@@ -132,7 +132,7 @@ def printed_forms(equation, sign):
 def has_formula(equation):
     """Whether it is one, not a choice or a list of values."""
     try:
-        result = equation.function(**{name: Leaf(name, value=1.0) for name in equation.arguments})
+        result = equation.function(**{name: leaf((name,), 1.0) for name in equation.arguments})
     except (TypeError, AttributeError):
         return False
     return isinstance(result, Expression)
