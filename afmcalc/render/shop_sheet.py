@@ -204,7 +204,7 @@ def pocket(drawing: ShopDrawing) -> Drawing:
         shapes.append(Region(layer, (points,)) if each.closed else Stroke(layer, points))
     for name, hand in (("SLEEVE_1", 1), ("SLEEVE_2", -1)):
         shapes += pockets.sleeve(drawing, name)
-        place = hand * back, -side - 9 * sheet.unit
+        place = hand * back / 2, -side - 9 * sheet.unit
         shapes.append(Inscription(name[-1], place, _TITLE_TEXT * sheet.unit, "middle"))
     shapes += pockets.dimensions(drawing, sheet.unit, sheet.text, lambda _, length: sheet.length(length))
     for x, y in ((back + 3 * sheet.unit, 0.0), (0.0, side + 3 * sheet.unit)):

@@ -23,7 +23,7 @@ TABS = ["accuracy", "drive", "heat", "tolerance", "design", "explanation", "repo
 
 @dataclass(frozen=True)
 class Answer:
-    """What the server answered: status, headers by lower-case name, body."""
+    """Answer of the server: status, headers by lower-case name, body."""
 
     status: int
     headers: dict[str, str]

@@ -1,4 +1,4 @@
-"""What plots show is what their commands tell; files of every kind, the refusals."""
+"""Plots show the numbers of their commands; files of every kind, the refusals."""
 
 import math
 import os
@@ -101,7 +101,7 @@ def test_a_life_is_its_command(answered):
 
 
 def test_the_ball_touches_the_walls_of_its_pockets():
-    """As drawn: no wall is nearer to the ball's centre than its radius, at the stop and at the largest travel."""
+    """No wall as drawn is nearer to the ball's centre than its radius, at the stop and at the largest travel."""
     (drawing,) = sheet("pocket", "indirect").panels
     balls = [shape for shape in drawing.shapes if isinstance(shape, Circle)]
     sleeves = [shape.contours[0] for shape in drawing.shapes if shape.layer in ("sleeve_1", "sleeve_2")]
