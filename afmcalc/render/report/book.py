@@ -106,7 +106,7 @@ class _Book:
         if kind in ("figure", "plot"):
             self.figures += 1
             sheet = SCHEMES[name]() if kind == "figure" else sheet_of(name.split()[0], self.handbook.plots[name])
-            return figure_of(self.figures, sheet, [sheet])
+            return figure_of(self.figures, sheet)
         return self.lists[name]()
 
     def _formula(self, entry: Entry) -> blocks.Step:

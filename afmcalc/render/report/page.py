@@ -230,11 +230,8 @@ class _Parts:
         return groups
 
     def _shown(self, name: str) -> list[blocks.Figure]:
-        """Draw what a section shows: each panel by itself, for between them a sheet may end."""
-        return [
-            figure_of(next(self._figures), sheet, [replace(sheet, title="", panels=[panel]) for panel in sheet.panels])
-            for sheet in self.drawn.get(name, ())
-        ]
+        """Draw what a section shows."""
+        return [figure_of(next(self._figures), sheet) for sheet in self.drawn.get(name, ())]
 
     def _peaks(self) -> Iterator[Block]:
         number = next(self._tables)
@@ -364,9 +361,9 @@ def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Fi
     return blocks.Findings(items)
 
 
-def figure_of(number: int, sheet: Sheet, parts: Sequence[Sheet]) -> blocks.Figure:
-    """Draw a sheet in parts."""
-    drawings = [blocks.Drawing(inline_svg(part)) for part in parts]
+def figure_of(number: int, sheet: Sheet) -> blocks.Figure:
+    """Draw a sheet, each panel by itself, for between them a sheet of paper may end."""
+    drawings = [blocks.Drawing(inline_svg(panel)) for panel in sheet.panels]
     return blocks.Figure(number, drawings, said(sheet.title), said(in_words(sheet.caption)))
 
 

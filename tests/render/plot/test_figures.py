@@ -145,7 +145,7 @@ def test_every_text_is_inside_and_every_value_is_shown(lang, kind, subject, chan
             assert_shows(figure, own)
             assert joined([own.title, named(LONG)]) == joined([figure.get_suptitle()])
         if kind in ("torque", "effects"):
-            svg = inline_svg(own)
+            svg = inline_svg(own.panels[0])
             (width,) = re.findall(r'viewBox="\S+ \S+ (\S+) \S+"', svg)
             sizes = {float(size) for size in re.findall(r"font(?:-size)?: (?:bold )?([\d.]+)px", svg)}
             assert {size for size in sizes if size * PRINTED / 25.4 * 72 / float(width) < SMALLEST} <= {6.3}, (
