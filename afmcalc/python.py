@@ -246,7 +246,7 @@ class Clutch:
         """Return what a clutch is in a few lines: torques, accuracy, verdict but for what takes long."""
         from .analysis.asking import Answers
         from .analysis.check import check_at_once
-        from .render.units import measured
+        from .render.amounts import measured
 
         torque, (check, _) = self.torque(), check_at_once(Answers(self._engine))
         low, high = (measured(end, "N*m") for end in (torque.torque_range.low, torque.torque_range.high))

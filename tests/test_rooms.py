@@ -22,7 +22,7 @@ LINE = [
 ]  # fmt: skip
 """A room imports from itself and from rooms to its left."""
 
-GROUND = {"errors", "findings", "messages", "progress", "result", "units"}
+GROUND = {"errors", "findings", "formula_tree", "messages", "progress", "result", "units"}
 MAY_ONLY = {"equations": set(), "ground": set()}
 """Rooms that know less than what is left of them."""
 

@@ -16,13 +16,14 @@ from typing import Any, NamedTuple
 from ..engines import Clutch, build
 from ..engines.quantities import NotedStep
 from ..equations.catalogue import Equation, equation_of, equations
+from ..formula_tree import Tree
 from ..papers.claims import Row, claims
 from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
 from .asking import Answers
 from .explain.explain import noting, shown, steps_of
-from .explain.formula import formula_of, latex, symbol_latex
+from .explain.formula import FormulaText
 from .plot_data import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
@@ -35,12 +36,11 @@ class Entry(NamedTuple):
     """A formula with its numbers, places, proofs and commands."""
 
     equation: Equation
-    latex: str
-    """``symbol = formula``."""
+    formula: Tree
     example: str
     """Example whose numbers are put in; empty where no explained command calculates the formula."""
-    worked: str
-    """``symbol = formula with numbers``, LaTeX."""
+    worked: Tree
+    """Formula with numbers."""
     value: float
     printed: list[Formula]
     """Its places in the papers."""
@@ -126,12 +126,11 @@ def _entry(equation: Equation) -> Entry:
     steps = _steps().get(equation.name, [])
     example, _, step = steps[0] if steps else ("", "", None)
     terms = {key: (term.symbol, term.unit) for key, term in equation.arguments.items()}
-    formula = formula_of(equation.function, terms, step.values if step else dict.fromkeys(terms, 1.0))
+    text = FormulaText(equation.function, terms, step.values if step else dict.fromkeys(terms, 1.0))
     printed = [entry for entry in register() if entry.function == equation.name]
-    symbol = symbol_latex(equation.result.symbol)
     return Entry(
-        equation=equation, latex=f"{symbol} = {latex(formula)}", example=example,
-        worked=f"{symbol} = {latex(formula, numbers=True)}" if step else "", value=float(step.value) if step else 0.0,
+        equation=equation, formula=text.tree(), example=example,
+        worked=text.tree_with_numbers() if step else (), value=float(step.value) if step else 0.0,
         printed=printed, proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
         commands=commands_of(equation.name),
     )  # fmt: skip

@@ -59,6 +59,8 @@ class ShopDrawing(NamedTuple):
     masses: tuple[float, ...]
     """Of the parts with pockets, kg; none where there is no layout."""
     contours: list[Contour]
+    extent: tuple[float, float]
+    """Ends of the sleeves from the ball's centre: along the axis, and around the circle, m."""
     synthesis: SynthesisResult
 
 
@@ -98,6 +100,7 @@ def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
             Contour("POCKET_2", second),
             Contour("PATH", path, closed=False),
         ],
+        extent=extent,
         synthesis=unit,
     )
 

@@ -61,8 +61,8 @@ def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = No
 def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
     """Write a drawing to scale: the pocket in true millimetres for the shop, or the section with its part list."""
     from ..analysis.asking import Answers
-    from ..analysis.plot_data import Request, gathered, shop_drawing_of
-    from ..render import shop
+    from ..analysis.plot_data import Request, gathered
+    from ..render import shop_sheet
     from ..render.dxf import dxf
     from ..render.svg import svg
 
@@ -72,7 +72,7 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
     request = Request([Answers(clutch)])
     with common.bar():
         if common.command == "pocket":
-            drawing = shop.pocket(shop_drawing_of("pocket", request))
+            drawing = shop_sheet.pocket(gathered("pocket", request))
             content = dxf(drawing) if kind == "dxf" else svg(drawing).encode()
         else:
             from ..render.plot import sheet_of
@@ -80,7 +80,7 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
 
             section = gathered("section", request)
             sheet = sheet_of("section", section)
-            content = dxf(shop.section(section, clutch.spec)) if kind == "dxf" else save(sheet, kind)
+            content = dxf(shop_sheet.section(section, clutch.spec)) if kind == "dxf" else save(sheet, kind)
     common.save(content, common.output or "")
 
 

@@ -104,7 +104,7 @@ class Common:
         """Show quantities in the units asked for."""
         if self.units == "engineer":
             return nullcontext()
-        from ..render.units import shown_in
+        from ..render.amounts import shown_in
 
         return shown_in(self.units)
 
@@ -203,7 +203,7 @@ class Common:
             text = in_ascii(text)
         write(text, self.output, force=self.force, utf8=chosen == "csv")
         if chosen == "csv" and not result.findings_first:
-            from ..render.layout import findings_lines
+            from ..render.text_tables import findings_lines
 
             for line in findings_lines(findings):
                 print(line, file=sys.stderr)

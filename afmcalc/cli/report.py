@@ -103,7 +103,7 @@ def handbook(
     """  # noqa: D301
     need_drawing("report")
     from ..analysis.handbook_content import handbook as gathered
-    from ..render.handbook import book
+    from ..render.report.book import book
 
     if common.overrides:
         raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=common.command)

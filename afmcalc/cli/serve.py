@@ -44,11 +44,11 @@ def serve(
 
     from uvicorn import Config, Server
 
-    from ..render.units import shown_in
+    from ..render.amounts import shown_in
     from ..spec.parse import bytes_of, decoded
-    from ..web.answers import search_of
     from ..web.app import Page
     from ..web.form import Base, State
+    from ..web.replies import search_of
 
     if common.output or common.json or common.format:
         raise AfmcalcError("serve shows a page: it has no --output, --format and --json")

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_ori
 
 from ..errors import AfmcalcError, SpecError
 from ..messages import translate
-from ..render.units import display, display_unit
+from ..render.amounts import display, display_unit
 from ..spec import Spec
 from ..spec.catalogues import friction_materials
 from ..spec.fields import Key, Quantity, block_at

@@ -18,7 +18,7 @@ from typing import Any, TextIO
 from ..errors import unexpected
 from ..messages import language, say, speaking, spoken
 from ..progress import Bar
-from ..render.units import shown_in
+from ..render.amounts import shown_in
 from ..spec.parse import example_text
 
 _MEMORY = 8 << 30
@@ -120,8 +120,8 @@ class _Progress(Bar):
 
 def main(language_name: str, units: str) -> None:
     """Answer until the input ends."""
-    from .answers import answer
     from .form import Base, State
+    from .replies import answer
 
     with suppress(ImportError):  # of POSIX
         from resource import RLIMIT_AS, setrlimit

@@ -58,7 +58,7 @@ def report(framed, parsed):
 
 @pytest.fixture(scope="session")
 def book():
-    """What the handbook shows, in a language."""
+    """Content of the handbook in a language."""
     from afmcalc.analysis.handbook_content import handbook
 
     return functools.cache(handbook)

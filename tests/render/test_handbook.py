@@ -13,7 +13,7 @@ from afmcalc.analysis.registry import ANALYSES
 from afmcalc.equations.catalogue import equations
 from afmcalc.messages import language, speaking
 from afmcalc.papers.register import misprints, register
-from afmcalc.render.handbook import render
+from afmcalc.render.report.book import render
 
 PACKAGE = Path(afmcalc.__file__).parent
 USES = PACKAGE / "papers" / "handbook" / "uses.toml"

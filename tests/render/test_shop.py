@@ -18,7 +18,7 @@ from afmcalc.analysis.pocket_wall import wall_of
 from afmcalc.analysis.synthesize import pocket as designed
 from afmcalc.engines import build
 from afmcalc.render.dxf import dxf
-from afmcalc.render.shop import pocket
+from afmcalc.render.shop_sheet import pocket
 from afmcalc.render.svg import svg
 from afmcalc.spec import read_spec
 

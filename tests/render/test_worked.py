@@ -101,7 +101,7 @@ for _end, _friction, _pressed, _back in (
         f"indirect torque.torque_returning.{_end}": 0.8 * _friction * _back,
         f"indirect torque.travel.{_end}": max(2000 - _pressed, 0.0) / 4e5,
     }
-"""What stands in ``{value …}`` → the same by a closed form, SI."""
+"""Text in ``{value …}`` → the same by a closed form, SI."""
 
 
 @pytest.mark.parametrize("asked", sorted({name.partition(".")[0] for name in CLOSED if "simulate" not in name}))

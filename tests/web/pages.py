@@ -23,7 +23,7 @@ TABS = ["accuracy", "drive", "heat", "tolerance", "design", "explanation", "repo
 
 @dataclass(frozen=True)
 class Answer:
-    """What the server answered: status, headers by lower-case name, body."""
+    """Answer of the server: status, headers by lower-case name, body."""
 
     status: int
     headers: dict[str, str]
@@ -49,7 +49,7 @@ class Here:
         pass
 
     async def ask(self, job: Any, gone: Any) -> Any:
-        from afmcalc.web.answers import answer
+        from afmcalc.web.replies import answer
 
         self.jobs.append(job)
         yield json.loads(json.dumps(answer(job["state"], job)))

@@ -17,13 +17,14 @@ from ...equations.catalogue import Equation, equation_of
 from ...equations.terms import CASES, Term, quantity_of, term_of
 from ...errors import AfmcalcError
 from ...findings import Finding
+from ...formula_tree import Tree, latex, symbol_tree
 from ...messages import did_you_mean, native, say, translate
 from ...papers.register import register
 from ...result import Answer, Result, described
 from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
-from .formula import Expression, formula_of, latex, symbol_latex, text
+from .formula import FormulaText
 
 
 class Step(Result):
@@ -173,12 +174,12 @@ def _circumstance(cases: str) -> Circumstance:
     return Circumstance(", ".join(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
 
 
-def _formula(step: NotedStep, *, special: bool = True) -> Expression:
+def _formula(step: NotedStep, *, special: bool = True) -> FormulaText:
     """Return the formula of a step with its numbers; ``special``: with the symbols of what its arguments stand for."""
     terms = {name: (translate(own.symbol), own.unit) for name, own in _equation(step).arguments.items()}
     if special:
         terms |= {name: (translate(term_of(one).symbol), terms[name][1]) for name, one in step.arguments.items()}
-    return formula_of(step.law, terms, step.values)
+    return FormulaText(step.law, terms, step.values)
 
 
 def _print_differs(function: str) -> str:
@@ -199,12 +200,12 @@ def _print_differs(function: str) -> str:
 def _step(step: NotedStep) -> Step:
     equation, formula, case, result = _equation(step), _formula(step), _circumstance(step.case), _result(step)
     return Step(
-        symbol=native(result.symbol), symbol_latex=symbol_latex(translate(result.symbol)),
+        symbol=native(result.symbol), symbol_latex=latex(symbol_tree(translate(result.symbol))),
         name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
-        formula=native(text(formula)), substituted=native(text(formula, numbers=True)), value=float(step.value),
+        formula=formula.text(), substituted=formula.text_with_numbers(), value=float(step.value),
         unit=result.unit, source=translate(equation.source),
-        print_differs=_print_differs(equation.name) or None, function=equation.name, formula_latex=latex(formula),
-        substituted_latex=latex(formula, numbers=True),
+        print_differs=_print_differs(equation.name) or None, function=equation.name,
+        formula_latex=latex(formula.tree()), substituted_latex=latex(formula.tree_with_numbers()),
     )  # fmt: skip
 
 
@@ -223,10 +224,10 @@ class Meaning(NamedTuple):
 
 
 class CaseRow(NamedTuple):
-    """One case: what it is for, the numbers put in (LaTeX), and what comes out (SI)."""
+    """One case: what it is for, the numbers put in, and what comes out (SI)."""
 
     case: Circumstance
-    numbers: str
+    numbers: Tree
     value: float
 
 
@@ -238,9 +239,8 @@ class Derivation(NamedTuple):
     symbol: str
     name: str
     unit: str
-    symbol_latex: str
-    formula: str
-    """Formula, LaTeX; empty where an earlier derivation has shown it."""
+    formula: Tree
+    """Empty where an earlier derivation has shown it."""
     where: list[Meaning]
     """Symbols that no formula before has explained so."""
     rows: list[CaseRow]
@@ -288,12 +288,15 @@ class _Report:
             symbol=result.symbol,
             name=result.meaning or equation.about,
             unit=result.unit,
-            symbol_latex=symbol_latex(translate(result.symbol)),
-            formula=latex(formulas[0]) if is_new else "",
+            formula=formulas[0].tree() if is_new else (),
             where=list(self.meanings_of(steps)),
             rows=[
-                CaseRow(_circumstance(step.case), latex(own, numbers=True, line=len(steps) > _FEW), float(step.value))
-                for step, own in zip(steps, formulas, strict=True)
+                CaseRow(
+                    _circumstance(step.case),
+                    text.tree_with_numbers(units=False, line=len(steps) > _FEW),
+                    float(step.value),
+                )
+                for step, text in zip(steps, formulas, strict=True)
             ],
             source=equation.source if is_new else "",
             differs=_print_differs(equation.name) if is_new else "",

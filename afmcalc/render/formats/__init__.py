@@ -15,7 +15,7 @@ FORMATS = ("table", "json", "csv", "markdown")
 Render = Callable[[Output, bool], str]
 """``render(output, terminal)`` → the text for standard output or a file."""
 
-_HOMES = {"excel": ("csv", "excel"), "markdown": ("markup", "markdown"), "html": ("markup", "html")}
+_HOMES = {"excel": ("csv", "excel"), "html": ("notebook", "render")}
 
 
 def renderer(name: str) -> Render:

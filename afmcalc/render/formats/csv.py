@@ -8,7 +8,7 @@ from typing import Any
 from ...messages import printable
 from ...result import Output
 from ..document import ENDS, Column, Document, document
-from ..layout import ranked
+from ..text_tables import ranked
 
 
 def render(output: Output, terminal: bool) -> str:

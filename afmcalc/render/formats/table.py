@@ -14,7 +14,7 @@ from rich.text import Text
 from ...messages import is_unicode, translate
 from ...result import Output
 from ..document import document
-from ..layout import TextTable, blocks, findings_lines, lead, padded, step_lines, title, unfolded
+from ..text_tables import TextTable, blocks, findings_lines, lead, padded, step_lines, title, unfolded
 
 _NARROWEST, _UNBOUND = 20, 100_000
 """Columns below which nothing can be read, and where nothing bounds them."""

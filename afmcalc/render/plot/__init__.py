@@ -8,10 +8,10 @@ if TYPE_CHECKING:
 
 __all__ = ["sheet_of"]
 
-_HOMES = {"tolerance": "studies", "pareto": "studies", "pocket": "pocket", "section": "section"}
+_HOMES = {"tolerance": "studies", "pareto": "studies", "pocket": "pocket_drawing", "section": "section_drawing"}
 
 
 def sheet_of(kind: str, gathered: Any) -> "Sheet":
     """Lay out what ``analysis.plot_data.gathered`` gives for a kind of plot, by the function of its name."""
-    module = import_module(f".{_HOMES.get(kind, 'curves')}", __package__)
+    module = import_module(f".{_HOMES.get(kind, 'curve_sheets')}", __package__)
     return getattr(module, kind)(gathered)

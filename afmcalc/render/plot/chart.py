@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from ...messages import RAISED, filled, localized, translate
 from ...result import Result, shown_as
-from ..units import converted, headed, measured
+from ..amounts import converted, headed, measured
 
 
 class ChartAxis(NamedTuple):

@@ -8,7 +8,7 @@ from ...messages import named
 from ..drawing import Drawing
 from ..svg import picture, svg
 from ..symbols import literal, mathtext
-from .chart import Sheet
+from .chart import Chart, Sheet
 from .paint import LETTERS, PARAMETERS, SIZE, WIDTH, paint
 
 if TYPE_CHECKING:
@@ -31,11 +31,11 @@ def save(sheet: Sheet, ending: str) -> bytes:
     return _drawn(sheet, ending, {})
 
 
-def inline_svg(sheet: Sheet) -> str:
-    """Return a sheet as SVG for a page: without title and caption, see-through."""
-    if isinstance(sheet.panels[0], Drawing):
-        return svg(sheet.panels[0])
-    return _drawn(Sheet("", sheet.panels), "svg", {"savefig.transparent": True}).decode()
+def inline_svg(panel: Drawing | Chart) -> str:
+    """Return a drawing or a chart as SVG for a page: without title and caption, see-through."""
+    if isinstance(panel, Drawing):
+        return svg(panel)
+    return _drawn(Sheet("", [panel]), "svg", {"savefig.transparent": True}).decode()
 
 
 def _drawn(sheet: Sheet, ending: str, settings: dict[str, Any]) -> bytes:

@@ -140,7 +140,7 @@ def _line(axes: Any, chart: Chart, line: Line, style: int) -> None:
     axes.plot(*points, color=COLOURS[style % len(COLOURS)], label=label, **how)
     named = [*zip(line.names, *points, strict=False)]
     tagged = [(line.tag, points[0][-1], points[1][-1])] if line.tag else []
-    for text, *place in {*named[:1], *named[-1:], *tagged}:
+    for text, *place in dict.fromkeys([*named[:1], *named[-1:], *tagged]):
         axes.annotate(text, place, (4, 4), textcoords="offset points", annotation_clip=False)
 
 

@@ -5,7 +5,7 @@ from collections import Counter
 from typing import TYPE_CHECKING
 
 from ...messages import localized, say, translate
-from ..units import display
+from ..amounts import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, stated
 
 if TYPE_CHECKING:
@@ -78,40 +78,26 @@ def _percent(probability: float) -> str:
 
 _INK = 4
 """The style in the colour of the text."""
-_COLOURED = (0, 1, 2, 3, 5, 6)
-_MOST_PAIRS = 9
-"""Numbers of friction pairs that can be told apart."""
 
 
 def pareto(figure: "ParetoFigure") -> Sheet:
     """The Pareto front of a design: the first objective against the others, each clutch with its number."""
     result = figure.result
-    names = dict.fromkeys(name.removeprefix("-") for name in result.objectives)
-    rest = [name for name in names if name != "pairs"]
-    # friction pairs along x of two, else last: there they name the points, where they are few enough
-    if "pairs" in names:
-        rest = ["pairs", *rest] if len(rest) == 1 else [*rest, "pairs"]
-    x, *others = rest
-    few = len({row.pairs for row in result.front}) <= _MOST_PAIRS
-    by_pairs = few and x != "pairs" and (len(others) > 1 or "pairs" not in others)
-    charts = [_front(result, x, y, by_pairs) for y in others if not (by_pairs and y == "pairs")]
+    x, *others = dict.fromkeys(name.removeprefix("-") for name in result.objectives)
+    charts = [_front(result, x, y) for y in others]
     return Sheet(translate("Pareto front"), charts, _front_caption(result), figure.name)
 
 
-def _front(result: "DesignResult", x: str, y: str, by_pairs: bool) -> Chart:
+def _front(result: "DesignResult", x: str, y: str) -> Chart:
+    """Draw the clutches of a front: colour tells their friction pairs, shape their variant."""
     groups: dict[tuple[str, int], list[DesignRow]] = {}
     for row in result.front:
-        groups.setdefault((row.variant, row.pairs if by_pairs else 0), []).append(row)
+        groups.setdefault((row.variant, row.pairs), []).append(row)
     variants, pairs = (sorted(set(part)) for part in zip(*groups, strict=True))
     lines = []
     for (variant, z), rows in sorted(groups.items()):
-        # colour tells the pairs, shape the variant; where there is one of either, both tell the other
-        place = pairs.index(z) if by_pairs else variants.index(variant)
-        names = [translate(variant, "value")] if len(variants) > 1 or not by_pairs else []
-        label = ", ".join([*names, *([f"z = {z}"] if by_pairs else [])])
-        marker = variants.index(variant) if len(variants) > 1 else place
-        points = _points(label, rows, x, y)
-        lines.append(points._replace(style=_COLOURED[place % len(_COLOURED)], marker=marker))
+        points = _points(f"{translate(variant, 'value')}, z = {z}", rows, x, y)
+        lines.append(points._replace(style=pairs.index(z), marker=variants.index(variant)))
     for row in result.front:
         if row.mark:
             marked = _points(say("compromise: no. {number}", number=str(row.number)), [row], x, y)

@@ -76,7 +76,10 @@ class Heading:
 
 @dataclass(frozen=True)
 class Table:
-    """A table: a row of one cell heads the rows below it. One that has a number has a caption that links lead to."""
+    """A table: a row of one cell heads the rows below it. One that has a number has a caption that links lead to.
+
+    That of the ``role`` signatures has cells to sign: who answers for what.
+    """
 
     role: str
     title: Text
@@ -135,7 +138,7 @@ class Findings:
 
 @dataclass(frozen=True)
 class Bullets:
-    """A list."""
+    """A list, or the lines of a ``derivation``."""
 
     items: Sequence[Text]
     role: str = ""
@@ -147,13 +150,6 @@ class Definitions:
 
     role: Literal["symbols", "references"]
     items: Sequence[tuple[Text, Text]]
-
-
-@dataclass(frozen=True)
-class Reasoning:
-    """Lines of a derivation."""
-
-    lines: Sequence[Text]
 
 
 @dataclass(frozen=True)
@@ -171,14 +167,6 @@ class Entries:
 
 
 @dataclass(frozen=True)
-class Signatures:
-    """Cells to sign: who answers for what."""
-
-    head: Sequence[str]
-    people: Sequence[tuple[str, str]]
-
-
-@dataclass(frozen=True)
 class Section:
     """A numbered section, or an appendix under a letter; links lead to its key."""
 
@@ -189,10 +177,7 @@ class Section:
     appendix: bool = False
 
 
-Block = (
-    Paragraph | Heading | Table | Figure | Step | Findings | Bullets | Definitions | Reasoning | Code | Entries
-    | Signatures | Section
-)  # fmt: skip
+Block = Paragraph | Heading | Table | Figure | Step | Findings | Bullets | Definitions | Code | Entries | Section
 
 
 @dataclass(frozen=True)

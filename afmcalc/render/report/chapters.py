@@ -1,6 +1,5 @@
 """The chapters of a report: one for each topic of the dossier, its numbers, its calculation, its drawing."""
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
@@ -10,19 +9,19 @@ from ...analysis.dossier import Dossier, Topic
 from ...analysis.explain.explain import CaseRow, Derivation, Meaning
 from ...analysis.spring_search import SpringsResult
 from ...analysis.tolerance_study import ToleranceResult
+from ...formula_tree import Tree, symbol_tree, value_tree
 from ...messages import deferred, say, translate, with_unit
 from ...result import Result, Triple
 from ...spec.keys import keys
 from ...units import typeset
+from ..amounts import measured, significant
 from ..document import ENDS, Column, Document, document, fields_of
-from ..layout import TextTable, blocks, cells, quantities
 from ..plot import sheet_of
 from ..plot.chart import Sheet
-from ..plot.curves import SPRINGS
-from ..symbols import value_latex
-from ..units import in_numbers, measured, significant
+from ..plot.curve_sheets import SPRINGS
+from ..text_tables import TextTable, blocks, cells, quantities
 from .blocks import Piece, Step, Text, listed, piece, text
-from .formulas import Formula, formula
+from .formulas import SHORT, Formula, broken, formula, size
 from .pieces import marks, said
 from .words import form, told
 
@@ -137,32 +136,27 @@ _TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {
 """Topics whose numbers are not set as they come."""
 
 
-_SHORT = 64
-"""Signs that formula and numbers may have together to stand in one line."""
-
-
 def step_of(step: Derivation, method: str) -> Step:
     """Lay out a derivation; what ``method`` says, how the spec sets its spring, need not be said of each line."""
     columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "setting", "side")]
     columns = [(name, labels) for name, labels in columns if any(labels)]
-    rows = [row._replace(numbers=_ALONE.sub(r"\1", _UNITS.sub("", row.numbers))) for row in step.rows]
-    symbol, first = step.symbol_latex, rows[0]
-    in_one_line = not columns and len(step.rows) == 1 and _size(step.formula) + _size(first.numbers) <= _SHORT
+    symbol, first = symbol_tree(translate(step.symbol)), step.rows[0]
+    in_one_line = not columns and len(step.rows) == 1 and size(step.formula) + size(first.numbers) <= SHORT
     # a formula may say no more than its symbol, and a number be its own value
-    parts = [symbol, *([step.formula] if step.formula not in ("", symbol) else [])]
+    parts = [symbol, *([step.formula] if step.formula not in ((), symbol) else [])]
     if in_one_line:
         parts += dict.fromkeys((first.numbers, *_values(first.value, step.unit)))
     # a label takes the room of a dozen signs
-    room = _SHORT - 12 * max(0, len(columns) - 1)
+    room = SHORT - 12 * max(0, len(columns) - 1)
     lines = [
         ([*map(said, labels)], _worked(symbol, broken(row.numbers, room), _values(row.value, step.unit)))
-        for row, *labels in zip(rows, *(labels for _, labels in columns), strict=True)
+        for row, *labels in zip(step.rows, *(labels for _, labels in columns), strict=True)
     ]
     heads = [*(told(name) for name, _ in columns), say("Numbers put in")]
     return Step(
         what=_what(step),
         number=str(step.number) if step.formula else "",
-        formula=formula(" = ".join(parts)) if len(parts) > 1 else None,
+        formula=formula(*parts) if len(parts) > 1 else None,
         where=_explained(step.where),
         lined=form().lined,
         head=[*map(text, heads)] if len(columns) > 1 else [],
@@ -181,27 +175,23 @@ def _what(step: Derivation) -> Text:
     return listed(parts, " ")
 
 
-def _values(value: float, unit: str) -> list[str]:
+def _values(value: float, unit: str) -> list[Tree]:
     """Value with the unit of the tables, before it the one in SI units where that is another."""
     in_si = with_unit(significant(value), "" if unit == "1" else translate(typeset(unit), "unit"))
-    return [*map(value_latex, dict.fromkeys((in_si, measured(value, unit)) if value else (measured(value, unit),)))]
+    return [*map(value_tree, dict.fromkeys((in_si, measured(value, unit)) if value else (measured(value, unit),)))]
 
 
-def _worked(symbol: str, numbers: str, values: Sequence[str]) -> list[Formula]:
+def _worked(symbol: Tree, numbers: Tree, values: Sequence[Tree]) -> list[Formula]:
     """Set numbers put in and what comes out, between which a line may end."""
     first, *rest = dict.fromkeys((symbol, numbers, *values))
-    return [formula(" = ".join((first, *rest[:1]))), *(formula(f"= {result}") for result in rest[1:])]
-
-
-_UNITS, _ALONE = re.compile(r"\\,\\text\{[^}]*\}"), re.compile(r"\\left\(([\d.]+)\\right\)")
-"""Units of the numbers put in, which are all SI; brackets that a unit alone needed."""
+    return [formula(first, *rest[:1]), *(formula((), result) for result in rest[1:])]
 
 
 def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
     """One column of labels; empty where it would say of each line what goes without saying."""
     cases = [row.case for row in rows]
     if name == "friction":
-        return [in_numbers(case.at) if case.at else "" for case in cases]
+        return [case.at or "" for case in cases]
     if name == "side":
         on_sides = any(case.side for case in cases)
         return [told(f"side/{case.side or 'protected'}") if on_sides else "" for case in cases]
@@ -239,27 +229,3 @@ def _origin(given: tuple[str, int]) -> Piece:
         say("{source} by ({number})", source=source, number=number) if source else say("by ({number})", number=number)
     )
     return piece("link", said(words), f"formula-{number}")
-
-
-def _size(latex: str) -> int:
-    """How many signs a formula sets, about."""
-    return len(re.sub(r"\\(?:text|left|right|frac|cdot)|[{}\\_^ ]", "", latex))
-
-
-def broken(latex: str, most: int = _SHORT) -> str:
-    """Set a sum or product that is too long in several lines: MathML breaks none, and paper does not scroll."""
-    if _size(latex) <= most:
-        return latex
-    depth, summands = 0, [""]
-    for part in _PARTS.split(latex):
-        depth += (part in _OPENING) - (part in _CLOSING)
-        long = part == _TIMES and _size(summands[-1]) > most / 2
-        if depth == 0 and (part in _SIGNS or long) and summands[-1].strip():
-            summands.append("")
-        summands[-1] += part
-    return r"\begin{array}{l} " + r" \\ ".join(summands) + r" \end{array}" if len(summands) > 1 else latex
-
-
-_OPENING, _CLOSING, _SIGNS = ("{", "(", "["), ("}", ")", "]"), (" + ", " - ")
-_TIMES = r" \cdot "
-_PARTS = re.compile(r"([{}()\[\]]| [+-] | \\cdot )")

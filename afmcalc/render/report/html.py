@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterable, Sequence
 from html import escape
 from importlib.resources import files
-from typing import Any
 
+from ...formula_tree import Node, Tree
 from ...messages import say
 from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
 from . import blocks
@@ -52,37 +52,34 @@ def math(formula: Formula) -> str:
     return element("math", *map(_node, formula.tree), display="block")
 
 
-def _row(tree: Sequence[Any]) -> str:
+def _row(tree: Tree) -> str:
     body = "".join(map(_node, tree))
     return body if len(tree) == 1 else element("mrow", body)
 
 
-def _node(node: Any) -> str:
+def _node(node: str | Node) -> str:
     if isinstance(node, str):
         return element("mi" if node.isalpha() or node == "∂" else "mo", escape(node))
-    ((kind, body),) = node.items()
-    match kind:
+    match node.kind:
         case "number":
-            return element("mn", body)
+            return element("mn", node.text)
         case "text":
-            return element("mtext", escape(body))
+            return element("mtext", escape(node.text))
         case "function":
             gap = element("mspace", width="0.17em")
-            return gap + element("mi", body, mathvariant="normal") + gap
-        case "space":
-            return element("mspace", width=f"{body}em")
+            return gap + element("mi", node.text, mathvariant="normal") + gap
+        case "gap":
+            return element("mspace", width=f"{node.text}em")
         case "root":
-            return element("msqrt", *map(_node, body))
+            return element("msqrt", *map(_node, node.parts[0]))
         case "brackets":
-            opening, inner, closing = body
-            return element("mrow", element("mo", opening), *map(_node, inner), element("mo", closing))
+            return element("mrow", element("mo", "("), *map(_node, node.parts[0]), element("mo", ")"))
         case "rows":
-            return element("mtable", *(element("mtr", element("mtd", *map(_node, row))) for row in body))
+            return element("mtable", *(element("mtr", element("mtd", *map(_node, row))) for row in node.parts))
         case "fraction":
-            return element("mfrac", *map(_row, body))
-    base, below, above = body
-    tag = "msubsup" if below and above else "msub" if below else "msup"
-    return element(tag, *(_row(part) for part in (base, below, above) if part is not None))
+            return element("mfrac", *map(_row, node.parts))
+    _, below, above = node.parts
+    return element("msubsup" if below and above else "msub" if below else "msup", *map(_row, filter(None, node.parts)))
 
 
 def fragment(parts: Iterable[Block], level: int = 2) -> str:
@@ -118,21 +115,12 @@ def _block(block: Block, level: int) -> str:
             return _list(map(inline, texts), role)
         case blocks.Definitions(role, pairs):
             return _pairs(((inline(name), inline(text), "") for name, text in pairs), role)
-        case blocks.Reasoning(lines):
-            return element("div", *(element("p", inline(line)) for line in lines), class_="derivation")
         case blocks.Code(code):
             return element("pre", escape(code, quote=False))
         case blocks.Entries(entries):
             return _pairs(
                 ((escape(name), escape(value), "wide" if long else "") for name, value, long in entries), "block"
             )
-        case blocks.Signatures(head, people):
-            rows = (
-                element("tr", element("th", escape(role), scope="row"), element("td", escape(name)), "<td></td>" * 2)
-                for role, name in people
-            )
-            heads = _head([blocks.text(each) for each in head])
-            return element("table", heads, element("tbody", *rows), class_="signatures")
         case Section(key, label, title, body):
             heading = element(f"h{level}", element("span", label, class_="count"), " ", inline(title))
             return element("section", heading, fragment(body, level + 1), id=key)

@@ -17,11 +17,11 @@ from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
-from ..layout import TextTable, ranked
+from ..amounts import display, display_unit, worded
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
-from ..units import display, display_unit, worded
+from ..text_tables import TextTable, ranked
 from . import blocks
 from .blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .chapters import Chapter, chapters, explained, peaks
@@ -230,11 +230,8 @@ class _Parts:
         return groups
 
     def _shown(self, name: str) -> list[blocks.Figure]:
-        """Draw what a section shows: each panel by itself, for between them a sheet may end."""
-        return [
-            figure_of(next(self._figures), sheet, [replace(sheet, title="", panels=[panel]) for panel in sheet.panels])
-            for sheet in self.drawn.get(name, ())
-        ]
+        """Draw what a section shows."""
+        return [figure_of(next(self._figures), sheet) for sheet in self.drawn.get(name, ())]
 
     def _peaks(self) -> Iterator[Block]:
         number = next(self._tables)
@@ -320,7 +317,8 @@ class _Parts:
 def see(what: Literal["table", "figure"], *numbers: int) -> Text:
     """Name tables or figures, each with a link to it."""
     name = {"table": "table {number}", "figure": "figure {number}"}[what]
-    return listed([piece("link", filled(name, {"number": number}), f"{what}-{number}") for number in numbers])
+    shown = ((number, filled(name, {"number": number}).replace(" ", "\xa0")) for number in numbers)
+    return listed([piece("link", name, f"{what}-{number}") for number, name in shown])
 
 
 def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterator[Block]:
@@ -363,9 +361,9 @@ def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Fi
     return blocks.Findings(items)
 
 
-def figure_of(number: int, sheet: Sheet, parts: Sequence[Sheet]) -> blocks.Figure:
-    """Draw a sheet in parts."""
-    drawings = [blocks.Drawing(inline_svg(part)) for part in parts]
+def figure_of(number: int, sheet: Sheet) -> blocks.Figure:
+    """Draw a sheet, each panel by itself, for between them a sheet of paper may end."""
+    drawings = [blocks.Drawing(inline_svg(panel)) for panel in sheet.panels]
     return blocks.Figure(number, drawings, said(sheet.title), said(in_words(sheet.caption)))
 
 
@@ -438,12 +436,16 @@ def _entries(subject: Subject) -> blocks.Entries:
     )
 
 
-def _signatures(title: TitleBlock) -> blocks.Signatures:
+def _signatures(title: TitleBlock) -> blocks.Table:
     """Cells of all who sign in this language, and of others who are named."""
-    heads = say("Responsible"), say("Name"), say("Signature"), say("Date")
+    heads = map(text, (say("Responsible"), say("Name"), say("Signature"), say("Date")))
     names = {who: getattr(title, who) for who in form().people}
-    people = [(told(who), printable(name or "")) for who, name in names.items() if name or who in form().signed]
-    return blocks.Signatures(heads, people)
+    rows = [
+        [text(told(who)), text(printable(name or "")), text(), text()]
+        for who, name in names.items()
+        if name or who in form().signed
+    ]
+    return blocks.Table("signatures", text(), [*heads], rows)
 
 
 def _frame(title: TitleBlock, headline: str) -> blocks.Frame:

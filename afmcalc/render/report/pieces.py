@@ -11,6 +11,7 @@ from ...papers.register import citations
 from ...spec.keys import keys
 from ..symbols import split
 from .blocks import Drawing, Piece, Text, piece, text
+from .formulas import Formula
 
 
 def plain(words: str | None) -> Text:
@@ -114,7 +115,7 @@ def _changed(node: Any, change: Callable[[str], str]) -> Any:
         return text(*(change(each) if isinstance(each, str) else _changed(each, change) for each in node))
     if isinstance(node, list | tuple):
         return [_changed(each, change) for each in node]
-    if not is_dataclass(node) or isinstance(node, type):
+    if not is_dataclass(node) or isinstance(node, type | Formula):
         return node
     return replace(node, **{field.name: _changed(getattr(node, field.name), change) for field in fields(node)})
 

@@ -21,8 +21,8 @@ from afmcalc.render.report import Subject, render
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.edit import with_key, with_values
 from afmcalc.spec.models import Required
-from afmcalc.web.answers import answer as page_of
 from afmcalc.web.form import Base, State
+from afmcalc.web.replies import answer as page_of
 
 ASKED = {"nominal_torque": 50.0, "accuracy_factor": 2.5, "torque_max": 900.0, "reduced_gain": 6.0, "cycles": 1e5}
 

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 
 from afmcalc.analysis.registry import ANALYSES
 from afmcalc.messages import native
+from afmcalc.render.amounts import display, estimate, significant
 from afmcalc.render.document import document
-from afmcalc.render.layout import TextTable, blocks, padded
-from afmcalc.render.units import display, estimate, significant
+from afmcalc.render.text_tables import TextTable, blocks, padded
 from afmcalc.result import Result, described, quantity, shown_as
 from afmcalc.spec.fields import Block
 from afmcalc.spec.keys import keys

@@ -77,7 +77,7 @@ def drawn(drawing):
 
 
 def covers(shapes, x, y):
-    """Whether a point is within any of the shapes: to the right of it an odd number of edges is crossed."""
+    """True if a point is within any of the shapes: to the right of it an odd number of edges is crossed."""
     return any(
         sum(
             (a[1] > y) != (b[1] > y) and a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]) > x

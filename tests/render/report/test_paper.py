@@ -8,8 +8,8 @@ from conftest import CONFIGS
 
 from afmcalc.analysis.dossier import dossier
 from afmcalc.messages import ENGLISH, language, speaking
-from afmcalc.render import handbook
 from afmcalc.render.report import Subject
+from afmcalc.render.report import book as handbook
 from afmcalc.render.report import report as laid_out
 from afmcalc.render.report.blocks import Section
 from afmcalc.render.report.sheets import print_pdf

@@ -53,7 +53,7 @@ def limits_of(page, parsed):
 
 
 def test_a_short_report_shows_the_limits_most_used(report, parsed):
-    """As many as there is room for beside the requirements, but four at least."""
+    """The limits that there is room for beside the requirements, but four at least."""
     every = sorted(limits_of(report(), parsed), reverse=True)
     told = dossier(read_spec(None, ["requirements.nominal_torque=50"]), explained=False)
     (row,) = told.check.requirements

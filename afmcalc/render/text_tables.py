@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 from ..findings import Finding
 from ..messages import named, native, printable, say, translate, with_unit
 from ..result import Output
+from .amounts import display, display_unit, estimate, headed, measured, worded
 from .document import ENDS, Column, Document, Table
-from .units import display, display_unit, estimate, headed, in_numbers, measured, worded
 
 
 class TextTable(NamedTuple):
@@ -201,13 +201,13 @@ def step_lines(laid_out: Document) -> list[str]:
     """Lines of an explanation, for each step: name, formula, numbers, value with source, and how the print differs."""
     lines = []
     for step in laid_out.steps:
-        at = say(" at {place}", place=in_numbers(step.at)) if step.at else ""
+        at = say(" at {place}", place=step.at) if step.at else ""
         at = ", ".join([at, *told_apart(step, laid_out.steps)])
         symbol = native(step.symbol)
-        lines += ["", f"{symbol}{at}: {translate(step.name)}", f"    {symbol} = {in_numbers(step.formula)}"]
+        lines += ["", f"{symbol}{at}: {translate(step.name)}", f"    {symbol} = {step.formula}"]
         indent = " " * (5 + len(symbol))
         if step.substituted != step.formula:
-            lines.append(f"{indent}= {in_numbers(step.substituted)}")
+            lines.append(f"{indent}= {step.substituted}")
         lines.append(f"{indent}= {measured(step.value, step.unit)}    [{translate(step.source).rstrip('.')}]")
         if step.print_differs:
             lines.append(say("    print differs: {what}", what=step.print_differs))

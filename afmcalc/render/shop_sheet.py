@@ -15,6 +15,7 @@ from ..analysis.pocket_contours import ShopDrawing
 from ..messages import localized, named, say, translate
 from ..spec import Spec
 from ..spec.models import ShopNotes, TitleBlock
+from .amounts import display
 from .drawing import (
     Angle,
     Circle,
@@ -29,8 +30,8 @@ from .drawing import (
     corners,
     leader,
 )
-from .plot.section import section as laid_out
-from .units import display
+from .plot import pocket_drawing as pockets
+from .plot.section_drawing import section as laid_out
 
 _TITLE_TEXT, _TEXT, _SMALL, _LETTER, _LINE = 7.0, 5.0, 3.5, 0.54, 4.2
 """Sizes of titles, text and notes on paper, mm; width of a letter over them, at most about; from note to note."""
@@ -163,10 +164,8 @@ def notes(drawing: ShopDrawing) -> list[str]:
 def pocket(drawing: ShopDrawing) -> Drawing:
     """Draw two sleeves that mate in the section at the ball circle, where the origin is, and the first from its end."""
     unit, sleeve = drawing.synthesis, drawing.sleeve
-    contours = {
-        each.layer.lower(): [(along * 1e3, around * 1e3) for along, around in each.points] for each in drawing.contours
-    }
-    (back, side), outer = contours["sleeve_1"][-1], sleeve.outer_diameter * 1e3
+    back, side = (1e3 * end for end in drawing.extent)
+    outer = sleeve.outer_diameter * 1e3
     said, near = notes(drawing), unit.edge_clearance_standard
     said += [
         say(
@@ -198,17 +197,19 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     middle = (sheet.low + _HIGH - _EDGE) / 2 - 4
     sheet.origin = (left + _WIDE - 18) / 2, middle
 
-    shapes: list[Shape] = []
-    for contour in drawing.contours:
-        layer = contour.layer.lower()
-        points = tuple(contours[layer])
-        shapes.append(Region(layer, (points,)) if contour.closed else Stroke(layer, points))
-    shapes.append(Circle("ball", (0.0, 0.0), unit.ball_diameter * 500))
-    for name, angle in (("sleeve_1", 45.0), ("sleeve_2", 135.0)):
-        shapes.append(Region("hatch", (tuple(contours[name]),), hatch=angle))
-        place = contours[name][0][0] / 2, -side - 9 * sheet.unit
+    shapes: list[Shape] = [Circle("ball", (0.0, 0.0), unit.ball_diameter * 500)]
+    for each in drawing.contours[2:]:  # the sleeves are drawn with their hatches
+        points = tuple((along * 1e3, around * 1e3) for along, around in each.points)
+        layer = each.layer.lower()
+        shapes.append(Region(layer, (points,)) if each.closed else Stroke(layer, points))
+    for name, hand in (("SLEEVE_1", 1), ("SLEEVE_2", -1)):
+        shapes += pockets.sleeve(drawing, name)
+        place = hand * back / 2, -side - 9 * sheet.unit
         shapes.append(Inscription(name[-1], place, _TITLE_TEXT * sheet.unit, "middle"))
-    shapes += _section_dimensions(sheet, drawing, contours)
+    shapes += pockets.dimensions(drawing, sheet.unit, sheet.text, lambda _, length: sheet.length(length))
+    for x, y in ((back + 3 * sheet.unit, 0.0), (0.0, side + 3 * sheet.unit)):
+        shapes.append(Stroke("centre", ((-x, -y), (x, y))))
+    shapes += _roughness(sheet, drawing)
     x = _LEFT + 52 + float(own) * outer / 2
     shapes += _end_view(sheet, drawing, sheet.at(x, middle), float(own / sheet.scale))
     title = say("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
@@ -220,40 +221,19 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     return sheet.drawing(shapes)
 
 
-def _section_dimensions(sheet: ShopSheet, drawing: ShopDrawing, contours: dict[str, list[Point]]) -> Iterator[Shape]:
-    """Dimension pockets and sleeves in the section, and say how rough the walls are."""
-    unit, sleeve, k, text, said = drawing.synthesis, drawing.sleeve, sheet.unit, sheet.text, sheet.length
-    (face, half), (back, side) = contours["pocket_1"][-1], contours["sleeve_1"][-1]
-    other, groove = contours["pocket_2"][0], sleeve.groove * 500
-    floor = face + unit.pocket_depth_cut * 1e3
-    bottom = floor + sleeve.relief * 1e3
-    yield Length(said(unit.pocket_depth_cut), text, (face, half), (floor, groove), side + 6 * k)
-    relieved = said(unit.pocket_depth_cut + sleeve.relief)
-    yield Length(relieved, text, (face, half), (bottom, groove), side + 13 * k)
-    star = "*" * ("depth" in sleeve.assumed)
-    yield Length(said(sleeve.depth) + star, text, (face, side), (back, side), side + 20 * k)
-    yield Length(display(unit.face_gap, "m"), text, (-face, -side), (face, -side), -side - 8 * k)
-    yield Length(said(sleeve.groove), text, (bottom, -groove), (bottom, groove), back + 8 * k, upright=True)
-    yield Length(said(unit.pocket_width), text, (face, -half), (face, half), back + 16 * k, upright=True)
-    if abs(other[1]) < half:
-        ends = (-face, -abs(other[1])), (-face, abs(other[1]))
-        yield Length(said(abs(other[1]) / 500), text, *ends, -back - 8 * k, upright=True)
-    yield Diameter(localized(f"Ø{unit.ball_diameter * 1e3:.6g}"), text, (0.0, 0.0), unit.ball_diameter * 500, 135.0)
-    for x, y in ((back + 3 * k, 0.0), (0.0, side + 3 * k)):
-        yield Stroke("centre", ((-x, -y), (x, y)))
-    slope, reach = math.tan(unit.wall_angle), 0.75 * (floor - face)
-    apex = unit.ball_diameter * 500 / math.sin(unit.wall_angle)
-    first, second = ((floor - reach, hand * (groove + reach * slope)) for hand in (1, -1))
-    angle = localized(f"{math.degrees(2 * unit.wall_angle):.5g}°")
-    yield Angle(angle, text, (apex, 0.0), first, second, apex - min(face + reach, apex - 10 * k))
+def _roughness(sheet: ShopSheet, drawing: ShopDrawing) -> Iterator[Shape]:
+    """Say how rough the walls are."""
+    unit, k, groove = drawing.synthesis, sheet.unit, drawing.sleeve.groove * 500
+    floor, (back, side) = 1e3 * (unit.face_gap / 2 + unit.pocket_depth_cut), (1e3 * end for end in drawing.extent)
     if rough := (drawing.spec.drawing or ShopNotes()).roughness:
-        x, y = next(point for point in contours["pocket_1"][1:] if -point[1] > groove + 1e-9)
+        wall = [(1e3 * x, 1e3 * y) for x, y in drawing.contours[2].points]
+        x, y = next(point for point in wall[1:] if -point[1] > groove + 1e-9)
         tip, knee = ((x + floor) / 2, (y - groove) / 2), (back + 4 * k, -side - 12 * k)
-        yield from leader("", tip, knee, text)
+        yield from leader("", tip, knee, sheet.text)
         sign = (1.0, 3.5), (3.0, 0.0), (7.0, 7.0), (16.0, 7.0)
         for line in (sign, ((0.0, 0.0), (3.0, 0.0)), ((1.0, 3.5), (5.0, 3.5))):
             yield Stroke("dimensions", tuple((knee[0] + a * k, knee[1] + b * k) for a, b in line))
-        yield Inscription(rough, (knee[0] + 7 * k, knee[1] + 2.5 * k), text, ours=False)
+        yield Inscription(rough, (knee[0] + 7 * k, knee[1] + 2.5 * k), sheet.text, ours=False)
 
 
 def _end_view(sheet: ShopSheet, drawing: ShopDrawing, centre: Point, shrunk: float) -> Iterator[Shape]:

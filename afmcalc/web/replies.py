@@ -21,8 +21,8 @@ from ..analysis.sweep import parse_axis
 from ..engines import build
 from ..errors import AfmcalcError, CalculationError
 from ..messages import localized, native, say, translate
+from ..render.amounts import display_unit
 from ..render.document import Column, document
-from ..render.layout import TextTable, blocks, cells, ranked
 from ..render.plot import sheet_of
 from ..render.plot.chart import Chart, Line, Sheet
 from ..render.plot.figure import inline_svg
@@ -30,7 +30,7 @@ from ..render.report import Subject, render
 from ..render.report.chapters import chapters
 from ..render.report.html import drawing
 from ..render.report.title import text_as_given, title_block
-from ..render.units import display_unit
+from ..render.text_tables import TextTable, blocks, cells, ranked
 from ..result import Result
 from ..spec import Spec, make_spec, resolved, to_toml
 from ..spec.parse import Source, parse
@@ -120,7 +120,7 @@ def _drawn(sheet: Sheet, number: int, pinned: Sequence[Line] = ()) -> tuple[Mark
     if isinstance(sheet.panels[0], Chart):
         charts = (fragment("curve", sheet.title, curve(chart, pinned)) for chart in sheet.panels)
         return Markup("").join(map(Markup, charts)), sheet.below
-    return Markup(drawing(inline_svg(sheet), native(sheet.title), number)), sheet.below  # noqa: S704
+    return Markup(drawing(inline_svg(sheet.panels[0]), native(sheet.title), number)), sheet.below  # noqa: S704
 
 
 def _analysed(state: State, job: Job) -> Answer:

@@ -9,7 +9,7 @@ from ...messages import say, translate
 from ...spec.catalogues import ball_designation
 from ...spec.keys import keys
 from .. import drawing as draw
-from ..units import display, measured
+from ..amounts import display, measured
 from .chart import Sheet, stated
 
 _MM = 1e3

@@ -1,12 +1,11 @@
 """Engineer's units (or SI) and significant figures for people; JSON and CSV stay in SI."""
 
 import math
-import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-from ..messages import latin, localized, native, printable, spoken, translate, with_unit
+from ..messages import latin, localized, printable, spoken, translate, with_unit
 from ..units import ENGINEER, in_unit, per_si, typeset
 
 CHOICES: dict[str, dict[str, str]] = {"engineer": ENGINEER, "si": {}}
@@ -106,21 +105,6 @@ _IN_ENGLISH = {
     "simulate": "simulation of the event",
 }
 """Values that are words of the spec or of JSON → what people are told."""
-
-
-_NUMBER = re.compile(r"(?<![\w.,])(\d+(?:\.\d+)?(?:e[+-]\d+)?)(?: ((?:1/)?(?:[·/]?[A-Za-z°]+[²³]?)+))?(?![\w.])")
-
-
-def in_numbers(formula: str) -> str:
-    """Return a formula with numbers and units put in as people of the user's language write it."""
-    if spoken() == "en":
-        return native(formula)
-    shown = _NUMBER.sub(lambda match: with_unit(localized(match[1]), translate(match[2] or "", "unit")), formula)
-    shown = _AFTER_POWER.sub(lambda match: translate(match[0], "unit"), shown)
-    return native(re.sub(r"(?<!\w)-", "−", shown))
-
-
-_AFTER_POWER = re.compile(r"(?<=\) )(?:[·/]?[A-Za-z°]+[²³]?)+")
 
 
 def significant(value: float) -> str:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from ...messages import deferred, named, say, translate
 from ...spec.keys import is_whole
-from ..units import display
+from ..amounts import display
 from .chart import Area, Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
 if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no other analysis than its own

@@ -6,23 +6,22 @@ from collections.abc import Callable, Iterator, Sequence
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from .. import __version__
-from ..analysis.handbook_content import Entry, Handbook
-from ..messages import say, spoken, translate
-from ..papers.register import Misprint, misprints, references
-from ..units import typeset
-from .plot import sheet_of
-from .plot.schemes import SCHEMES
-from .report import blocks
-from .report.blocks import Block, Document, Piece, Text, listed, piece, text, when
-from .report.chapters import broken
-from .report.formulas import formula
-from .report.html import page
-from .report.page import figure_of
-from .report.pieces import said
-from .report.title import today
-from .symbols import value_latex
-from .units import measured, worded
+from ... import __version__
+from ...analysis.handbook_content import Entry, Handbook
+from ...formula_tree import symbol_tree, value_tree
+from ...messages import say, spoken, translate
+from ...papers.register import Misprint, misprints, references
+from ...units import typeset
+from ..amounts import measured, worded
+from ..plot import sheet_of
+from ..plot.schemes import SCHEMES
+from . import blocks
+from .blocks import Block, Document, Piece, Text, listed, piece, text, when
+from .formulas import broken, equated, formula
+from .html import page
+from .page import figure_of
+from .pieces import said
+from .title import today
 
 
 def render(handbook: Handbook) -> str:
@@ -90,7 +89,7 @@ class _Book:
                 yield blocks.Paragraph(self._inline(token))
         elif token.type == "fence":
             lines = [*map(said, token.content.splitlines())]
-            yield blocks.Code(token.content) if token.info == "sh" else blocks.Reasoning(lines)
+            yield blocks.Code(token.content) if token.info == "sh" else blocks.Bullets(lines, "derivation")
         elif token.type == "bullet_list_open":
             yield blocks.Bullets([*map(self._inline, _until("bullet_list_close", left))])
         elif token.type == "table_open":
@@ -107,12 +106,13 @@ class _Book:
         if kind in ("figure", "plot"):
             self.figures += 1
             sheet = SCHEMES[name]() if kind == "figure" else sheet_of(name.split()[0], self.handbook.plots[name])
-            return figure_of(self.figures, sheet, [sheet])
+            return figure_of(self.figures, sheet)
         return self.lists[name]()
 
     def _formula(self, entry: Entry) -> blocks.Step:
         """Lay out a formula: what its symbols are, an example, sources, proofs, and the commands that calculate it."""
         equation = entry.equation
+        symbol = symbol_tree(equation.result.symbol)
         source = self._linked(translate(equation.source).rstrip("."), equation.name)
         what = [
             text(_strong(said(equation.result.symbol))),
@@ -122,8 +122,8 @@ class _Book:
         lines = []
         if entry.worked:
             example = piece("soft", say("In numbers, example:{example}", example=entry.example))
-            value = value_latex(measured(entry.value, equation.result.unit))
-            lines = [([text(example)], [formula(broken(f"{entry.worked} = {value}"))])]
+            value = value_tree(measured(entry.value, equation.result.unit))
+            lines = [([text(example)], [formula(broken(equated(symbol, entry.worked, value)))])]
         notes = []
         if validity := translate(equation.validity):
             notes.append(text(_strong(say("Validity:")), " ", self._linked(validity, equation.name)))
@@ -148,7 +148,7 @@ class _Book:
         return blocks.Step(
             what=listed(what, " "),
             number=self.numbers[equation.name],
-            formula=formula(broken(entry.latex)),
+            formula=formula(broken(equated(symbol, entry.formula))),
             where=[_term(term.symbol, term.meaning, typeset(term.unit)) for term in equation.arguments.values()],
             lines=lines,
             notes=notes,

@@ -1,0 +1,143 @@
+"""Section through a ball and its two pockets (A–A of the papers), to scale: a figure, and part of a shop sheet."""
+
+import math
+from collections.abc import Callable, Iterator
+
+from ...analysis.pocket_contours import ShopDrawing
+from ...analysis.synthesize import SynthesisResult
+from ...messages import localized, say, translate
+from ..amounts import display
+from ..drawing import (
+    TEXT,
+    WIDTH,
+    Angle,
+    Circle,
+    Diameter,
+    Drawing,
+    Inscription,
+    Length,
+    Region,
+    Shape,
+    Stroke,
+    tenths,
+)
+from .chart import Sheet, stated
+
+Label = Callable[[str, float], str]
+"""Text of a dimension: from its symbol and its length, m."""
+_BESIDE, _BETWEEN, _HIGH = 62, 46, 210
+"""Millimetres on paper for dimensions beside and between the positions, and that both may be high at most."""
+
+
+def pocket(drawing: ShopDrawing) -> Sheet:
+    """Draw the ball at the stop and, where the sleeve travels, at its largest travel."""
+    found, titles = drawing.synthesis, [(0.0, "")]
+    if travel := found.travel_max:
+        moved = say("at f_max, {stated}", stated=stated("x_max", travel, "m"))
+        titles = [(0.0, translate("at the stop, x = 0")), (travel, moved)]
+    back, side = (1e3 * end for end in drawing.extent)
+    unit = max(2 * back / (WIDTH - _BESIDE), 2 * side / (_HIGH / len(titles) - _BETWEEN))
+    size, high, right = TEXT * unit, 2 * side + _BETWEEN * unit, WIDTH / 2 * unit
+    shapes = list[Shape]()
+    for number, (travel, title) in enumerate(titles):
+        shapes += [*_moved(drawing, travel, -number * high), *_ball(drawing, -number * high)]
+        if title:
+            shapes.append(Inscription(title, (size - right, side + 26 * unit - number * high), size))
+        if travel:
+            gap = found.face_gap + travel
+            ends = (-_faces(drawing, travel)[1], -side - high), (_faces(drawing, travel)[0], -side - high)
+            shapes.append(Length(f"s + x = {tenths(gap)}", size, *ends, -side - high - 8 * unit))
+    shapes += dimensions(drawing, unit, size, lambda symbol, length: f"{symbol} = {tenths(length)}")
+    frame = -right, high - side - 14 * unit - len(titles) * high, right, side + 30 * unit
+    return Sheet(translate("Ball and pockets, section A–A"), [Drawing(shapes, frame)], _caption(found), drawing.name)
+
+
+def _faces(drawing: ShopDrawing, travel: float) -> tuple[float, float]:
+    """Distances of both faces from the ball's centre, mm: one sleeve seats the ball where the wall is curved."""
+    found = drawing.synthesis
+    share = 1.0 if found.wall is not None else 0.5
+    return 1e3 * (found.face_gap / 2 + share * travel), 1e3 * (found.face_gap / 2 + (1 - share) * travel)
+
+
+def _moved(drawing: ShopDrawing, travel: float, up: float) -> Iterator[Shape]:
+    """Draw both sleeves off their stop: each in which the ball moves turns until its walls bear on the ball again."""
+    found = drawing.synthesis
+    steepness = (math.tan(found.wall_angle) + math.tan(found.wall_angle_max or found.wall_angle)) / 2
+    for name, hand, face in zip(("SLEEVE_1", "SLEEVE_2"), (1, -1), _faces(drawing, travel), strict=True):
+        off = face - 500 * found.face_gap
+        yield from sleeve(drawing, name, hand * off, up + hand * off * steepness)
+
+
+def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> Iterator[Shape]:
+    """Draw one of the sleeves with its pocket, off where it is at the stop."""
+    (contour,) = (
+        tuple((along * 1e3 + x, around * 1e3 + y) for along, around in each.points)
+        for each in drawing.contours
+        if each.layer == name
+    )
+    yield Region("hatch", (contour,), hatch=45.0 if name == "SLEEVE_1" else 135.0)
+    yield Region(name.lower(), (contour,))
+
+
+def _ball(drawing: ShopDrawing, up: float) -> Iterator[Shape]:
+    back, side = (1.04 * 1e3 * end for end in drawing.extent)
+    yield Circle("balls", (0.0, up), drawing.synthesis.ball_diameter * 500)
+    for end in ((back, 0.0), (0.0, side)):
+        yield Stroke("centre", ((-end[0], up - end[1]), (end[0], up + end[1])))
+
+
+def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Iterator[Shape]:
+    """Dimension pockets and sleeves at the stop; ``k``: millimetres of the drawing that one of the paper is."""
+    unit, shop = drawing.synthesis, drawing.sleeve
+    points = {each.layer: [(along * 1e3, around * 1e3) for along, around in each.points] for each in drawing.contours}
+    (face, half), (back, side) = points["POCKET_1"][-1], points["SLEEVE_1"][-1]
+    other, groove = points["POCKET_2"][0], shop.groove * 500
+    floor = face + unit.pocket_depth_cut * 1e3
+    bottom = floor + shop.relief * 1e3
+    yield Length(label("h_c", unit.pocket_depth_cut), text, (face, half), (floor, groove), side + 6 * k)
+    relieved = label("h", unit.pocket_depth_cut + shop.relief)
+    yield Length(relieved, text, (face, half), (bottom, groove), side + 13 * k)
+    star = "*" * ("depth" in shop.assumed)
+    yield Length(label("B", shop.depth) + star, text, (face, side), (back, side), side + 20 * k)
+    yield Length(display(unit.face_gap, "m"), text, (-face, -side), (face, -side), -side - 8 * k)
+    yield Length(label("g", shop.groove), text, (bottom, -groove), (bottom, groove), back + 8 * k, upright=True)
+    yield Length(label("b", unit.pocket_width), text, (face, -half), (face, half), back + 16 * k, upright=True)
+    if abs(other[1]) < half:
+        ends = (-face, -abs(other[1])), (-face, abs(other[1]))
+        yield Length(label("b_2", abs(other[1]) / 500), text, *ends, -back - 8 * k, upright=True)
+    yield Diameter(localized(f"Ø{unit.ball_diameter * 1e3:.6g}"), text, (0.0, 0.0), unit.ball_diameter * 500, 115.0)
+    slope, reach = math.tan(unit.wall_angle), 0.75 * (floor - face)
+    apex = unit.ball_diameter * 500 / math.sin(unit.wall_angle)
+    first, second = ((floor - reach, hand * (groove + reach * slope)) for hand in (1, -1))
+    angle = localized(f"{math.degrees(2 * unit.wall_angle):.5g}°")
+    yield Angle(angle, text, (apex, 0.0), first, second, apex - min(face + reach, apex - 10 * k))
+
+
+def _caption(found: SynthesisResult) -> str:
+    sentences = [
+        say(
+            "To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch "
+            "horizontal. S21 (20), (23), (24): smallest ball {smallest}.",
+            circle=stated("r", found.ball_circle_radius, "m"), smallest=stated("r_ш", found.ball_radius, "m"),
+        ),
+        _drawn_with(found),
+        translate("Cut to h_c, where the ball ends; below it a groove keeps the ball off the floor."),
+    ]  # fmt: skip
+    if found.contact_force is not None:
+        sentences.append(say("On one ball {force}.", force=stated("F_n", found.contact_force, "N")))
+    if found.web is not None:
+        sentences.append(say("The web between pockets is {web}.", web=stated("e", found.web, "m")))
+    if found.wall_angle_max is not None:
+        angle = found.wall_angle_max
+        sentences.append(say("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=angle))
+    return " ".join(sentences)
+
+
+def _drawn_with(found: SynthesisResult) -> str:
+    ball = stated("d_ш", found.ball_diameter, "m")
+    if found.ball_diameter_standard is None:
+        return say("Drawn with {ball}, for no standard ball is that large.", ball=ball)
+    if found.edge_clearance_standard is None:
+        return say("Drawn with {ball}.", ball=ball)
+    clearance = stated("y", found.edge_clearance_standard, "m")
+    return say("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)
