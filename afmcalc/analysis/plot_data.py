@@ -24,12 +24,11 @@ from .design import DesignResult, design
 from .drive_result import SimulateResult
 from .fatigue import LifeResult, LifeSweep, band_axis, life_sweep
 from .neglected import effects_curve
-from .pocket_contours import ShopDrawing, shop_drawing
+from .pocket_contours import shop_drawing
 from .registry import PLOTS, Plot, StressRule
 from .simulate import MomentRow, history
 from .spring_search import springs_curve
 from .sweep import Axis, S, current_value, find_key, parse_axis, series
-from .synthesize import SynthesisResult
 from .tolerance_study import ToleranceResult
 from .trip import OverloadSweep, refuse
 
@@ -229,14 +228,6 @@ def _path(clutch: Clutch) -> dict[str, Floats]:
     return {"friction_driving": first, "friction_driven": second}
 
 
-class PocketSection(NamedTuple):
-    """The section through one ball and its pockets."""
-
-    name: str | None
-    balls: int | None
-    synthesis: SynthesisResult
-
-
 class ToleranceFigure(NamedTuple):
     """The torque of one clutch over its tolerances."""
 
@@ -317,8 +308,7 @@ def gathered(name: str, request: Request) -> Any:
         case "life":
             return _life(request)
         case "pocket":
-            (synthesis, _), spec = subject.ask("pocket"), subject.clutch.spec  # refuses a clutch without balls
-            return PocketSection(spec.name, spec.control_unit.balls, synthesis)
+            return shop_drawing(subject.clutch, subject.ask("pocket")[0])  # which refuses a clutch without balls
         case "effects":
             return effects_curve(subject.clutch)
         case "springs":
@@ -369,15 +359,3 @@ def _pareto(spec: Spec) -> ParetoFigure:
     if not result.front:
         raise CalculationError(findings[0].message)
     return ParetoFigure(spec.name, result)
-
-
-def shop_drawing_of(name: str, request: Request) -> ShopDrawing:
-    """Lay out the pockets of a clutch for the shop; ``name``: the plot that was asked.
-
-    Raises:
-        AfmcalcError: no one clutch with a control unit, or a pocket that cannot be cut.
-    """
-    check_request(name, request)
-    (answers,) = request.subjects
-    synthesis, _ = answers.ask("pocket")
-    return shop_drawing(answers.clutch, synthesis)
