@@ -475,17 +475,12 @@ def peak_time(train: Train, sliding: Values) -> Values:
     """
     swings = (2 * np.pi * (inertia / train.stiffness) ** 0.5 for inertia in (train.driven_inertia, train.front))
     time: Any = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
-    if train.kind != "load":
-        return time
-    resisted = [(train.driven_inertia + train.tool_inertia, sliding)]
-    if train.engine.slip is not None:
-        # while the clutch holds, the motor is slowed with the tool, and pulls the harder for it
-        resisted.append((train.front + train.tool_inertia, train.engine.torque))
-    slowed = (
-        inertia * train.speed / np.maximum(np.abs(train.overload - torque), 0.05 * sliding)
-        for inertia, torque in resisted
-    )
-    return time + functools.reduce(np.maximum, slowed)
+    if train.kind == "load":
+        # the motor may have to be overcome too
+        against = [sliding] if train.engine.slip is None else [sliding, train.engine.torque]
+        least = functools.reduce(np.minimum, (np.abs(train.overload - torque) for torque in against))
+        time = time + (train.front + train.tool_inertia) * train.speed / np.maximum(least, 0.05 * sliding)
+    return time
 
 
 def shapes(record: object) -> list[tuple[int, ...]]:

@@ -184,7 +184,7 @@ class Motion:
         v, w, at_stop = motor - hub, hub - free, self.turn == 0
         if at_stop is True:
             return lambda ratio: self._at_stop(v, w, ratio)
-        moving = self._moving(v, w)
+        moving = self._moving(v, w, where(self.turn < 0, -1.0, 1.0))
 
         def result(ratio: Any) -> tuple[Any, ...]:
             found = moving(ratio)
@@ -202,10 +202,10 @@ class Motion:
 
         return result
 
-    def _moving(self, v: Any, w: Any) -> Callable[[Any], tuple[Any, ...]]:
-        """Balls off the stop, by friction ratio; the key sticks at ball torques between S/κ₊ and S/κ."""
+    def _moving(self, v: Any, w: Any, side: Any) -> Callable[[Any], tuple[Any, ...]]:
+        """Balls off the stop, on one side or the other; the key sticks at ball torques between S/κ₊ and S/κ."""
         pack, h, rate, turn = self.pack, self.h, self.rate, self.turn
-        side, ahead = where(turn < 0, -1.0, 1.0), h / 2 * rate
+        ahead = h / 2 * rate
         # implicit midpoint: the speed before the step gives half of the turn, the speed after it the other half
         travel = pack.travel(turn + ahead)
         moment, gain = pack.driving_moment(travel, rate + self.gained / 2), pack.gain(travel)
@@ -298,16 +298,7 @@ class Motion:
         resting = clutch, balls, slip, 0.0, pressed, 0.0, 0.0
         if not _any(lifted):
             return resting
-        mass, toward = pack.inertia(0.0, pack.net_gain) / self.h, where(balls < 0, -1.0, 1.0)
-        A, B, D, v, w = self._heavier(v, w, mass, 0.0)
-        capacity, balls = pack.carried(pack.closing_force, ratio), toward * pack.lift
-        needed = (v + B * balls) / A
-        clutch = clip(needed, -capacity, capacity)
-        after = w + B * clutch - D * balls
-        turn = self.h / 2 * after
-        lost = balls * turn * (1 - pack.net_gain / pack.stop_gain)
-        slip = where(clutch == needed, 0.0, v + B * balls - A * clutch)
-        off = clutch, balls + mass * after, slip, after, pack.closing_force, turn, lost
+        off = self._moving(v, w, where(balls < 0, -1.0, 1.0))(ratio)
         return tuple(where(lifted, one, other) for one, other in zip(off, resting, strict=True))
 
     @property
