@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from functools import cache
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 from ..equations import (
     accuracy,
@@ -22,12 +22,10 @@ from ..equations import (
 )
 from ..equations.arrays import is_array, larger, smaller
 from ..messages import say
+from ..spec import Spec, make_spec
 from ..spec.catalogues import balls
 from ..variants import VARIANTS, Variant
 from .quantities import Case, Laws, Quantities
-
-if TYPE_CHECKING:
-    from ..spec.models import Spec
 
 Part: TypeAlias = ModuleType | Mapping[str, Any]
 
@@ -108,7 +106,7 @@ def _sleeve(keys: frozenset[str]) -> Iterator[Part]:
 class Clutch(Quantities):
     """The quantities of a clutch, and the spec that gives them."""
 
-    def __init__(self, spec: "Spec", laws: Laws, given: Mapping[str, Any], *, noted: bool = False) -> None:
+    def __init__(self, spec: Spec, laws: Laws, given: Mapping[str, Any], *, noted: bool = False) -> None:
         """Begin with what the spec gives; ``noted``: keep the steps."""
         super().__init__(laws, given, noted=noted)
         self.spec = spec
@@ -130,7 +128,7 @@ class Clutch(Quantities):
         return self.at(friction=driving)
 
 
-def quantities_of(spec: "Spec", *, noted: bool = False) -> Clutch:
+def quantities_of(spec: Spec, *, noted: bool = False) -> Clutch:
     """Return the clutch of a spec.
 
     Args:
@@ -185,7 +183,7 @@ for _line in _NAMES.splitlines():
     NAMES.setdefault(_block, {}).update({key: name or key for key, _, name in _named})
 
 
-def given(spec: "Spec") -> dict[str, Any]:
+def given(spec: Spec) -> dict[str, Any]:
     """Return the quantities that a spec gives, by name."""
     found: dict[str, Any] = {}
     for path, names in NAMES.items():
@@ -210,7 +208,7 @@ def given(spec: "Spec") -> dict[str, Any]:
     return found
 
 
-def _materials(spec: "Spec") -> Iterator[tuple[str, float]]:
+def _materials(spec: Spec) -> Iterator[tuple[str, float]]:
     """Ranges of friction of the materials named."""
     for path, block in spec.friction.blocks.items():
         names, (low, _, high) = NAMES[path], block.range
@@ -229,13 +227,14 @@ def as_set(clutch: Clutch, **values: Any) -> Clutch:
     return Clutch(clutch.spec, laws, clutch.given | kept | values)
 
 
-def accepted(clutch: Clutch) -> Clutch:
-    """Return a clutch; refuse what the rules of its spec cannot see, of numbers: arrays have NaN there.
+def build(spec: Spec | Mapping[str, Any]) -> Clutch:
+    """Return the clutch of ``spec``, a validated one or plain data of the same structure.
 
-    Raises SpecError: a gain below the threshold 2 R f_1/d, at which the sleeve would leave its stop at zero torque; no
-    wall that holds the torque.
+    Raises SpecError: no valid spec; of numbers (arrays have NaN there) a gain below the threshold 2 R f_1/d, at which
+    the sleeve would leave its stop at zero torque, or no wall that holds the torque.
     """
-    spec, unit = clutch.spec, clutch.spec.control_unit
+    spec = spec if isinstance(spec, Spec) else make_spec(spec)
+    clutch, unit = quantities_of(spec), spec.control_unit
     if not spec.kind.travels or unit is None or is_array(clutch["net_gain"]):
         return clutch
     if clutch["net_gain"] < 0:
