@@ -121,7 +121,7 @@ def _the_whole_run():
     """Keep every event for the whole run."""
     from afmcalc.drive import cases
 
-    cases.event_of = functools.lru_cache(4096)(cases.event_of.__wrapped__)
+    cases.kept = functools.lru_cache(4096)(cases.kept.__wrapped__)
 
 
 LONGEST = 1.0

@@ -2,13 +2,14 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import product
 from typing import Any, Literal
 
 import numpy as np
 from pydantic import ConfigDict, PrivateAttr, SerializeAsAny, create_model
 
+from ..drive.cases import simulate_clutches
 from ..engines import Clutch, build
 from ..engines.checks import CHECKS, REQUIRED
 from ..engines.parts import spring_demands
@@ -46,6 +47,8 @@ _TOLD = ("closing_force", "control_force", "accuracy_factor", "torque_max", "tra
 """Quantities that a row tells beside what is searched and what is small."""
 _STACKS = 5
 """Springs of each kind that are tried."""
+_TOGETHER = 20
+"""Candidates whose events are simulated together."""
 _NO_SPRING = "no-spring"
 
 
@@ -136,7 +139,7 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     front = _numbered(survey, objectives, places, judge)
     missed = None if front else _binding(spec, survey, judge)
     result = DesignResult(
-        candidates=survey.candidates, feasible=survey.feasible - judge.failed, objectives=objectives,
+        candidates=survey.candidates, feasible=survey.feasible - len(judge.failed), objectives=objectives,
         compromise=next((row.number for row in front if row.mark), None), excluded=excluded, front=front,
         binding=missed,
     )  # fmt: skip
@@ -161,41 +164,58 @@ class _Judge:
 
     def __init__(self, spec: Spec, survey: Survey) -> None:
         """Judge the feasible candidates of a survey."""
-        self.spec, self.survey, self.failed = spec, survey, 0
+        self.spec, self.survey, self.failed = spec, survey, set[int]()
         self.passed: dict[int, tuple[Spec, dict[str, float], int]] = {}
         self.excluded = Counter[str]()
         self._ranks: list[tuple[int, float, int, Finding]] = []
 
     def front(self) -> list[int]:
-        """Return the feasible candidates that pass and that none that passes beats."""
-        alive = np.arange(self.survey.feasible)
+        """Return the feasible candidates that pass and that none that passes beats; events are asked last."""
+        alive, waiting = np.arange(self.survey.feasible), dict[int, tuple[Clutch, Iterator[Clutch]]]()
         while True:
-            members = alive[unbeaten(self.survey.costs[alive])]
-            asked = [int(member) for member in members if int(member) not in self.passed]
+            members = [int(member) for member in alive[unbeaten(self.survey.costs[alive])]]
+            asked = [member for member in members if member not in self.passed]
             if not asked:
-                return [int(member) for member in members]
-            for member in asked:
+                return members
+            new = [member for member in asked if member not in waiting]
+            for member in new:
+                judging = self._judge(member)
                 with unwatched():
-                    missed = self._missed(member)
-                if missed:
-                    self.failed += 1
-                    self.excluded.update({_counted(one) for one in missed})
-                    alive = alive[alive != member]
-                tell(say("checking the front"), len(self.passed), len(self.passed) + len(asked))
+                    clutch = next(judging, None)
+                if clutch is not None:
+                    waiting[member] = clutch, judging
+                self._tell(asked)
+            for first in () if new else range(0, len(asked), _TOGETHER):
+                few = [waiting.pop(member) for member in asked[first : first + _TOGETHER]]
+                with unwatched():
+                    simulate_clutches(clutch for clutch, _ in few)
+                    for _, judging in few:
+                        list(judging)
+                self._tell(asked)
+            alive = alive[~np.isin(alive, [*self.failed])]
 
-    def _missed(self, member: int) -> list[Finding]:
-        """Return what a candidate misses with the best of the springs that are tried."""
+    def _tell(self, asked: Sequence[int]) -> None:
+        tell(say("checking the front"), len(self.passed), len(self.passed) + len(asked))
+
+    def _judge(self, member: int) -> Iterator[Clutch]:
+        """Judge a candidate with the best of the springs that are tried; yield each clutch before its event."""
         missed: list[Finding] = []
         for tried in self._with_springs(candidate(self.spec, self.survey.changes(member))):
             clutch = build(tried)
-            values, warnings, failed = judgement(clutch)
+            slow, unasked = simulating(clutch), _unasked(tried)
+            values, warnings, failed = judgement(clutch, slow)
+            if slow - unasked and not failed:
+                if clutch.spec.drive.event is not None:
+                    yield clutch
+                values, warnings, failed = judgement(clutch, slow & unasked)
             if not failed:
                 self.passed[member] = tried, values, warnings
-                return []
+                return
             missed = min(filter(None, (missed, failed)), key=len)
         missed = missed or [Finding("error", _NO_SPRING, "")]
+        self.failed.add(member)
+        self.excluded.update({_counted(one) for one in missed})
         self._ranks.append((len(missed), sum(map(_beyond, missed)), member, max(missed, key=_beyond)))
-        return missed
 
     def nearest(self) -> Finding | None:
         """Return what the candidate misses by the most that misses the least; of springs what the nearest misses."""
@@ -226,24 +246,21 @@ class _Judge:
             yield as_written(plain.model_copy(update=springs))
 
 
-def judgement(clutch: Clutch) -> tuple[dict[str, float], int, list[Finding]]:
-    """Return what a clutch has of its requirements, how many warnings, and what fails it.
+def _unasked(spec: Spec) -> set[str]:
+    """Return what is sampled though no requirement asks for it."""
+    return set() if spec.requirements is not None and spec.requirements.exceedance is not None else {"tolerance"}
 
-    It is simulated only where all else holds.
-    """
-    asked = {} if clutch.spec.requirements is None else clutch.spec.requirements.model_dump(exclude_none=True)
-    slow, unasked = simulating(clutch), set() if "exceedance" in asked else {"tolerance"}
-    for without in dict.fromkeys((frozenset(slow), frozenset(slow & unasked))):
-        result, findings = check(clutch, without=without)
-        rows = {row.path: row for row in result.checks if row.is_requirement and row.needs}
-        unknown = {path for path, row in rows.items() if row.passed is None}
-        failed = [
-            each
-            for each in findings
-            if each.level == "error" or (each.code == "requirement-not-judged" and each.path in unknown)
-        ]
-        if failed:
-            break
+
+def judgement(clutch: Clutch, without: Collection[str]) -> tuple[dict[str, float], int, list[Finding]]:
+    """Return what a clutch has of its requirements, how many warnings, and what fails it, ``without`` some parts."""
+    result, findings = check(clutch, without=without)
+    rows = {row.path: row for row in result.checks if row.is_requirement and row.needs}
+    unknown = {path for path, row in rows.items() if row.passed is None}
+    failed = [
+        each
+        for each in findings
+        if each.level == "error" or (each.code == "requirement-not-judged" and each.path in unknown)
+    ]
     told = {str(path).rpartition(".")[2]: row.value for path, row in rows.items()}
     return {name: value for name, value in told.items() if value is not None}, result.warnings, failed
 

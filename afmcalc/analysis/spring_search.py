@@ -231,8 +231,15 @@ def springs(
 
 
 def ranked(demand: SpringDemand, kind: SpringKind = "any", top: int | None = None) -> list[SpringOption]:
-    """Return the parts that do, in the order they are told in."""
-    found = _fitting(demand, _tables(demand, kind, TOLERANCE), None, families=False)
+    """Return the parts that do, in the order they are told in; discs that the room does not have are not tried."""
+    least, most = demand.room.inner_diameter or 0.0, demand.room.outer_diameter or math.inf
+    listed = tuple(
+        disc
+        for disc in demand.catalogue or discs()
+        if disc.inner_diameter >= least * (1 - 2 * _SLACK) and disc.outer_diameter <= most * (1 + 2 * _SLACK)
+    )
+    within = demand._replace(catalogue=listed or demand.catalogue)
+    found = _fitting(demand, _tables(within, kind, TOLERANCE), None, families=False)
     return [option_of(demand, table.part(row)) for table, row in found[:top]]
 
 

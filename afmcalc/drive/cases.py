@@ -1,11 +1,13 @@
 """Which events are simulated: the clutch at a friction, and an ordinary clutch in its place."""
 
 import functools
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from ..engines import Clutch
 from ..equations.arrays import Values
 from .integrator import Event, simulate
+from .motion import stacked
 from .pack import DirectPack, Sleeve, ordinary_pack, pack_of
 from .train import Train, train_of
 
@@ -24,7 +26,7 @@ class Case(NamedTuple):
         Raises:
             CalculationError: the duration has too many steps.
         """
-        return event_of(self, full=False)
+        return event_of(self)
 
     def history(self) -> Event:
         """Simulate one drive to the end of the duration asked for, if any; errors as ``run``."""
@@ -35,10 +37,34 @@ class Case(NamedTuple):
         return simulate(*self, whole=False)
 
 
-@functools.lru_cache(maxsize=64)
-def event_of(case: Case, *, full: bool) -> Event:
-    """Simulate; the last are cached, as heat and the requirements ask again what was simulated for the peaks."""
-    return simulate(*case, full=full)
+@functools.lru_cache(maxsize=256)
+def kept(case: Case, whole: bool, full: bool) -> list[Event]:  # noqa: FBT001
+    """Place of an event, empty until it is simulated; the last are cached: heat and requirements ask for them again."""
+    return []
+
+
+def event_of(case: Case, *, whole: bool = True, full: bool = False) -> Event:
+    """Simulate one drive, unless its event is kept."""
+    place = kept(case, whole, full)
+    if not place:
+        place.append(simulate(*case, whole=whole, full=full))
+    return place[0]
+
+
+def simulate_together(cases: Iterable[Case], *, whole: bool = True) -> None:
+    """Simulate the events of direct clutches in drives alike, as arrays; ``event_of`` then has them."""
+    alike: dict[Any, list[Case]] = {}
+    for case in dict.fromkeys(cases):
+        if isinstance(case.pack, DirectPack) and not kept(case, whole, False):
+            train = case.train
+            optional = train.engine.slip, train.cut_off, case.duration
+            alike.setdefault((train.kind, *(value is None for value in optional)), []).append(case)
+    for group in alike.values():
+        trains, packs, durations = zip(*group, strict=True)
+        events = simulate(stacked(trains), stacked(packs), stacked(durations), whole=whole)
+        for case, *figures in zip(group, *events[:-1], strict=True):
+            numbers = (figure.item() if hasattr(figure, "item") else figure for figure in figures)
+            kept(case, whole, False).append(Event(*numbers))
 
 
 def case_of(clutch: Clutch, driving: Values, driven: Values | None = None, *, ordinary: bool = False) -> Case:
@@ -62,7 +88,11 @@ class Outcome(NamedTuple):
     event: Event
     ordinary: Case
     """An ordinary clutch of equal T_н in its place."""
-    ordinary_peak: float
+
+    @property
+    def ordinary_peak(self) -> float:
+        """Peak torque with that, N·m."""
+        return float(event_of(self.ordinary, whole=False).peak)
 
     @property
     def dynamic_factor(self) -> float:
@@ -133,6 +163,13 @@ def _ended(event: Event, case: Case) -> bool:
 
 
 def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Outcome:
-    """Simulate the clutch, and an ordinary one in its place, at one friction; arguments as ``case_of``."""
+    """Simulate the clutch at one friction; arguments as ``case_of``."""
     case, ordinary = (case_of(clutch, friction, friction_driven, ordinary=plain) for plain in (False, True))
-    return Outcome(case, case.run(), ordinary, float(ordinary.peaks().peak))
+    return Outcome(case, case.run(), ordinary)
+
+
+def simulate_clutches(clutches: Iterable[Clutch]) -> None:
+    """Simulate the events of many clutches at f_min, mean friction and f_max together, for ``outcome_of``."""
+    at_ends = [(clutch, *end) for clutch in clutches for end in zip(*clutch.spec.friction.groups, strict=True)]
+    for ordinary in (False, True):
+        simulate_together((case_of(*each, ordinary=ordinary) for each in at_ends), whole=not ordinary)

@@ -109,6 +109,8 @@ class Event(NamedTuple):
     """Whether nothing more can come."""
     pulled: Any
     """Torque with which the pack slipped as the motor was switched off; 0 where it did not."""
+    rows: Any = ()
+    """Every step, ``Row``s; of many drives an array of them. None of events that are not whole."""
     peak_error: Any = 0.0
     """Change of the peak against twice the step, relative."""
     clutch_error: Any = 0.0
@@ -116,9 +118,7 @@ class Event(NamedTuple):
     slip_error: Any = 0.0
     """The same of heat or slip time."""
     other: Any = None
-    """The same event with twice the step."""
-    rows: Any = ()
-    """Every step of one drive, ``Row``s."""
+    """The same event with twice the step, of one drive."""
 
 
 def simulate(
@@ -161,7 +161,7 @@ def simulate(
         own, clutch = cut(train, lanes, shape), cut(pack, lanes, shape)
         parts.append(_refined(own, clutch, h[lanes], end[lanes], given=given, whole=whole, full=full))
         tell(say("stepping the drives"), min(first + _LANES, h.size), h.size)
-    joined = (np.concatenate(each).reshape(shape) for each in zip(*(part[:-2] for part in parts), strict=True))
+    joined = (np.concatenate(each).reshape(shape) for each in zip(*(part[:-1] for part in parts), strict=True))
     return Event(*joined)
 
 
@@ -181,11 +181,11 @@ def _refined(train: Train, pack: Any, h: Any, end: Any, *, given: bool, whole: b
             continue
         lanes = np.flatnonzero(open_)
         drives, clutches = cut(train, lanes, h.shape), cut(pack, lanes, h.shape)
-        before = Event(*(part[lanes] for part in fine[:-2]))
+        before = Event(*(part[lanes] for part in fine[:-1]))
         finer = _compared(
             stepped(Motion(drives, clutches, h[lanes]), end[lanes], given=given, whole=whole, full=full), before
         )
-        for part, new in zip(fine[:-2], finer._replace(**_peak(rough[lanes], finer, before))[:-2], strict=True):
+        for part, new in zip(fine[:-1], finer._replace(**_peak(rough[lanes], finer, before))[:-1], strict=True):
             part[lanes] = new
     return fine
 
@@ -201,7 +201,7 @@ def _compared(fine: Event, coarse: Event) -> Event:
         peak_error=_change(fine.peak, coarse.peak),
         clutch_error=_change(fine.peak_clutch, coarse.peak_clutch),
         slip_error=larger(_change(fine.heat, coarse.heat), _change(fine.slip_time, coarse.slip_time)),
-        other=coarse._replace(other=None, rows=()),
+        other=coarse._replace(rows=()),
     )
 
 
@@ -227,9 +227,9 @@ def step_of(train: Train, pack: DirectPack | Sleeve) -> Values:
     return step
 
 
-_MOMENT = ("time", "torque", "clutch", "slip", "key_heat", "top", "balls", "turn", "normal")
 _HISTORY = ("time", "torque", "clutch", "motor", "driven", "tool", "turn", "slip", "heat")
-_moment, _present = (operator.attrgetter(*names) for names in (_MOMENT, _HISTORY))
+_MOMENT = (*_HISTORY, "key_heat", "top", "balls", "normal")
+_moment = operator.attrgetter(*_MOMENT)
 
 
 class _Watch:
@@ -246,7 +246,7 @@ class _Watch:
         self.last = np.array([np.broadcast_arrays(zero, *_moment(motion))[1:]] * 2)
         """The last two moments."""
         self.begun = motion.left
-        self.history = [_present(motion)] if recorded else None
+        self.history = [self.last[1:]] if recorded else None
 
     def block(self, motion: Motion, steps: int) -> None:
         """Step on, and take down what happens."""
@@ -262,8 +262,8 @@ class _Watch:
                 self.off = where(begins, motion.time - motion.h + cut_off, self.off)
             for column, value in enumerate(_moment(motion)):
                 block[place, column] = value
-            if self.history is not None:
-                self.history.append(_present(motion))
+        if self.history is not None:
+            self.history.append(block[2:])
         self.last = block[-2:]
         self._take(motion, block)
         self.most = np.maximum(self.most, motion.stored)
@@ -316,6 +316,7 @@ class _Watch:
         shape = self.peak.shape
         vars(found).update({name: cut(value, kept, shape) for name, value in vars(self).items() if name != "last"})
         found.last = self.last[..., kept]
+        found.history = self.history and [block[..., kept] for block in self.history]
         return found
 
     def event(self, motion: Motion, ended: Any) -> Event:
@@ -325,17 +326,26 @@ class _Watch:
         figures = (
             self.peak, self.peak_clutch, self.peak_wall, self.travel_max, self.slip_time, motion.heat, self.key_heat,
             self.trip_torque, residual, motion.time, motion.clutch, motion.slip == 0, self.over, ended, self.pulled,
+            self._rows(motion),
         )  # fmt: skip
         if is_array(motion.h):
             return Event(*figures)
-        found = Event(*(figure.item() if hasattr(figure, "item") else figure for figure in figures))
+        return Event(*(figure.item() if hasattr(figure, "item") else figure for figure in figures))
+
+    def _rows(self, motion: Motion) -> Any:
+        """Every step, of many drives an array of such rows."""
+        many = is_array(motion.h)
         if self.history is None:
-            return found
-        columns = dict(zip(_HISTORY, np.array(self.history).T, strict=True))
-        columns["turn"] = motion.pack.travel(columns["turn"]) if motion.pack.travels else 0.0 * columns["turn"]
-        return found._replace(
-            rows=tuple(map(Row._make, zip(*(part.tolist() for part in columns.values()), strict=True)))
-        )
+            return np.empty(motion.h.shape, object) if many else ()
+        history = np.concatenate(self.history)[:, : len(_HISTORY)]
+        turn = history[:, _HISTORY.index("turn")]
+        turn[:] = motion.pack.travel(turn) if motion.pack.travels else 0.0
+        if not many:
+            return tuple(map(Row._make, history.tolist()))
+        rows = np.empty(motion.h.shape, object)
+        for lane in range(rows.size):
+            rows[lane] = tuple(map(Row._make, history[..., lane].tolist()))
+        return rows
 
 
 def _first(condition: NDArray[np.bool_], values: Floats, otherwise: Any) -> Any:
@@ -356,7 +366,7 @@ def _tops(older: Floats, old: Floats, torque: Floats) -> Floats:
 
 def stepped(motion: Motion, end: Any, *, given: bool = True, whole: bool = True, full: bool = False) -> Event:
     """Step an event, or many, from a state, to an end that is ``given`` or a horizon; arguments as of ``simulate``."""
-    watch = _Watch(motion, recorded=whole and not is_array(motion.h))
+    watch = _Watch(motion, recorded=whole)
     return _stepped_on(motion, watch, end, motion.h, 0, (given, whole, full))
 
 
@@ -386,14 +396,16 @@ def _stepped_on(motion: Motion, watch: _Watch, end: Any, finest: Any, count: int
         if kept.size <= _FEW:
             for lane in kept:
                 alone = motion.lanes(lane), watch.lanes(lane), end[lane].item(), finest[lane].item()
-                done.append((places[[lane]], _stepped_on(*alone, count, until)))
+                found, rows = _stepped_on(*alone, count, until), np.empty(1, object)
+                rows[0] = found.rows
+                done.append((places[[lane]], found._replace(rows=rows)))
             break
         if part.size:
             motion, watch, places, end, finest = (
                 motion.lanes(kept), watch.lanes(kept), places[kept], end[kept], finest[kept]
             )  # fmt: skip
     order = np.argsort(np.concatenate([place for place, _ in done]))
-    parts = zip(*(found[:-3] for _, found in done), strict=True)
+    parts = zip(*(found[:-4] for _, found in done), strict=True)
     return Event(
         *(
             np.concatenate([np.broadcast_to(x, p.shape) for x, (p, _) in zip(each, done, strict=True)])[order]

@@ -6,7 +6,7 @@ rigid: balls that pass it within a step exchange with both walls exactly the wor
 by the implicit midpoint rule, so that the step is limited by accuracy, not by stability.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
@@ -55,6 +55,15 @@ def cut(whole: Any, lanes: Any, shape: tuple[int, ...]) -> Any:
     if not is_dataclass(whole) or isinstance(whole, type):
         return whole
     return replace(whole, **{part.name: cut(getattr(whole, part.name), lanes, shape) for part in fields(whole)})
+
+
+def stacked(records: Sequence[Any]) -> Any:
+    """Record of arrays, of many records of numbers that are alike; the inverse of ``cut``."""
+    first = records[0]
+    if is_dataclass(first) and not isinstance(first, type):
+        columns = {part.name: stacked([getattr(record, part.name) for record in records]) for part in fields(first)}
+        return replace(first, **columns)
+    return np.array(records, float) if isinstance(first, int | float) else first
 
 
 class Motion:

@@ -31,7 +31,7 @@ def root(
     Newton's steps, and halves of what is left where one would leave it: arrays as fast as numbers, of which SciPy's
     bracketed searches take one at a time.
     """
-    at = low = start + 0.0 * end
+    at = low = chosen(rising(end) < 0, lambda: end, lambda: start + 0.0 * end)
     high = end
     for _ in range(_STEPS):
         value = rising(at)

@@ -27,7 +27,7 @@ _LARGEST = 64 << 10
 """Bytes of a body."""
 _SLOWEST, _LONG = 10.0, 120.0
 """Seconds in which a body must be here, and what is shown live be calculated; and that a tab may take."""
-_TABS = ("accuracy", "drive", "heat", "tolerance", "design", "explanation", "report")
+_ASKED = ("check", "accuracy", "drive", "heat", "tolerance", "design", "explanation", "report")
 _MOST_BASES = 20
 _POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
@@ -89,7 +89,7 @@ class Page:
         self._bases, self._front, self._made = {0: base}, dict[int, Base](), 1
         self._requirements, self._target, self._save = requirements, target, save
         self._live = Worker(units, _SLOWEST, newest=False)
-        self._tabs = Worker(units, _LONG, newest=True)
+        self._tabs, self._check = (Worker(units, _LONG, newest=True) for _ in range(2))
 
     def app(self, port: int, token: str, ready: Callable[[], None]) -> ASGIApp:
         """Return the application."""
@@ -104,6 +104,7 @@ class Page:
             finally:
                 self._live.end(closed=True)
                 self._tabs.end(closed=True)
+                self._check.end(closed=True)
 
         posts = {"live": self._answer_live, "tab/{name}": self._answer_tab, "save": self._write, "form": self._form}
         routes = [Route("/", self._page), Route("/page.css", _file), Route("/page.js", _file)]
@@ -152,11 +153,13 @@ class Page:
 
     async def _answer_tab(self, request: Request) -> Response:
         job = self._job(request.path_params["name"], await _body(request))
-        if job["name"] not in _TABS:
+        if job["name"] not in _ASKED:
             raise HTTPException(404)
 
+        worker = self._check if job["name"] == "check" else self._tabs
+
         async def lines() -> AsyncIterator[str]:
-            async with aclosing(self._tabs.ask(job, request.is_disconnected)) as answers:
+            async with aclosing(worker.ask(job, request.is_disconnected)) as answers:
                 async for answer in answers:
                     if bases := answer.pop("bases", []):  # in place of those of an earlier front
                         self._front = {job["first"] + at: Base(*base) for at, base in enumerate(bases)}

@@ -136,15 +136,39 @@ async function change() {
 }
 
 function show(answer, sent) {
+  judge(answer.judging);
   const problems = [...answer.problems ?? [], ...mark(answer.errors ?? {}, form)];
   list(find("#problems"), problems);
   if (!answer.fragments) { latest = null; say(words.refused); outdate(); return; }
   for (const [name, html] of Object.entries(answer.fragments)) put(find(`#${name}`), html);
   find("#command").textContent = answer.command;
-  const factor = find('[data-path="accuracy_factor"]'), symbol = factor && find(".mark", factor.parentElement).innerHTML;
-  find("#status").innerHTML = `${factor ? `<b>${symbol} = ${factor.innerHTML}</b> · ` : ""}${find("#verdict .sum")?.innerHTML ?? ""}`;
+  status();
   latest = sent;
   outdate();
+}
+
+function status() {
+  const factor = find('[data-path="accuracy_factor"]'), symbol = factor && find(".mark", factor.parentElement).innerHTML;
+  find("#status").innerHTML = `${factor ? `<b>${symbol} = ${factor.innerHTML}</b> · ` : ""}${find("#verdict .sum")?.innerHTML ?? ""}`;
+}
+
+// What the verdict needs of an event takes longer: it comes once nothing changes any more.
+let judging = new AbortController();
+async function judge(wanted) {
+  judging.abort();
+  const mine = judging = new AbortController();
+  await new Promise((done) => setTimeout(done, 250));
+  if (!wanted || mine.signal.aborted) return;
+  const verdict = find("#verdict");
+  verdict.ariaBusy = "true";
+  try {
+    for await (const line of lines((await post("tab/check", state(), mine.signal)).body)) {
+      if (line.html) { put(verdict, line.html); status(); } else find(".said", verdict).textContent = line.text || (line.problems ?? [words.working]).join(" ");
+    }
+  } catch (error) {
+    if (!mine.signal.aborted) find(".said", verdict).textContent = `${words.gone} (${error.message})`;
+  }
+  if (judging === mine) verdict.ariaBusy = "false";
 }
 
 // Sliders write the number and leave the unit as it was typed.

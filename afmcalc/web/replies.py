@@ -10,7 +10,7 @@ from tomli_w import dumps
 
 from .. import __version__
 from ..analysis.asking import Answers
-from ..analysis.check import check_at_once
+from ..analysis.check import check, check_at_once, simulating
 from ..analysis.compare import change
 from ..analysis.design import shown
 from ..analysis.design_grid import candidate
@@ -61,9 +61,10 @@ def fragment(name: str, *arguments: object) -> str:
 
 
 def _live(state: State, job: Job) -> Answer:
-    """Show a clutch after each change; its numbers beside those of the pinned one."""
+    """Show a clutch after each change, judged at once but for its event; its numbers beside those of the pinned one."""
     answers, pinned = Answers(build(state.spec)), job["pinned"]
     checked, findings = check_at_once(answers)
+    judging = bool(simulating(answers.clutch))
     before, inputs, curves = None, [], list[Line]()
     if pinned:
         old, new = pinned.texts, state.texts
@@ -75,13 +76,19 @@ def _live(state: State, job: Job) -> Answer:
             before = then.ask("torque")[0]
             curves = sheet_of("torque", gathered("torque", Request([then]))).panels[0].lines
     fragments = {
-        "verdict": fragment("verdict", checked, ranked(findings)),
+        "verdict": fragment("verdict", checked, ranked(findings), judging),
         "section": _figure("section", answers, 1),
         "torque": _figure("torque", answers, 2, curves),
         "numbers": fragment("numbers", *_numbers(answers.ask("torque")[0], before)),
         "compare": fragment("compare", [each for each in inputs if each[2] != each[3]]) if pinned else "",
     }
-    return {"fragments": fragments, "command": state.command("torque")}
+    return {"fragments": fragments, "command": state.command("torque"), "judging": judging}
+
+
+def _check(state: State, job: Job) -> Answer:
+    """Judge a clutch by all that the command asks."""
+    checked, findings = check(build(state.spec))
+    return {"html": fragment("verdict", checked, ranked(findings), False), "command": state.command("check")}
 
 
 Cell = namedtuple("Cell", "path value shown pinned change")
@@ -201,6 +208,7 @@ def _design(state: State, job: Job) -> Answer:
 
 _ANSWERS: Mapping[str, Callable[[State, Job], Answer]] = {
     "live": _live,
+    "check": _check,
     **dict.fromkeys(("accuracy", "drive", "heat", "tolerance"), _analysed),
     "design": _design,
     **dict.fromkeys(("explanation", "report"), _report),

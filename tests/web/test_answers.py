@@ -5,6 +5,7 @@ import random
 import re
 import shlex
 import tomllib
+from html import unescape
 
 import pytest
 from conftest import CONFIGS, slow
@@ -225,6 +226,26 @@ def test_compared_with_what_is_pinned(site):
     for name in ("section", "torque"):
         assert alone[name] != was[name]
         assert not re.search(r"<script|https?://(?!www\.w3\.org/)", alone[name])
+
+
+@pytest.mark.parametrize("name", ["default", "drive"])
+def test_the_verdict_is_that_of_check(sites, afmcalc, name):
+    """At once where nothing takes long; else after what is judged so far, which says so."""
+    spec, site = sites(name)
+    fields = SHORT if name == "drive" else {}
+    verdict = afmcalc("check", spec, *sets(fields), "--json").json["result"]["verdict"]
+    at_once, whole = site.live(fields), site.tab("check", fields)
+    said = letters(verdict["sentence"])
+    assert said in letters(whole["html"])
+    assert at_once["judging"] == (name == "drive") == ("Calculating…" in at_once["fragments"]["verdict"])
+    assert at_once["judging"] != (said in letters(at_once["fragments"]["verdict"]))
+    assert at_once["judging"] or at_once["fragments"]["verdict"] == whole["html"]
+    assert shlex.split(whole["command"])[:3] == ["afmcalc", "check", str(spec)]
+
+
+def letters(text):
+    """Letters and digits of a text or of a page, whatever the markup of its symbols."""
+    return re.sub(r"[\W_]+", "", unescape(re.sub("<[^>]*>", "", text)))
 
 
 LACKS = {"drive": "drive", "heat": "drive", "tolerance": "tolerance"}

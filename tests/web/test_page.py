@@ -51,6 +51,20 @@ def test_a_slider_moves_the_accuracy_factor(opened, served, is_the_commands):
     assert slide(page, "closing_spring.force", 0.5).endswith(" kN"), "a slider keeps the unit that was written"
 
 
+def test_the_verdict_of_an_event_comes_by_itself(opened, serve, afmcalc):
+    """After what is judged at once; of the last of several changes."""
+    served = serve("drive")
+    page = opened(served)
+    for gain in ("0.6", "0.7"):
+        page.field("control_unit.gain").fill(gain)
+        page.answered(f"control_unit.gain={gain}")
+    page.page.wait_for_function("() => !document.querySelector('#verdict .said')")
+    verdict = afmcalc("check", served.spec, "--set", "control_unit.gain=0.7", "--json").json["result"]["verdict"]
+    said = page.page.inner_text("#verdict .sum")
+    assert said.replace("\N{NO-BREAK SPACE}", " ") == verdict["sentence"].replace("\N{NO-BREAK SPACE}", " ")
+    assert said in page.page.inner_text("#status")
+
+
 def focus(page, selector, most=400):
     """Press Tab until something has the focus; nothing on the way swallows the key, and the focus is seen."""
     for _ in range(most):
