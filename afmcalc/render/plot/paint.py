@@ -44,7 +44,6 @@ PARAMETERS = {
     "axes.titlelocation": "left",
     "figure.titlesize": 11.0,
     "figure.titleweight": "bold",
-    "figure.constrained_layout.use": True,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
@@ -62,6 +61,7 @@ PARAMETERS = {
     "legend.fontsize": SIZE,
     "legend.handlelength": 3.6,
     "hatch.linewidth": 0.5,
+    "mathtext.default": "regular",
     "text.hinting": "no_hinting",  # a text is as wide at any size of the picture
     "svg.hashsalt": "afmcalc",
     "svg.fonttype": "none",  # text as text
