@@ -146,7 +146,7 @@ class Answer(Result):
     """Base of what a command calculates; asked from Python it carries the rest of what the command prints."""
 
     findings_first: ClassVar[bool] = False
-    """True if the findings are what the command is called for (CSV then lists them)."""
+    """True if the findings are what the command is called for: ``--quiet`` keeps them."""
     of_several: ClassVar[bool] = False
     """True if it is of more clutches than the one of the spec."""
     many_lists: ClassVar[bool] = False

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import replace
-from functools import cache, cached_property
+from functools import cache
 from typing import Any, NamedTuple, TypeVar, get_args
 
 from pydantic import Field, create_model
@@ -117,19 +117,21 @@ class Answers:
     Where the clutch notes its steps (``explain``), analyses that are not explained run on a copy that notes none.
     """
 
-    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress") -> None:
-        """Begin with no analysis run; ``model`` is the rule of the life."""
+    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress", quiet: "Answers | None" = None) -> None:
+        """Begin with no analysis run; ``model`` is the rule of the life, ``quiet`` the answers of that copy."""
         self.clutch, self.model = clutch, model
+        self._quiet = quiet or (self if clutch.steps is None else Answers(build(clutch.spec), model=model))
         self._options = {"model": model, "answers": self}
         self._answers: dict[str, tuple[Any, list[Finding]]] = {}
 
     def ask(self, name: str) -> tuple[Any, list[Finding]]:
         """Return result and findings of an analysis, run at most once."""
+        analysis = ANALYSES[name]
+        if not analysis.explained and self._quiet is not self:
+            return self._quiet.ask(name)
         if name not in self._answers:
-            analysis = ANALYSES[name]
             options = {option: self._options[option] for option in analysis.options}
-            clutch = self.clutch if analysis.explained else self.quiet
-            self._answers[name] = analysis.function(clutch, **options)
+            self._answers[name] = analysis.function(self.clutch, **options)
         return self._answers[name]
 
     def of(self, kind: type[R]) -> R:
@@ -137,7 +139,7 @@ class Answers:
         name = next(each.name for each in ANALYSES.values() if each.result == kind.__name__)
         return self.ask(name)[0]
 
-    @cached_property
+    @property
     def quiet(self) -> Clutch:
         """The clutch without notes of its steps."""
-        return self.clutch if self.clutch.steps is None else build(self.clutch.spec)
+        return self._quiet.clutch

@@ -13,7 +13,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, NamedTuple
 
-from ..engines import Clutch, build
+from ..engines import build
 from ..engines.quantities import NotedStep
 from ..equations.catalogue import Equation, equation_of, equations
 from ..formula_tree import Tree
@@ -84,19 +84,14 @@ def handbook(language: str) -> Handbook:
 
 
 @cache
-def _clutch(example: str) -> Clutch:
-    return build(read_spec(f"example:{example}"))
-
-
-@cache
-def _answer(example: str, command: str) -> Any:
-    return ANALYSES[command].function(_clutch(example))[0]
+def _answers(example: str) -> Answers:
+    return Answers(build(read_spec(f"example:{example}")))
 
 
 def _value(example: str, path: str) -> tuple[Any, str]:
     """Return a number that a command gives for an example, and its unit: ``_value("default", "torque.scatter")``."""
     command, *names = path.split(".")
-    value, unit = _answer(example, command), ""
+    value, unit = _answers(example).ask(command)[0], ""
     for name in names:
         unit = shown_as(type(value).model_fields[name]).unit or unit
         value = getattr(value, name)
@@ -105,7 +100,7 @@ def _value(example: str, path: str) -> tuple[Any, str]:
 
 def _plot(kind: str, example: str) -> Any:
     """Return what a plot of an example draws."""
-    return gathered(kind, Request([Answers(_clutch(example))]))
+    return gathered(kind, Request([_answers(example)]))
 
 
 @cache
@@ -113,10 +108,11 @@ def _steps() -> dict[str, list[tuple[str, str, NotedStep]]]:
     """Equation → examples and explained commands that calculate it, with the first step of each."""
     found: dict[str, dict[tuple[str, str], NotedStep]] = {}
     for example in _EXAMPLES:
+        quiet = _answers(example)
         for command in EXPLAINED:
-            if ANALYSES[command].applies(_clutch(example)):
-                clutch = noting(_clutch(example).spec)
-                ANALYSES[command].function(clutch)
+            if ANALYSES[command].applies(quiet.clutch):
+                clutch = noting(quiet.clutch.spec)
+                Answers(clutch, quiet=quiet).ask(command)
                 for step in shown(steps_of(clutch)):
                     found.setdefault(equation_of(step.name, step.law).name, {}).setdefault((example, command), step)
     return {name: [(*where, step) for where, step in steps.items()] for name, steps in found.items()}

@@ -202,7 +202,7 @@ class Common:
 
             text = in_ascii(text)
         write(text, self.output, force=self.force, utf8=chosen == "csv")
-        if chosen == "csv" and not result.findings_first:
+        if chosen == "csv":
             from ..render.text_tables import findings_lines
 
             for line in findings_lines(findings):

@@ -28,9 +28,9 @@ def mathtext(text: str) -> str:
     """Set a text of our own (labels, symbols) for matplotlib.
 
     >>> mathtext("K_т")
-    'K$_{\\\\mathregular{T}}$'
+    'K$_{T}$'
     """
-    return "".join(f"$_{{\\mathregular{{{piece}}}}}$" if low else literal(piece) for piece, low in split(text))
+    return "".join(f"$_{{{piece}}}$" if low else literal(piece) for piece, low in split(text))
 
 
 def literal(text: str) -> str:

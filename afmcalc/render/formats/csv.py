@@ -8,7 +8,6 @@ from typing import Any
 from ...messages import printable
 from ...result import Output
 from ..document import ENDS, Column, Document, document
-from ..text_tables import ranked
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -26,15 +25,12 @@ def excel(output: Output, terminal: bool) -> str:
 
 def _written(output: Output, separator: str, decimal: str) -> str:
     result, laid_out = output.result, document(output.result)
-    if result.findings_first:
-        columns = _findings(output, laid_out)
-    else:
-        columns = _figures(laid_out) if result.many_lists else _columns(laid_out)
-        if result.rows_with_values:
-            # the single values that no column is of, the same in every row
-            known, count = {column.path for column in columns}, len(columns[0].values)
-            singles = chain(*(_flat(column) for column in laid_out.singles if column.path not in known))
-            columns = columns + [column._replace(values=column.values * count) for column in singles]
+    columns = _figures(laid_out) if result.many_lists else _columns(laid_out)
+    if result.rows_with_values:
+        # the single values that no column is of, the same in every row
+        known, count = {column.path for column in columns}, len(columns[0].values)
+        singles = chain(*(_flat(column) for column in laid_out.singles if column.path not in known))
+        columns = columns + [column._replace(values=column.values * count) for column in singles]
     text = io.StringIO()
     writer = csv.writer(text, delimiter=separator, lineterminator="\n")
     writer.writerow(_inert(f"{column.path} [{column.unit}]" if column.unit else column.path) for column in columns)
@@ -59,18 +55,6 @@ def _inert(text: str) -> str:
     """Keep a spreadsheet from reading a formula into a text of the user's (the name of a spec)."""
     shown = printable(text)
     return f"'{shown}" if shown.startswith(("=", "+", "-", "@")) else shown
-
-
-def _findings(output: Output, laid_out: Document) -> list[Column]:
-    """One row per finding, gravest first, then one per entry of the result's lists, whose name stands for the level."""
-    names = ("level", "code", "value", "limit", "path", "message")
-    rows = [{name: getattr(finding, name) for name in names} for finding in ranked(output.findings)]
-    for table in laid_out.tables:
-        paths = [column.path for column in table.columns]
-        entries = zip(*(column.values for column in table.columns), strict=True)
-        rows += [dict(zip(paths, entry, strict=True)) | {"level": table.path} for entry in entries]
-    every = dict.fromkeys([*names, *chain(*rows)])
-    return [Column(name, "", name, "", [row.get(name) for row in rows]) for name in every]
 
 
 def _columns(laid_out: Document) -> list[Column]:

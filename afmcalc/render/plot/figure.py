@@ -55,7 +55,9 @@ def _drawn(sheet: Sheet, ending: str, settings: dict[str, Any]) -> bytes:
 
 def figure_of(sheet: Sheet) -> "Figure":
     """Lay charts out one below the other, each with its legend, between title and caption."""
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
     from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
 
     title = [
         *map(mathtext, textwrap.wrap(sheet.title, _TITLE)),
@@ -78,4 +80,6 @@ def figure_of(sheet: Sheet) -> "Figure":
         figure.suptitle("\n".join(title), x=0.01, ha="left")
     if caption:
         figure.supxlabel("\n".join(caption), x=0.01, ha="left", size=SIZE)
+    FigureCanvasSVG(figure)
+    ConstrainedLayoutEngine().execute(figure)  # here: a figure that keeps its layout engine is drawn twice
     return figure

@@ -6,7 +6,7 @@ from typing import Any
 
 from ...messages import localized, spoken
 from ..symbols import literal, mathtext
-from .chart import Chart, Dimension, Line
+from .chart import Chart, Dimension, Line, power
 
 INK, GRID, SHADE = "#111111", "#d4d4d4", "#9a9a9a"
 """Colours a page may replace by its own (dark mode): text and axes, grid, shaded regions."""
@@ -44,7 +44,6 @@ PARAMETERS = {
     "axes.titlelocation": "left",
     "figure.titlesize": 11.0,
     "figure.titleweight": "bold",
-    "figure.constrained_layout.use": True,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
@@ -62,6 +61,7 @@ PARAMETERS = {
     "legend.fontsize": SIZE,
     "legend.handlelength": 3.6,
     "hatch.linewidth": 0.5,
+    "mathtext.default": "regular",
     "text.hinting": "no_hinting",  # a text is as wide at any size of the picture
     "svg.hashsalt": "afmcalc",
     "svg.fonttype": "none",  # text as text
@@ -153,8 +153,7 @@ def _limits(axes: Any, chart: Chart) -> None:
 
     if chart.y.log:
         axes.set_yscale("log")
-    if chart.x.log:
-        axes.set_xscale("log")
+        axes.yaxis.set_major_formatter(lambda value, _: power(value))
     if chart.from_zero and axes.get_ylim()[0] > 0:
         axes.set_ylim(bottom=0)
     values = [value for line in chart.lines for value in line.x if value is not None]

@@ -158,7 +158,7 @@ def step_of(step: Derivation, method: str) -> Step:
         number=str(step.number) if step.formula else "",
         formula=formula(*parts) if len(parts) > 1 else None,
         where=_explained(step.where),
-        lined=form().lined,
+        lined=form().paper == "framed",
         head=[*map(text, heads)] if len(columns) > 1 else [],
         lines=[] if in_one_line else lines,
     )

@@ -28,7 +28,7 @@ from .chapters import Chapter, chapters, explained, peaks
 from .html import page
 from .pieces import MISPRINT, cell, cited, name_of, plain, said, unparted
 from .title import today
-from .words import SHORT, form, titled, told
+from .words import PEOPLE, SHORT, form, titled, told
 
 
 @dataclass(frozen=True)
@@ -439,7 +439,7 @@ def _entries(subject: Subject) -> blocks.Entries:
 def _signatures(title: TitleBlock) -> blocks.Table:
     """Cells of all who sign in this language, and of others who are named."""
     heads = map(text, (say("Responsible"), say("Name"), say("Signature"), say("Date")))
-    names = {who: getattr(title, who) for who in form().people}
+    names = {who: getattr(title, who) for who in PEOPLE}
     rows = [
         [text(told(who)), text(printable(name or "")), text(), text()]
         for who, name in names.items()

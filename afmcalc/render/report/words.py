@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple
 
-from ...messages import filled, spoken
+from ...messages import spoken, translate
 
 REPORT: Mapping[str, str] = {
     # title block
@@ -74,9 +74,9 @@ REPORT: Mapping[str, str] = {
 """Key → what is said."""
 
 
-def told(key: str, **values: object) -> str:
+def told(key: str) -> str:
     """Say what stands under a key, in the language of the user."""
-    return filled(REPORT[key], values)
+    return translate(REPORT[key])
 
 
 def titled(path: str) -> str:
@@ -103,15 +103,13 @@ class Form(NamedTuple):
     """Of the title block, in their order."""
     signed: Sequence[str]
     """Entries that have a place in every title block: one may sign there."""
-    people: Sequence[str]
-    """Roles of those who sign, in their order."""
-    lined: bool
-    """True if each symbol of a formula is explained on a line of its own."""
     paper: Literal["plain", "framed"]
-    """Of the form ``calculation``: sheets with a running title, or with frame and title block."""
+    """Of the form ``calculation``: sheets with a running title, or with frame and title block; there each symbol of a
+    formula is explained on a line of its own."""
 
 
-_PEOPLE = ("author", "checked", "norm_control", "approved")
+PEOPLE = ("author", "checked", "norm_control", "approved")
+"""Roles of those who sign, in their order."""
 
 FORMS = {
     "en": Form(
@@ -121,8 +119,6 @@ FORMS = {
         always=(),
         entries=("organisation", "project", "drawing", "revision", "date", "variant", "program"),
         signed=("author", "checked", "approved"),
-        people=_PEOPLE,
-        lined=False,
         paper="plain",
     ),
     # ГОСТ Р 2.105-2019, 2.106: a расчёт (РР)
@@ -132,9 +128,7 @@ FORMS = {
         letters="АБВ",
         always=("requirements", "symbols"),
         entries=("drawing", "organisation", "project", "revision", "date", "variant", "program"),
-        signed=("drawing", *_PEOPLE),
-        people=_PEOPLE,
-        lined=True,
+        signed=("drawing", *PEOPLE),
         paper="framed",
     ),
 }

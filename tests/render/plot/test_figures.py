@@ -101,7 +101,7 @@ def is_within(drawing):
 
 def joined(texts):
     """Texts without their spaces, and without what marks a subscript or escapes a sign."""
-    plain = re.sub(r"\$_\{\\mathregular\{(.*?)\}\}\$", r"_\1", "".join(texts))
+    plain = re.sub(r"\$_\{(.*?)\}\$", r"_\1", "".join(texts))
     return "".join(plain.replace("\\", "").split())
 
 
