@@ -4,6 +4,7 @@ import contextlib
 import copy
 import itertools
 import math
+from functools import partial
 from statistics import NormalDist
 
 import numpy as np
@@ -99,7 +100,7 @@ def test_error_bars_are_the_errors():
     """Of many samples: their root mean square is that of the distances from the true figure."""
     runs, rng, size = 100, np.random.default_rng(7), 1600
     normal, truth = NormalDist(), {np.mean: math.exp(0.045), np.std: math.sqrt(math.expm1(0.09)) * math.exp(0.045)}
-    truth |= {(lambda own, q=q: np.quantile(own, q)): math.exp(0.3 * normal.inv_cdf(q)) for q in (0.05,)}
+    truth |= {partial(np.quantile, q=0.05): math.exp(0.3 * normal.inv_cdf(0.05))}
     samples = rng.lognormal(0, 0.3, (runs, size))
     for figure, true in truth.items():
         found = [estimate("x", figure, sample) for sample in samples]
