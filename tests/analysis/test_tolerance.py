@@ -243,7 +243,7 @@ def test_one_clutch_has_one_life(correlation):
 
 def test_peaks_are_interpolated_between_single_events():
     """The peak rises with friction: quantiles are events at its quantiles; of a force, events of other clutches."""
-    block = {"fields": {"friction": {"distribution": "uniform"}}, "quantiles": [0.25, 0.75]}
+    block = {"fields": {"friction": {"distribution": "uniform"}}, "quantiles": [0.25, 0.75], "sobol_base": 64}
     own = light(tolerance=block, requirements={"peak_torque": outcome_of(light(), 0.45).event.peak})
     result, findings = tolerance(own)
     assert "peaks-interpolated" in {each.code for each in findings}
@@ -252,7 +252,7 @@ def test_peaks_are_interpolated_between_single_events():
         assert row.peak_torque == pytest.approx(single, abs=3 * row.peak_torque_standard_error + 1e-3 * single)
     assert result.probability_peak_above == pytest.approx(0.5, abs=0.01)
     force, load = float(own.closing_force), {"load_torque": float(own.running_torque)}
-    forced, _ = tolerance(light(tolerance={"fields": {FORCE: {"distribution": "uniform", "spread": "5 %"}}}))
+    forced, _ = tolerance(light(tolerance=block | {"fields": {FORCE: {"distribution": "uniform", "spread": "5 %"}}}))
     low, high = (light(closing_spring={"force": force * share}, drive=load) for share in (0.95, 1.05))
     width = outcome_of(high, 0.3).event.peak - outcome_of(low, 0.3).event.peak
     assert forced.peak_torque_deviation == pytest.approx(width / math.sqrt(12), rel=0.1)
