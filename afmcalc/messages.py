@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from functools import cache
 from gettext import GNUTranslations, NullTranslations
-from typing import Any, SupportsFloat
+from typing import Any, SupportsFloat, cast
 
 from .units import in_unit, table, typeset
 
@@ -48,11 +48,11 @@ class Language(string.Formatter):
             shown = format(text, number_format)
             return shown if len(shown) >= len(text) else f"{shown}…"
         if not unit:
-            is_number = isinstance(value, SupportsFloat) and not isinstance(value, bool)
+            is_number = hasattr(value, "__float__") and not isinstance(value, bool)
             counts = is_number and (number_format or isinstance(value, float))  # a port or a line is no amount
             return self.number(format(value, number_format)) if counts else format(value, number_format)
-        assert isinstance(value, SupportsFloat)
-        shown = self.number(format(in_unit(float(value), unit.removesuffix("…")), number_format))
+        amount = float(cast(SupportsFloat, value))
+        shown = self.number(format(in_unit(amount, unit.removesuffix("…")), number_format))
         return f"{shown}…" if unit.endswith("…") else with_unit(shown, self.catalogue.pgettext("unit", unit))
 
     def number(self, shown: str) -> str:

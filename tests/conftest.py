@@ -118,8 +118,15 @@ def pytest_configure(config):
 
 @pytest.fixture(scope="session", autouse=True)
 def _the_whole_run():
-    """Keep every event for the whole run."""
+    """Keep every event, and the program of each command, for the whole run."""
+    from afmcalc.cli import main
     from afmcalc.drive import cases
+
+    program_of, help_apart = main.application, {"-h", "--help", "help"}
+    kept = functools.cache(lambda command: program_of([command]))
+    main.application = lambda line: (
+        kept(line[0]) if line[:1] and line[0] in main.COMMANDS and not help_apart & {*line} else program_of(line)
+    )
 
     cases.kept = functools.lru_cache(4096)(cases.kept.__wrapped__)
 

@@ -357,7 +357,7 @@ HARD = ("unlike", "all-driving", "curved", "steep", "constant-torque")
     ("seeds", "kinds"), [(range(102, 103), (kind,)) for kind in HARD] + slow((range(102, 105), KINDS))
 )
 def test_no_friction_exceeds_what_is_told(seeds, kinds, ask):
-    wrong, steps = [], 10_001
+    wrong, steps = [], 3_001
     for _, kind, spec in some(seeds, kinds):
         asked, given = ask(spec), spec["friction"]
         torque_of = afmcalc.load(asked.file).torque

@@ -390,12 +390,13 @@ def sobol_rows(model: Model, base: int, random: np.random.Generator) -> list[Ind
     return [IndexRow(path=path, **dict(zip(names, column, strict=True))) for path, column in rows]
 
 
-def estimate(name: str, figure: Callable[[Array], Any], values: Array, least: float = 0.0) -> dict[str, Any]:
+def estimate(name: str, figure: Callable[..., Any], values: Array, least: float = 0.0) -> dict[str, Any]:
     """Return a figure of a sample and its standard error, from its spread over batches, as fields of the result.
 
     Raises OverflowError: it is beyond the range of numbers.
     """
-    spread = np.std([figure(batch) for batch in np.array_split(values, BATCHES)], ddof=1)
+    batches = values[: values.size - values.size % BATCHES].reshape(BATCHES, -1)
+    spread = np.std(figure(batches, axis=-1), ddof=1)
     value, error = float(figure(values)), max(float(spread) / BATCHES**0.5, least)
     return {name: finite(value), f"{name}_standard_error": finite(error)}
 
@@ -438,14 +439,16 @@ def tolerance(clutch: Clutch) -> tuple[ToleranceResult, list[Finding]]:
     torque, sample = torque[possible], {path: values[possible] for path, values in sample.items()}
     quantities, deviation = {"torque": torque}, partial(np.std, ddof=1)
     fields |= estimate("mean", np.mean, torque) | estimate("standard_deviation", deviation, torque)
-    fields |= estimate("accuracy_factor_robust", lambda own: np.divide(*np.quantile(own, ROBUST)), torque)
+    fields |= estimate(
+        "accuracy_factor_robust", lambda own, axis=None: np.divide(*np.quantile(own, ROBUST, axis)), torque
+    )
     fields |= _share("probability_below_machine", torque < machine)
     if given.torque_limit is not None:
         fields |= _share("probability_above_limit", torque > given.torque_limit)
     if spec.fatigue is not None:
         for name, cycles in zip(("life_protected", "life_unprotected"), lives(model, sample), strict=True):
             quantities[name] = cycles
-            fields |= estimate(name, lambda own: 1 / np.mean(1 / own), cycles)
+            fields |= estimate(name, lambda own, axis=None: 1 / np.mean(1 / own, axis), cycles)
     if ANALYSES["simulate"].applies(clutch):
         quantities["peak_torque"] = peak = peaks(model, clutch, sample, torque)
         fields |= estimate("peak_torque_mean", np.mean, peak) | estimate("peak_torque_deviation", deviation, peak)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from afmcalc.analysis.asking import Answers
@@ -126,6 +126,7 @@ BODY = st.builds(Layer, st.floats(0.1, 60), st.floats(500, 8000), st.floats(400,
 POWERS = st.lists(st.tuples(st.floats(1e-3, 1), st.floats(0, 1e6)), min_size=2, max_size=12)
 
 
+@settings(max_examples=4)
 @given(BODY, BODY, POWERS)
 def test_heat_is_stored_and_no_body_is_hotter_than_the_faces_have_been(disc, lining, powers):
     """Disc and lining change places: the faces are as warm, what is not in the one is in the other."""

@@ -72,7 +72,7 @@ def test_the_command(afmcalc, tmp_path):
 
 
 def test_check_holds_the_peak_against_the_requirement(afmcalc):
-    light = [CONFIGS / "drive.toml", "--set", "drive.motor_inertia=0.1", "--json"]
+    light = [CONFIGS / "drive.toml", "--set", "drive.motor_inertia=0.1", "--set", "drive.event.duration=0.05", "--json"]
     ended = afmcalc("check", *light, "--set", "requirements.peak_torque=300")
     row, *_ = ended.json["result"]["checks"]
     assert (ended.code, row["path"]) == (1, "requirements.peak_torque")
@@ -112,7 +112,7 @@ def test_a_load_that_is_carried_but_for_rounding_is_carried():
 
 def test_a_slow_stop_loads_the_shaft_by_its_deceleration_whatever_the_stiffness():
     """V4 to its end: T + J_2 a + √(J_2 a [J_2 a + 2 (T − T_0)]), 292.45 N·m at f_min, at four stiffnesses alike."""
-    slow = {"motor_inertia": 1e6, "damping_ratio": 0.0, "event": {"stop_time": 0.025, "duration": 0.1}}
+    slow = {"motor_inertia": 1e6, "damping_ratio": 0.0, "event": {"stop_time": 0.025, "duration": 0.05}}
     peaks, friction = [], 0.1
     for stiffness in (8e3, 32e3):
         own = clutch(friction={"static_ratio": 1.0}, drive={**slow, "shaft_stiffness": stiffness})

@@ -4,6 +4,7 @@ import contextlib
 import copy
 import itertools
 import math
+from functools import partial
 from statistics import NormalDist
 
 import numpy as np
@@ -99,7 +100,7 @@ def test_error_bars_are_the_errors():
     """Of many samples: their root mean square is that of the distances from the true figure."""
     runs, rng, size = 100, np.random.default_rng(7), 1600
     normal, truth = NormalDist(), {np.mean: math.exp(0.045), np.std: math.sqrt(math.expm1(0.09)) * math.exp(0.045)}
-    truth |= {(lambda own, q=q: np.quantile(own, q)): math.exp(0.3 * normal.inv_cdf(q)) for q in (0.05,)}
+    truth |= {partial(np.quantile, q=0.05): math.exp(0.3 * normal.inv_cdf(0.05))}
     samples = rng.lognormal(0, 0.3, (runs, size))
     for figure, true in truth.items():
         found = [estimate("x", figure, sample) for sample in samples]
@@ -242,7 +243,7 @@ def test_one_clutch_has_one_life(correlation):
 
 def test_peaks_are_interpolated_between_single_events():
     """The peak rises with friction: quantiles are events at its quantiles; of a force, events of other clutches."""
-    block = {"fields": {"friction": {"distribution": "uniform"}}, "quantiles": [0.25, 0.75]}
+    block = {"fields": {"friction": {"distribution": "uniform"}}, "quantiles": [0.25, 0.75], "sobol_base": 64}
     own = light(tolerance=block, requirements={"peak_torque": outcome_of(light(), 0.45).event.peak})
     result, findings = tolerance(own)
     assert "peaks-interpolated" in {each.code for each in findings}
@@ -251,7 +252,7 @@ def test_peaks_are_interpolated_between_single_events():
         assert row.peak_torque == pytest.approx(single, abs=3 * row.peak_torque_standard_error + 1e-3 * single)
     assert result.probability_peak_above == pytest.approx(0.5, abs=0.01)
     force, load = float(own.closing_force), {"load_torque": float(own.running_torque)}
-    forced, _ = tolerance(light(tolerance={"fields": {FORCE: {"distribution": "uniform", "spread": "5 %"}}}))
+    forced, _ = tolerance(light(tolerance=block | {"fields": {FORCE: {"distribution": "uniform", "spread": "5 %"}}}))
     low, high = (light(closing_spring={"force": force * share}, drive=load) for share in (0.95, 1.05))
     width = outcome_of(high, 0.3).event.peak - outcome_of(low, 0.3).event.peak
     assert forced.peak_torque_deviation == pytest.approx(width / math.sqrt(12), rel=0.1)

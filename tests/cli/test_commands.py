@@ -56,8 +56,8 @@ def test_version_and_a_command_that_there_is_not(afmcalc):
 
 
 @pytest.mark.parametrize(("command", "example", "light"), [
-    (["torque"], None, "friction.mean=0.4"), (["simulate"], "drive", "drive.event.duration=0.005"),
-    (["plot", "effects"], "drive", "friction.mean=0.4"), (["tolerance"], "tolerance", "tolerance.samples=2000 tolerance.sobol_base=64"),
+    (["torque"], None, "friction.mean=0.4"), (["simulate"], "drive", "drive.event.duration=0.002"),
+    (["plot", "torque"], None, "friction.mean=0.4"), (["tolerance"], "tolerance", "tolerance.samples=1000 tolerance.sobol_base=64"),
 ])  # fmt: skip
 def test_without_spec_the_default_example_is_calculated_and_heads_the_table(command, example, light, afmcalc):
     sets = [part for each in light.split() for part in ("--set", each)]

@@ -42,13 +42,13 @@ def cases():
 
 
 @pytest.fixture(scope="module", autouse=True)
-def _libraries(afmcalc):
+def _libraries(answered):
     """What draws, derives and samples is imported before the time of a test runs."""
     for line in ("plot torque", "explain torque", "tolerance example:tolerance --set tolerance.samples=1000"):
-        afmcalc(*line.split())
+        answered(*line.split())
 
 
-@pytest.mark.parametrize("share", [1200, pytest.param(300, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("share", [1800, pytest.param(300, marks=pytest.mark.slow)])
 def test_a_result_or_a_sentence(share, afmcalc, monkeypatch):
     """Of all of them a share that is drawn with a seed."""
     monkeypatch.setenv("COLUMNS", "80")

@@ -9,11 +9,11 @@ import pytest
 from afmcalc import progress
 from afmcalc.cli.options import Common
 
-LONG = """tolerance example:tolerance --set tolerance.samples=2000 --set tolerance.sobol_base=64
-design example:requirements --set search.friction_group.pairs=8
-plot pareto example:requirements --set search.friction_group.pairs=8
-simulate example:drive --set drive.event.duration=0.004 --sweep drive.shaft_stiffness=1000,2000
-check example:tolerance --set tolerance.samples=2000 --set tolerance.sobol_base=64 --set requirements.exceedance=0.5
+LONG = """tolerance example:tolerance --set tolerance.samples=1000 --set tolerance.sobol_base=64
+design example:requirements --set search.friction_group.pairs=8 --set search.control_unit.gain=0.5:1:4
+plot pareto example:requirements --set search.friction_group.pairs=8 --set search.control_unit.gain=0.5:1:4
+simulate example:drive --set drive.event.duration=0.002 --sweep drive.shaft_stiffness=1000,2000
+check example:tolerance --set tolerance.samples=1000 --set tolerance.sobol_base=64 --set requirements.exceedance=0.5
 life example:drive --set drive.event.duration=0.004""".splitlines()
 """Every command that may take long."""
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from conftest import slow
 from drives import TRAIN, VARIANTS, case, clutch, light, merged, run
 from scipy.integrate import trapezoid
 from scipy.optimize import brentq
@@ -29,7 +30,7 @@ def test_v1_tool_blocked_motor_side_runs_down():
 
 def test_v2_sudden_lock_of_an_endless_motor():
     """peak = T_c + ω_0 √(k J_2); what the ordinary and the best clutch have in common."""
-    found = run(case(300.0, motor_inertia=1e12, time=0.0, load=300.0, engine=Engine(300.0, None, 0.0)), 0.5)
+    found = run(case(300.0, motor_inertia=1e12, time=0.0, load=300.0, engine=Engine(300.0, None, 0.0)), 0.1)
     assert found.peak == pytest.approx(300 + 15 * math.sqrt(8000 * 0.05), rel=CLOSE)
     assert not found.stuck
 
@@ -44,7 +45,7 @@ def test_v3_sudden_lock():
     J1, J2, k, M, Tc, w0 = 0.4, 0.05, 8000.0, 150.0, 300.0, 5.0
     T1 = M + (Tc - M) * (J1 + J2) / J1
     w1 = math.sqrt(w0**2 - (T1 - M) ** 2 / (k * (J1 + J2)))
-    found = run(case(Tc, motor_inertia=J1, time=0.0, speed=w0), 5.0)
+    found = run(case(Tc, motor_inertia=J1, time=0.0, speed=w0), 0.2)
     assert found.peak == pytest.approx(Tc + math.sqrt((T1 - Tc) ** 2 + k * J2 * w1**2), rel=CLOSE)
     assert found.trip_torque == pytest.approx(Tc, rel=CLOSE)
 
@@ -70,7 +71,7 @@ def test_v4_stop_of_an_endless_motor(stiffness, inertia, stop):
     top = (math.pi - math.atan2(stiffness * t1, inertia * wn)) / wn
     after = math.hypot(q(left), q_dot(left) / wn)
     expected = Tc + max(after, q(top) if top <= left else 0.0)
-    found = run(case(Tc, motor_inertia=1e12, stiffness=stiffness, driven_inertia=inertia, time=stop), 0.5)
+    found = run(case(Tc, motor_inertia=1e12, stiffness=stiffness, driven_inertia=inertia, time=stop), 0.1)
     assert found.peak == pytest.approx(expected, rel=CLOSE)
 
 
@@ -112,15 +113,17 @@ def test_the_ordinary_clutch_is_the_conventional_variant():
 
 
 def test_slow_slip_takes_static_friction_back():
-    """A heavy motor side, of which a thousand swings pass while the friction comes back: by quadrature of J_1 dω/(T − M)."""
-    own = clutch(drive={"damping_ratio": 3.0, "driven_inertia": 0.005, "motor_inertia": 30.0})
+    """A heavy motor side, of which hundreds of swings pass while the friction comes back: by quadrature of J_1 dω/(T − M)."""
+    own = clutch(
+        drive={"damping_ratio": 3.0, "driven_inertia": 0.005, "motor_inertia": 15.0, "event": {"stop_time": 2e-3}}
+    )
     found = outcome_of(own, 0.3).event
     assert found.settled
     speeds = np.linspace(0, 15, 200_001)[1:]
     torque = own.at(friction=0.3 * (1 + 0.2 * np.exp(-0.1 * speeds / 0.3))).torque
     # but for the stop of the tool
-    assert found.slip_time == pytest.approx(trapezoid(30 / (torque - 150), speeds), rel=1e-3)
-    assert found.heat == pytest.approx(trapezoid(30 * speeds * torque / (torque - 150), speeds), rel=5e-3)
+    assert found.slip_time == pytest.approx(trapezoid(15 / (torque - 150), speeds), rel=1e-3)
+    assert found.heat == pytest.approx(trapezoid(15 * speeds * torque / (torque - 150), speeds), rel=5e-3)
 
 
 def test_kloss_motor_against_its_own_equation_of_motion():
@@ -140,7 +143,7 @@ def test_kloss_motor_against_its_own_equation_of_motion():
 def test_load_event_stops_the_tool_and_holds_it():
     """A load beyond the clutch brings the tool to rest; it resists, it does not drive backwards."""
     drive = case(300.0, kind="load", tool_inertia=2.0, overload=500.0, time=0.01)
-    found = run(drive, 2.0)
+    found = run(drive, 1.0)
     assert found.stuck
     assert min(row.speed_tool for row in found.rows) > -1e-9
     assert (found.rows[-1].speed_tool, found.rows[-1].torque_shaft) == (0, pytest.approx(150, abs=160))
@@ -169,7 +172,7 @@ def trip_torque(lag: float, rate: float, friction: float = 0.3) -> float:
     return run(drive, 2000.0 / rate, finer=8).trip_torque
 
 
-@pytest.mark.parametrize(("lag", "rate"), [(5e-3, 1e4), (5e-3, 1e5), (0.05, 3e4), (2e-3, 5e4)])
+@pytest.mark.parametrize(("lag", "rate"), [(5e-3, 1e5), (2e-3, 5e4), *slow((5e-3, 1e4), (0.05, 3e4))])
 def test_even_rise_against_the_solved_equation(lag, rate):
     """N = F − (C/R)[T_0 + s t − s τ (1 − e^(−t/τ))]; slip where T_0 + s t = z f R N."""
 

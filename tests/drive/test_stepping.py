@@ -1,9 +1,11 @@
 """Steps: many drives and one alike, random drives of all kinds, how the error falls with the step, hostile cases."""
 
 from dataclasses import fields, is_dataclass, replace
+from itertools import product
 
 import numpy as np
 import pytest
+from conftest import slow
 from drives import SLEEVE, TRAIN, case, indirect, run, springs
 
 from afmcalc.drive.integrator import simulate, stepped
@@ -61,20 +63,13 @@ def part(whole, place: int | slice):
     return replace(whole, **{each.name: part(getattr(whole, each.name), place) for each in fields(whole)})
 
 
-@pytest.mark.parametrize("kind", ["stop", "load"])
-@pytest.mark.parametrize("variant", ["conventional", "all-driving"])
+QUICK = [("conventional", "load"), ("all-driving", "stop")]
+
+
+@pytest.mark.parametrize(
+    ("variant", "kind"), QUICK + slow(*(each for each in product(VARIANTS, ("stop", "load")) if each not in QUICK))
+)
 def test_a_sweep_has_the_answers_of_its_rows(variant, kind):
-    a_sweep_is_its_rows(variant, kind)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", ["stop", "load"])
-@pytest.mark.parametrize("variant", ["differentiated", "indirect"])
-def test_a_sweep_of_motors_has_the_answers_of_its_rows(variant, kind):
-    a_sweep_is_its_rows(variant, kind)
-
-
-def a_sweep_is_its_rows(variant, kind):
     """Many drives at once, of which some need finer steps, give what each alone gives, and in finer steps alike."""
     rng = np.random.default_rng([5, VARIANTS.index(variant) * 2 + (kind == "load")])
     train, pack = random_drives(variant, kind, rng)
@@ -95,7 +90,7 @@ def test_the_error_falls_with_the_step():
     pack = DirectPack(3000.0, 0.1, 0.0, 8.0, 0.5, 0.4, 0.4, 1.2, 0.1 / 0.3)
     for own, hub in ((pack, 0.0), (replace(SLEEVE, friction=0.4), 0.02)):
         train = replace(TRAIN, hub_inertia=hub, damping=1.0)
-        heats = [stepped(Motion(train, own, 0.05 / steps), 0.05).heat for steps in (512, 2048, 8192)]
+        heats = [stepped(Motion(train, own, 0.05 / steps), 0.05).heat for steps in (256, 1024, 4096)]
         coarse, fine = (abs(heat / heats[-1] - 1) for heat in heats[:-1])
         assert fine < min(coarse * 4**-0.8, 1e-4)
 

@@ -77,8 +77,8 @@ def test_a_duration_is_run_out():
     assert event.rows[-1].time == pytest.approx(0.05)
     assert case_of(own, np.array([0.3])).peaks().peak[0] == pytest.approx(event.peak, rel=1e-9), "of a sweep"
     quick = merged(HEAVY, {"drive": {"event": {"kind": "stop", "stop_time": 0.01, "torque": None, "rise_time": None}}})
-    quick = merged(quick, {"drive": {"tool_inertia": None, "cut_off": 0.1, "event": {"duration": 0.5}}})
-    assert case_of(build(quick), 0.3).history().rows[-1].time == pytest.approx(0.5)
+    quick = merged(quick, {"drive": {"tool_inertia": None, "cut_off": 0.1, "event": {"duration": 0.2}}})
+    assert case_of(build(quick), 0.3).history().rows[-1].time == pytest.approx(0.2)
     assert "event-not-settled" not in {each.code for each in simulate(build(quick))[1]}
 
 

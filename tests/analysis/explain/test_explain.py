@@ -64,7 +64,7 @@ WANTED = st.fixed_dictionaries({"nominal_torque": st.floats(1, 1e5)}, optional=O
 
 
 @pytest.mark.parametrize("command", EXPLAINED)
-@settings(max_examples=4)
+@settings(max_examples=2)
 @given(st.one_of(direct_specs(), indirect_specs()), WANTED)
 def test_a_clutch_with_requirements_and_nothing_that_is_not_needed_is_explained(command, spec, wanted):
     """By the answer that the command itself gives, or by its refusal: no contact, no fatigue, no drive, no heat."""
