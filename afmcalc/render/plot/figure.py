@@ -49,11 +49,11 @@ def _drawn(sheet: Sheet, ending: str, settings: dict[str, Any]) -> bytes:
     }
     content = io.BytesIO()
     with style.context([PARAMETERS | settings], after_reset=True):
-        figure_of(sheet).savefig(content, format=ending, metadata=metadata[ending])
+        figure_of(sheet, ending).savefig(content, format=ending, metadata=metadata[ending])
     return content.getvalue()
 
 
-def figure_of(sheet: Sheet) -> "Figure":
+def figure_of(sheet: Sheet, ending: str = "png") -> "Figure":
     """Lay charts out one below the other, each with its legend, between title and caption."""
     from matplotlib.backends.backend_svg import FigureCanvasSVG
     from matplotlib.figure import Figure
@@ -80,6 +80,9 @@ def figure_of(sheet: Sheet) -> "Figure":
         figure.suptitle("\n".join(title), x=0.01, ha="left")
     if caption:
         figure.supxlabel("\n".join(caption), x=0.01, ha="left", size=SIZE)
-    FigureCanvasSVG(figure)
-    ConstrainedLayoutEngine().execute(figure)  # here: a figure that keeps its layout engine is drawn twice
+    if ending == "svg":  # laid out here: a figure that keeps its layout engine is drawn twice
+        FigureCanvasSVG(figure)
+        ConstrainedLayoutEngine().execute(figure)
+    else:
+        figure.set_layout_engine("constrained")
     return figure
