@@ -146,10 +146,10 @@ def notes(drawing: ShopDrawing) -> list[str]:
             angle=ball.wall_angle, most=ball.wall_angle_max, travel=ball.travel_max,
         )  # fmt: skip
     return [
-        say("{name}: pocket, cylindrical section at the ball circle, radius {radius:.4f mm}, unrolled; mm, sleeves at "
+        say("{name}: pocket, cylindrical section at the ball circle, radius {radius:.5g mm}, unrolled; mm, sleeves at "
             "the stop", name=named(drawing.name), radius=ball.ball_circle_radius),
         say(
-            "pocket {width:.4f mm} wide at the face, cut to {depth:.4f mm}; ball {ball:.4f mm}, gap {gap:g mm}",
+            "pocket {width:.1f mm} wide at the face, cut to {depth:.1f mm}; ball {ball:.5g mm}, gap {gap:g mm}",
             width=ball.pocket_width, depth=ball.pocket_depth_cut, ball=ball.ball_diameter, gap=ball.face_gap,
         ),
         *([say("{ball}, of a grade for the designer to set", ball=ball.ball_designation)]
