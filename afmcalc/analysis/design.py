@@ -47,6 +47,8 @@ _TOLD = ("closing_force", "control_force", "accuracy_factor", "torque_max", "tra
 """Quantities that a row tells beside what is searched and what is small."""
 _STACKS = 5
 """Springs of each kind that are tried."""
+_FIRST = 10
+"""Clutches of a front that are shown beside the compromise."""
 _TOGETHER = 20
 """Candidates whose events are simulated together."""
 _NO_SPRING = "no-spring"
@@ -384,8 +386,8 @@ def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow
     )
 
 
-def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResult:
-    """Return the result with so many rows of its front, by a quantity of theirs; their numbers stay.
+def shown(result: DesignResult, sort: str | None = None, *, whole: bool = False) -> DesignResult:
+    """Return the result with its front by a quantity: the first rows and the compromise, or all; their numbers stay.
 
     Raises AfmcalcError: to be sorted by what is no number of a row.
     """
@@ -398,7 +400,9 @@ def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResu
                 name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
             )  # fmt: skip
         ordered = sorted(ordered, key=lambda row: row.objective(sort))
-    return result.model_copy(update={"front": ordered[:top]})
+    if not whole:
+        ordered = [row for place, row in enumerate(ordered) if place < _FIRST or row.mark]
+    return result.model_copy(update={"front": ordered})
 
 
 # nothing

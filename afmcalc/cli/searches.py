@@ -90,9 +90,9 @@ def design(
         str | None, Option(metavar="N|compromise", help="Take this clutch of the front; --save writes it.")
     ] = None,
     save: SaveOption = None,
-    top: Annotated[
-        int | None, Option(metavar="N", min=1, help="Show so many of the front.  [default: 40 in tables]")
-    ] = None,
+    all_rows: Annotated[
+        bool, Option("--all", help="Show the whole front in a table, not ten clutches and the compromise.")
+    ] = False,
     sort: Annotated[
         str | None,
         Option(
@@ -110,7 +110,7 @@ def design(
     be small, or large with a minus: objectives = ["closing_force", "-gain_limit"].
 
     \b
-    afmcalc design requirements.toml --sort accuracy_factor --top 10
+    afmcalc design requirements.toml --sort accuracy_factor --all
     afmcalc design requirements.toml --pick compromise --save clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
@@ -127,18 +127,14 @@ def design(
         row, chosen = picked(given, result, pick or result.compromise or 1)
     if row and pick is not None:
         result = result.model_copy(update={"front": [row]})
-    elif top is None and common.chosen_format in ("table", "markdown") and len(result.front) > _IN_TABLES:
-        top = _IN_TABLES
-        common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=len(result.front)))
+    front = shown(result, sort, whole=all_rows or common.chosen_format not in ("table", "markdown"))
+    if more := len(result.front) - len(front.front):
+        common.note(say("the front has {count} more: --all shows them", count=more))
     nothing = [finding for finding in findings if finding.code == "no-candidate"]
     if common.chosen_format != "json":  # there it is the error below
         findings = [finding for finding in findings if finding not in nothing]
-    common.emit(shown(result, sort, top), findings, resolved(chosen) if chosen else None)
+    common.emit(front, findings, resolved(chosen) if chosen else None)
     if nothing:
         raise AfmcalcError(nothing[0].message)
     if save and row and chosen:
         common.save_spec(given, {**row.changes, "search": None}, chosen, save)
-
-
-_IN_TABLES = 40
-"""Clutches of a front that a table shows unasked."""

@@ -37,7 +37,7 @@ class Case(NamedTuple):
         return simulate(*self, whole=False)
 
 
-@functools.lru_cache(maxsize=256)
+@functools.lru_cache(maxsize=128)
 def kept(case: Case, whole: bool, full: bool) -> list[Event]:  # noqa: FBT001
     """Place of an event, empty until it is simulated; the last are cached: heat and requirements ask for them again."""
     return []

@@ -42,8 +42,6 @@ from .form import Base, State, editable, refusal
 Job = Mapping[str, Any]
 """Question: its ``name``, the state ``pinned``, ``options`` of a tab, number of the ``first`` base to make."""
 Answer = dict[str, Any]
-_MOST = 20
-"""Clutches of a front that are shown, each to be loaded."""
 _OBJECTIVES = ["closing_force", "accuracy_factor"]
 
 
@@ -187,7 +185,7 @@ def _design(state: State, job: Job) -> Answer:
         result, findings = ANALYSES["design"].function(spec)
     except AfmcalcError as error:
         return refusal(error, "requirements")
-    front = shown(result, None, _MOST)
+    front = shown(result)
     bases = [
         Base(say("number {pick} of the front", pick=row.number), to_toml(resolved(candidate(spec, row.changes))), "-")
         for row in front.front
@@ -196,14 +194,14 @@ def _design(state: State, job: Job) -> Answer:
     tables, none = blocks(document(front)), TextTable("", [], [], [])
     table = next((each for each in tables if each.source and each.source.path == "front"), none)
     notes = [line for line in (table.legend, table.meanings) if line]
-    if len(result.front) > len(front.front):
-        notes.append(say("{top} of {count} shown; --top {count} shows all", top=_MOST, count=len(result.front)))
+    if more := len(result.front) - len(front.front):
+        notes.append(say("the front has {count} more: --all shows them", count=more))
     number = 2 + list(_ANSWERS).index("design")
     drawn = len({*result.objectives}) > 1 and result.front
     figures = [_drawn(sheet_of("pareto", ParetoFigure(spec.name, result)), number)] if drawn else []
     html = fragment("front", table, numbers, figures, ranked(findings), notes)
     html += fragment("answer", [each for each in tables if each is not table], [], [], [])
-    return {"html": html, "command": state.command("design", "--top", str(_MOST)), "bases": bases}
+    return {"html": html, "command": state.command("design"), "bases": bases}
 
 
 _ANSWERS: Mapping[str, Callable[[State, Job], Answer]] = {

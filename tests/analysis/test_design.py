@@ -4,6 +4,7 @@ import copy
 import itertools
 import json
 import math
+import re
 from random import Random
 
 import numpy as np
@@ -284,6 +285,20 @@ def test_equals_of_the_front_are_counted():
     result, findings = searched(make_spec(BORNE | {"search": {"control_unit.balls": [6, 7, 8]}}))
     equals = [each.value for each in findings if each.code == "front-equals"]
     assert (result.feasible, len(result.front), equals) == (3, 1, [2])
+
+
+def test_a_table_has_ten_clutches_and_the_compromise(afmcalc):
+    """And how many more there are; the whole front with ``--all``, and in every other format."""
+    vary = ('search={"control_unit.gain" = "0.3:0.7:21"}', 'objectives=["-torque_max", "accuracy_factor"]')
+    asked = ("design", "example:default", *(part for each in vary for part in ("--set", each)))
+    whole = afmcalc(*asked, "--json").json["result"]
+    count, compromise = len(whole["front"]), whole["compromise"]
+    assert count > compromise > 10
+    for options, numbers in (((), [*range(1, 11), compromise]), (("--all",), [*range(1, count + 1)])):
+        run = afmcalc(*asked, *options)
+        _, _, table = run.out.partition("The front")
+        assert [int(number) for number in re.findall(r"^ *(\d+) ", table, re.M)] == numbers
+        assert (f"the front has {count - 11} more: --all shows them" in run.err) == (not options)
 
 
 def test_a_pick_is_the_file_with_its_values(afmcalc, tmp_path):
