@@ -37,13 +37,14 @@ WALK = {
         *(["list", each] for each in ("examples", "materials", "discs", "balls")),
     ],
     "steps": [
+        ["explain", "torque", "example:default", "--format", "markdown"],
+        ["explain", "life", "example:indirect"],
+    ],
+    "other steps": [
         ["explain", name, f"example:{example}"]
         for name, example in zip(EXPLAINED, itertools.cycle(("default", "indirect")))
     ]
-    + [
-        ["explain", "torque", "example:default", "--format", "markdown"],
-        ["accuracy", "--format", "markdown", "--sweep", "C=0,1"],
-    ],
+    + [["accuracy", "--format", "markdown", "--sweep", "C=0,1"]],
 }
 SLOW = {
     "plots": [["plot", name, "example:default"] for name, each in PLOTS.items() if each.takes == "clutch" and name not in ("springs", *DRAWINGS)],

@@ -8,6 +8,7 @@ from random import Random
 
 import numpy as np
 import pytest
+from conftest import slow
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -107,7 +108,7 @@ def search_of(kind, rng, folder):
         search["springs"] = "disc"
         data["catalogues"]["discs"] = str(folder / "discs.csv")
         put(data, "closing_spring.room", {"inner_diameter": 0.03, "outer_diameter": 0.15, "length": rng.uniform(0.02, 0.2)})  # fmt: skip
-    most = {"event": 6, "sprung": 8}.get(kind, 24)
+    most = {"event": 6, "sprung": 8}.get(kind, 16)
     while math.prod(len(values) for path, values in search.items() if path != "springs") > most:
         longest = max((values for path, values in search.items() if path != "springs"), key=len)
         del longest[rng.randrange(len(longest))]
@@ -344,8 +345,10 @@ def test_an_old_file_is_told_where_each_key_is(afmcalc, tmp_path):
     ("given", "check"),
     [
         (["requirements.accuracy_factor=1.2"], "accuracy_factor"),
+        *slow(
         (["search.control_unit.ball_circle_radius=20 mm", "search.variant=differentiated"], "parts-collide"),
         (["search.control_unit.ball_circle_radius=", "control_unit.ball_circle_radius=20 mm", "search.variant=differentiated"], "parts-collide"),
+        ),
         (["search.friction_group.pairs=[2]", "requirements.closing_force=2 kN"], "closing_force"),
         (["search.control_unit.gain=[2.5, 3.0]", "search.variant=differentiated", "requirements.accuracy_factor=6"], "gain-above-limit"),
     ],

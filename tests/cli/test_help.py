@@ -73,7 +73,7 @@ NEEDS |= {"tolerance": "tolerance", "plot": "tolerance"}
 """What stands for clutch.toml in the examples of a command, where it takes more than the default one."""
 SLOW = (
     "plot", "tolerance", "solve", "springs", "design", "papers", "simulate", "report", "check", "effects",
-    "compare",
+    "compare", "explain", "pocket",
 )  # fmt: skip
 OWN = [each for each in COMMANDS if each not in ("serve", "handbook")]
 RUN = [*(each for each in OWN if each not in SLOW), *slow(*SLOW)]

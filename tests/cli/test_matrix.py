@@ -48,7 +48,7 @@ def _libraries(answered):
         answered(*line.split())
 
 
-@pytest.mark.parametrize("share", [1800, pytest.param(300, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("share", [2400, pytest.param(300, marks=pytest.mark.slow)])
 def test_a_result_or_a_sentence(share, afmcalc, monkeypatch):
     """Of all of them a share that is drawn with a seed."""
     monkeypatch.setenv("COLUMNS", "80")
