@@ -119,7 +119,7 @@ def test_a_clutch_and_an_answer_can_be_copied_and_kept():
 
 
 def test_quantities_are_asked_by_name():
-    """What depends on friction is asked in a case or at a friction; who misspells a name is told what is near."""
+    """A quantity that depends on friction is asked in a case or at a friction; who misspells a name is told what is near."""
     clutch, friction = package.load("example:default"), np.linspace(0.1, 0.8, 1001)
     assert clutch["accuracy_factor"] == clutch.accuracy().accuracy_factor
     assert clutch.at("f_max").torque == clutch["torque_at_f_max"] == clutch.torque(0.8)

@@ -276,7 +276,7 @@ def test_the_same_seed_gives_the_same_digits():
 
 
 def test_springs_set_on_the_bench_are_those_of_the_nominal_torque():
-    """Whether the force or the torque is given: each sample is set to the torque of the nominal clutch."""
+    """By the force given or the torque: each sample is set to the torque of the nominal clutch."""
     fields = {"friction_group.mean_radius": {"distribution": "uniform", "spread": 0.006}}
     study = {"tolerance": {"setting": "each-adjusted", "samples": 1000, "sobol_base": 64, "fields": fields}}
     by_force = build(read_spec("example:default", study))

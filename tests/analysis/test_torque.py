@@ -65,7 +65,7 @@ def test_friction_asked_for_of_overload():
 
 @pytest.mark.slow
 def test_compare_has_the_rows_and_the_sentence_of_check(afmcalc):
-    """Those of an event with them."""
+    """Values of an event with them."""
     sets = ["--set", "requirements.temperature=20.5 degC", "--json"]
     (row,) = afmcalc("compare", CONFIGS / "drive.toml", *sets).json["result"]["clutches"]
     checked = afmcalc("check", CONFIGS / "drive.toml", *sets).json["result"]

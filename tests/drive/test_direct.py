@@ -106,7 +106,7 @@ def test_reference_drive(variant):
 
 
 def test_the_ordinary_clutch_is_the_conventional_variant():
-    """What stands beside every result is what the variant itself gives."""
+    """The peak beside every result is what the variant itself gives."""
     for friction in (0.1, 0.8):
         beside = outcome_of(light(), friction).ordinary_peak
         assert beside == pytest.approx(outcome_of(light(**VARIANTS["conventional"]), friction).event.peak, rel=1e-9)

@@ -130,7 +130,7 @@ def test_slips_are_summed():
 
 
 def test_balls_that_swing_on_are_left_once_nothing_can_come_of_them():
-    """What is left out of an event changes nothing: run on, it gives the same peak, slip and heat."""
+    """The rest that is left out of an event changes nothing: run on, it gives the same peak, slip and heat."""
     own = indirect(0.4, law={"key_friction": 0.1}, motor_inertia=0.4, damping=1.0)
     found = own.run()
     assert found.settled

@@ -61,7 +61,7 @@ def test_life_where_the_torque_jumps():
 
 @pytest.mark.parametrize("setting", ["each-adjusted", *slow("as-made")])
 def test_a_pocket_is_cut_once(setting):
-    """What scatters meets the pocket of the nominal clutch; the slope itself may scatter about it."""
+    """Values that scatter meet the pocket of the nominal clutch; the slope itself may scatter about it."""
     fields = {
         "friction": {"distribution": "uniform"},
         "closing_spring.stiffness": {"distribution": "uniform", "spread": "10 %"},
