@@ -73,7 +73,7 @@ NEEDS |= {"tolerance": "tolerance", "plot": "tolerance"}
 """The example that stands for clutch.toml in the examples of a command, where it takes more than the default one."""
 SLOW = (
     "plot", "tolerance", "solve", "springs", "design", "papers", "simulate", "report", "check", "effects",
-    "compare", "explain", "pocket",
+    "compare", "explain", "pocket", "life", "accuracy",
 )  # fmt: skip
 OWN = [each for each in COMMANDS if each not in ("serve", "handbook")]
 RUN = [*(each for each in OWN if each not in SLOW), *slow(*SLOW)]
