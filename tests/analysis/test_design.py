@@ -108,7 +108,7 @@ def search_of(kind, rng, folder):
         search["springs"] = "disc"
         data["catalogues"]["discs"] = str(folder / "discs.csv")
         put(data, "closing_spring.room", {"inner_diameter": 0.03, "outer_diameter": 0.15, "length": rng.uniform(0.02, 0.2)})  # fmt: skip
-    most = {"event": 6, "sprung": 8}.get(kind, 16)
+    most = {"event": 6, "sprung": 8}.get(kind, 24)
     while math.prod(len(values) for path, values in search.items() if path != "springs") > most:
         longest = max((values for path, values in search.items() if path != "springs"), key=len)
         del longest[rng.randrange(len(longest))]
@@ -174,7 +174,7 @@ def best_of(points):
 
 
 FAST = {
-    "direct": (1,),
+    "direct": (0, 1),
     "unlike": (4,),
     "indirect": (0,),
     "curved": (0,),
