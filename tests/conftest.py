@@ -40,7 +40,7 @@ def slow(*cases: Any) -> list[Any]:
 
 @dataclass(frozen=True)
 class Run:
-    """What a run of the program left."""
+    """Exit code and output of a run of the program."""
 
     code: int
     out: str

@@ -1,4 +1,4 @@
-"""What a command says where one extra alone is installed, or none: its result, or a sentence that names what is missing.
+"""The answer of a command where one extra alone is installed, or none: its result, or a sentence that names what is missing.
 
 ``python tests/one_extra.py NAME`` (or ``''``) with the Python of an environment that has only it.
 """
@@ -24,7 +24,7 @@ ASKED = {
 
 
 def fault(line, there, language):
-    """What is wrong with how a command line ends."""
+    """Faults in how a command line ends."""
     errors, arguments = io.StringIO(), [*line.split(), *(["--force"] if " -o " in line else []), "--lang", language]
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(errors):
         try:

@@ -49,4 +49,4 @@ def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
 
 DATA = Path(__file__).parent / "data"
 REFUSED, READ = (tomllib.loads((DATA / f"{name}.toml").read_text(encoding="utf-8")) for name in ("refused", "read"))
-"""What is refused, and how it is said; what is read."""
+"""Inputs that are refused, and how it is said; inputs that are read."""

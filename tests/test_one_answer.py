@@ -97,7 +97,7 @@ def drive(spec: Spec, rng: Rng) -> Spec:
 
 TABLES = tomllib.loads((Path(__file__).parent / "data" / "told.toml").read_text(encoding="utf-8"))
 TOLD, SCATTERED, SPRUNG, PRINTED, EVENT = TABLES.values()
-"""What is one quantity, and every place that tells it: a command, and the path in what it answers."""
+"""Each quantity, and every place that tells it: a command, and the path in what it answers."""
 
 
 def rows(table: str) -> dict[str, list[str]]:
@@ -212,7 +212,7 @@ def pressure(asked: Asked) -> float:
 
 
 def peak(asked: Asked) -> float:
-    """What a peak is judged by (finding bypass-peak)."""
+    """The peak that is judged (finding bypass-peak)."""
     return float(max(asked.told("simulate > peak_torque/#max"), asked.told("simulate > peak_torque_bypass") or 0.0))
 
 

@@ -38,7 +38,7 @@ def test_public_names():
         package.read_spec(None, ["C=-1"])
 
 
-DRIVE = {"drive.event.duration": 0.02}
+DRIVE = {"drive.event.duration": 0.01}
 
 
 @pytest.mark.parametrize(("example", "keys", "name", "given", "arguments"), READ["python"])
@@ -119,7 +119,7 @@ def test_a_clutch_and_an_answer_can_be_copied_and_kept():
 
 
 def test_quantities_are_asked_by_name():
-    """What depends on friction is asked in a case or at a friction; who misspells a name is told what is near."""
+    """A quantity that depends on friction is asked in a case or at a friction; who misspells a name is told what is near."""
     clutch, friction = package.load("example:default"), np.linspace(0.1, 0.8, 1001)
     assert clutch["accuracy_factor"] == clutch.accuracy().accuracy_factor
     assert clutch.at("f_max").torque == clutch["torque_at_f_max"] == clutch.torque(0.8)
@@ -205,7 +205,7 @@ def test_an_unknown_language_breaks_no_import(monkeypatch):
 def test_a_history_is_arrays(afmcalc, tmp_path):
     clutch = package.load("example:drive", DRIVE)
     one, every = clutch.history(0.3), clutch.history()
-    afmcalc("simulate", "example:drive", "--set", "drive.event.duration=0.02", "--history", tmp_path / "h.csv")
+    afmcalc("simulate", "example:drive", "--set", "drive.event.duration=0.01", "--history", tmp_path / "h.csv")
     rows = list(csv.reader((tmp_path / "h.csv").read_text(encoding="utf-8").splitlines()))
     assert [name.partition(" ")[0] for name in rows[0]] == list(every)
     assert np.array_equal(np.array(rows[1:], float), np.column_stack(list(every.values())))

@@ -1,4 +1,4 @@
-"""What the README shows is what the program prints."""
+"""The outputs that the README shows are what the program prints."""
 
 import json
 import os
@@ -57,7 +57,7 @@ def test_line_by_line_in_an_empty_folder(undrawn, afmcalc, tmp_path, monkeypatch
 
 
 PIECES = tomllib.loads((ROOT / "tests" / "data" / "pieces.toml").read_text(encoding="utf-8"))
-"""What the page says that is added, by file."""
+"""Text that the page says is added, by file."""
 BEFORE, LINES = (PIECES["asked"][name] for name in ("before", "lines"))
 del PIECES["asked"]
 

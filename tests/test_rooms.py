@@ -1,4 +1,4 @@
-"""What the source keeps to: imports go one way, those in functions too; what is said is a template in one place."""
+"""The order of the source: imports go one way, those in functions too; what is said is a template in one place."""
 
 import ast
 import inspect
@@ -90,7 +90,7 @@ def test_no_circle():
 
 
 ALWAYS = {"value", "limit", "path", None}
-"""What a finding carries whether or not its sentence shows it; None: a dictionary of further values."""
+"""The fields of a finding, whether or not its sentence shows it; None: a dictionary of further values."""
 GLUED = (ast.JoinedStr, ast.BinOp)
 """Texts put together on the spot, which no catalogue could hold."""
 
@@ -120,7 +120,7 @@ def test_what_is_said_is_a_literal_template_filled_with_what_it_names():
 
 
 def fits(code: str, given: set[str | None]) -> bool:
-    """Whether a sentence is given what it names, and nothing else."""
+    """True if a sentence is given what it names, and nothing else."""
     named = fields(FINDINGS[code])
     return (None in given or named <= given) and given - ALWAYS <= named
 

@@ -1,4 +1,4 @@
-"""What is shown in Russian holds no English: commands, plots, reports, helps, errors."""
+"""All that is shown in Russian holds no English: commands, plots, reports, helps, errors."""
 
 import html
 import itertools
@@ -37,13 +37,14 @@ WALK = {
         *(["list", each] for each in ("examples", "materials", "discs", "balls")),
     ],
     "steps": [
+        ["explain", "torque", "example:default", "--format", "markdown"],
+        ["explain", "life", "example:indirect"],
+    ],
+    "other steps": [
         ["explain", name, f"example:{example}"]
         for name, example in zip(EXPLAINED, itertools.cycle(("default", "indirect")))
     ]
-    + [
-        ["explain", "torque", "example:default", "--format", "markdown"],
-        ["accuracy", "--format", "markdown", "--sweep", "C=0,1"],
-    ],
+    + [["accuracy", "--format", "markdown", "--sweep", "C=0,1"]],
 }
 SLOW = {
     "plots": [["plot", name, "example:default"] for name, each in PLOTS.items() if each.takes == "clutch" and name not in ("springs", *DRAWINGS)],
@@ -90,7 +91,7 @@ def known():
 
 @pytest.fixture(scope="module", autouse=True)
 def _libraries(answered):
-    """What draws and derives is imported before the time of a test runs."""
+    """Libraries that draw and derive are imported before the time of a test runs."""
     answered("plot", "torque")
     answered("explain", "torque")
 
@@ -104,7 +105,7 @@ def noting(monkeypatch):
 
 
 def shown_by(run) -> str:
-    """What people read of an output: no styles, no markup, no quotations, no bibliography, no error of the parser."""
+    """The text that people read of an output: no styles, no markup, no quotations, no bibliography, no error of the parser."""
     text = re.sub(r"(?s)<(style|pre|code|math|script)\b.*?</\1>|<dl class=.references.*?</dl>", " ", run.out + run.err)
     no_text = r"(?m)<[^>]*>|^.*(?:Juvinall| // |EN 13906).*$|^ *\d* \| .*$|'[^']*'|\"[^\"]*\""
     of_parser = r"--from|(?m:^ошибка: (?:Invalid value|Missing|No such|Got|Option|Argument) .*$)"

@@ -34,7 +34,7 @@ def texts() -> set[Key]:
 
 
 def worded(text: str) -> bool:
-    """Whether a text has words, units or decimal points of its own beside its fields."""
+    """True if a text has words, units or decimal points of its own beside its fields."""
     bare = "".join(part for part, *_ in string.Formatter().parse(text)) if "{" in text else text
     bare = re.sub(r"\w+_\w+|\b(sin|cos|tan|ln|zC|pi)\b|\b[FSM]\d+\b", "", bare)
     return re.search(r"[A-Za-z]{2}|\d\.\d|N·m|N/mm", bare) is not None
@@ -83,7 +83,7 @@ def _pages() -> Iterator[Key]:
 
 
 def _fields() -> Iterator[Key]:
-    """What schemas say of tables and keys, and the words that a value may be."""
+    """The texts of schemas about tables and keys, and the words that a value may be."""
     from afmcalc.analysis.registry import ANALYSES, schema
 
     for each in map(schema, (None, *ANALYSES)):
@@ -92,7 +92,7 @@ def _fields() -> Iterator[Key]:
 
 
 def below(part: Any, key: str) -> Iterator[Any]:
-    """What stands at a key anywhere in a part of a schema."""
+    """Everything at a key anywhere in a part of a schema."""
     if isinstance(part, dict):
         if key in part:
             yield part[key]

@@ -9,6 +9,7 @@ from random import Random
 
 import numpy as np
 import pytest
+from conftest import slow
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -174,7 +175,7 @@ def best_of(points):
 
 
 FAST = {
-    "direct": (1,),
+    "direct": (0, 1),
     "unlike": (4,),
     "indirect": (0,),
     "curved": (0,),
@@ -359,8 +360,10 @@ def test_an_old_file_is_told_where_each_key_is(afmcalc, tmp_path):
     ("given", "check"),
     [
         (["requirements.accuracy_factor=1.2"], "accuracy_factor"),
+        *slow(
         (["search.control_unit.ball_circle_radius=20 mm", "search.variant=differentiated"], "parts-collide"),
         (["search.control_unit.ball_circle_radius=", "control_unit.ball_circle_radius=20 mm", "search.variant=differentiated"], "parts-collide"),
+        ),
         (["search.friction_group.pairs=[2]", "requirements.closing_force=2 kN"], "closing_force"),
         (["search.control_unit.gain=[2.5, 3.0]", "search.variant=differentiated", "requirements.accuracy_factor=6"], "gain-above-limit"),
     ],

@@ -1,4 +1,4 @@
-"""What the law neglects: the theory's figures, an independent solution of the pack, and the limit of no friction."""
+"""Effects that the law neglects: the theory's figures, an independent solution of the pack, and the limit of no friction."""
 
 import pytest
 from conftest import CONFIGS

@@ -21,13 +21,14 @@ INDIRECT = {
     "control_unit": {"gain": 1.0, "hub_diameter": 0.05, "key_friction": 0.15},
     "drive": {"hub_inertia": 0.02, "event": {"duration": 0.05}},
 }  # fmt: skip
+SHORT = {"drive": {"event": {"duration": 0.05}}}
 
 
 def codes(own, **options):
     return {found.code: found for found in simulate(own, **options)[1]}
 
 
-@pytest.mark.parametrize("changes", [VARIANTS["conventional"], pytest.param(INDIRECT, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("changes", [VARIANTS["conventional"] | SHORT, pytest.param(INDIRECT, marks=pytest.mark.slow)])
 def test_sweep_is_what_single_runs_give(changes):
     own = light(**changes)
     axis = parse_axis("drive.shaft_stiffness=5000,8000,12000", own.spec)

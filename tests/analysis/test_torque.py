@@ -63,16 +63,6 @@ def test_friction_asked_for_of_overload():
     assert overload(example("all-driving"))[0].loads is None
 
 
-@pytest.mark.slow
-def test_compare_has_the_rows_and_the_sentence_of_check(afmcalc):
-    """Those of an event with them."""
-    sets = ["--set", "requirements.temperature=20.5 degC", "--json"]
-    (row,) = afmcalc("compare", CONFIGS / "drive.toml", *sets).json["result"]["clutches"]
-    checked = afmcalc("check", CONFIGS / "drive.toml", *sets).json["result"]
-    assert (row["sentence"], row["errors"]) == (checked["verdict"]["sentence"], checked["errors"])
-    assert row["checks"] == checked["checks"]
-
-
 def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
     rows = afmcalc("compare", S21, "--variants", "--json").json["result"]["clutches"]
     assert [row["variant"] for row in rows] == ["conventional", "differentiated", "all-driving", "indirect"] * 2

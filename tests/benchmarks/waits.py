@@ -1,4 +1,4 @@
-"""What a person waits for: CPU seconds of every command on every shipped example, start-up included.
+"""The wait of a person: CPU seconds of every command on every shipped example, start-up included.
 
     python tests/benchmarks/waits.py                     # every command on every example
     python tests/benchmarks/waits.py simulate check      # some commands

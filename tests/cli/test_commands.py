@@ -57,17 +57,17 @@ def test_version_and_a_command_that_there_is_not(afmcalc):
 
 @pytest.mark.parametrize(("command", "example", "light"), [
     (["torque"], None, "friction.mean=0.4"), (["simulate"], "drive", "drive.event.duration=0.002"),
-    (["plot", "torque"], None, "friction.mean=0.4"), (["tolerance"], "tolerance", "tolerance.samples=1000 tolerance.sobol_base=64"),
+    (["plot", "torque"], None, ""), (["tolerance"], "tolerance", "tolerance.samples=1000 tolerance.sobol_base=64"),
 ])  # fmt: skip
-def test_without_spec_the_default_example_is_calculated_and_heads_the_table(command, example, light, afmcalc):
+def test_without_spec_the_default_example_is_calculated_and_heads_the_table(command, example, light, answered):
     sets = [part for each in light.split() for part in ("--set", each)]
     example = f"example:{example or 'default'}"
-    run, named = afmcalc(*command, *sets), afmcalc(*command, example, *sets)
+    run, drawn = answered(*command, *sets), command[0] == "plot"
     said = f"no SPEC given: this is {example} (afmcalc init writes a spec to start from)"
-    drawn = command[0] == "plot"
-    assert (run.code, run.out) == (0, named.out if drawn else f"{said}\n\n{named.out}")
+    named = run.out if drawn else f"{said}\n\n{answered(*command, example, *sets).out}"
+    assert (run.code, run.out) == (0, named)
     assert run.err == (f"note: {said}\n" if drawn else "")
-    assert drawn or afmcalc(*command, *sets, "--json").out == afmcalc(*command, example, *sets, "--json").out
+    assert drawn or answered(*command, *sets, "--json").out == answered(*command, example, *sets, "--json").out
 
 
 MISUSED = [

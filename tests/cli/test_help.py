@@ -70,10 +70,10 @@ def test_a_former_option_names_what_is_in_its_place(name, afmcalc):
 
 NEEDS = dict.fromkeys(("simulate", "effects"), "drive") | {"layout": "envelope"}
 NEEDS |= {"tolerance": "tolerance", "plot": "tolerance"}
-"""What stands for clutch.toml in the examples of a command, where it takes more than the default one."""
+"""The example that stands for clutch.toml in the examples of a command, where it takes more than the default one."""
 SLOW = (
     "plot", "tolerance", "solve", "springs", "design", "papers", "simulate", "report", "check", "effects",
-    "compare",
+    "compare", "explain", "pocket", "life", "accuracy",
 )  # fmt: skip
 OWN = [each for each in COMMANDS if each not in ("serve", "handbook")]
 RUN = [*(each for each in OWN if each not in SLOW), *slow(*SLOW)]

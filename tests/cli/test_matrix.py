@@ -43,12 +43,12 @@ def cases():
 
 @pytest.fixture(scope="module", autouse=True)
 def _libraries(answered):
-    """What draws, derives and samples is imported before the time of a test runs."""
+    """Libraries that draw, derive and sample are imported before the time of a test runs."""
     for line in ("plot torque", "explain torque", "tolerance example:tolerance --set tolerance.samples=1000"):
         answered(*line.split())
 
 
-@pytest.mark.parametrize("share", [1800, pytest.param(300, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("share", [2400, pytest.param(300, marks=pytest.mark.slow)])
 def test_a_result_or_a_sentence(share, afmcalc, monkeypatch):
     """Of all of them a share that is drawn with a seed."""
     monkeypatch.setenv("COLUMNS", "80")
@@ -66,7 +66,7 @@ def test_a_result_or_a_sentence(share, afmcalc, monkeypatch):
 
 
 def broken_range(arguments, run):
-    """Whether a range that nobody gave breaks a rule of its key; a layout has no mean radius alone, whatever its range."""
+    """True if a range that nobody gave breaks a rule of its key; a layout has no mean radius alone, whatever its range."""
     unlaid = "required beside [envelope]" in run.err
     return "--sweep" in arguments and not unlaid and re.search("sweep at|whole number", run.err)
 

@@ -5,6 +5,7 @@ import sys
 from types import SimpleNamespace
 
 import pytest
+from conftest import slow
 
 from afmcalc import progress
 from afmcalc.cli.options import Common
@@ -57,7 +58,7 @@ def test_where_and_when_the_bar_appears(stream, quiet, shown, passes, monkeypatc
     assert written.count("\x1b[?25h") == written.count("\x1b[?25l") == shown, "the cursor is there again"
 
 
-@pytest.mark.parametrize("line", LONG)
+@pytest.mark.parametrize("line", [*LONG[:2], *slow(*LONG[2:])])
 def test_a_command_that_may_take_long_tells_how_far_it_is(line, afmcalc):
     shares = set()
     watcher = SimpleNamespace(advance=lambda work, done, total: shares.add(done / total))

@@ -27,7 +27,7 @@ SHARE = {("indirect", "peak_torque"): 0.95, ("indirect", "peak_torque_clutch"): 
 sleeve of several kilogrammes in a pocket of constant torque, or swing themselves up undamped."""
 SPREAD = 0.01
 """Difference of the two step sizes beyond which heat and time of the slip are ill-conditioned."""
-QUICK = {"direct": (19, 25, 67, 121, 145, 157, 175), "indirect": (24, 72, 88, 104, 146)}
+QUICK = {"direct": (19, 67, 121, 157), "indirect": (24, 88, 104, 146)}
 LONG = {"direct": (40, 120, 164, 172), "indirect": (16, 56, 80, 112, 176)}
 """Drives that take seconds each."""
 

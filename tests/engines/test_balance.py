@@ -127,7 +127,7 @@ class March:
         return self._between(f, BACK, np.flatnonzero((needed <= f) & (self.grid < start.travel))[::-1], after=False)
 
     def _is_close(self, needed, f):
-        """Whether the sleeve is about to leave its stop, or to jump."""
+        """True if the sleeve is about to leave its stop, or to jump."""
         tops = needed[1:-1][(np.diff(needed)[:-1] > 0) & (np.diff(needed)[1:] < 0)]
         return np.abs(np.append(tops, needed[0]) / f - 1).min() < 1e-4
 

@@ -115,13 +115,3 @@ def test_findings():
     pack = {"pairs": 7, "mean_radius": 0.1}
     told = codes(_base(friction=falls, friction_group=pack, control_unit={"gain": 3.0}))
     assert told["torque-falls"].value == pytest.approx(4.2 / 11.8 / (1.1 / 2.8))
-
-
-def test_of_unlike_materials_the_torque_may_be_largest_at_the_means():
-    """T = F R (z_1 f_1 + z_2 f_2)/(1 + z_2 C f_2): f_1 rises first, then f_2 where z_1 C f_1 > 1, and T falls."""
-    spec = {
-        "variant": "differentiated", "friction_group": {"pairs": 8, "driving_pairs": 4, "mean_radius": 0.1},
-        "friction": {"driving": {"min": 0.2, "mean": 0.5, "max": 0.5}, "driven": {"min": 0.1, "mean": 0.1, "max": 0.8}},
-        "closing_spring": {"force": 1000}, "control_unit": {"gain": 1.0},
-    }  # fmt: skip
-    assert build(spec)["torque_max"] == pytest.approx(1000 * 0.1 * (4 * 0.5 + 4 * 0.1) / (1 + 4 * 0.1), rel=1e-12)

@@ -1,4 +1,4 @@
-"""What holds of the laws of every variant and option before anything is calculated, and of each law."""
+"""Rules for the laws of every variant and option before anything is calculated, and of each law."""
 
 import ast
 import inspect
@@ -25,7 +25,7 @@ NAMED = "accuracy adjustment control_unit curved curved_wall direct indirect lif
 MODULES = [import_module(f"afmcalc.equations.{name}") for name in NAMED.split()]
 KEYS = {name for names in NAMES.values() for name in names.values()} | {"closing_disc", "control_disc", "balls_listed"}
 FROM_OUTSIDE = {"risen_load"}
-"""What an analysis gives: a load that has risen."""
+"""Given by an analysis: a load that has risen."""
 ALTERNATIVES = {
     "mean_radius", "gain", "bypass_pairs", "closing_force", "polar_section_modulus", "ball_diameter_standard", "margin",
     "face_gap", "friction_mean", "friction_driving_mean", "friction_driven_mean", "friction_min", "friction_max",
@@ -99,7 +99,7 @@ def collisions(laws, given):
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_laws_are_closed_without_cycles_and_have_terms(variant):
     for own, options in combinations():
-        if own == variant and len(options) < 3:
+        if own == variant and len(options) < 2:
             given = frozenset({*options, "closing_force"})
             assert [*problems(laws_of(variant, options), given)] == [], options
 

@@ -39,7 +39,7 @@ def numeric(spec, path):
 
 
 def apart(own):
-    """Whether the mean of a range is none of its ends, by more than a difference steps."""
+    """True if the mean of a range is none of its ends, by more than a difference steps."""
     return own.min * 1.0001 < own.mean < own.max * 0.9999
 
 
@@ -68,7 +68,7 @@ def test_elasticities_of_a_direct_clutch(spec):
 
 
 def is_smooth(clutch):
-    """Whether K_т has a derivative: no jump off the stop near by, and no two torques about to change places."""
+    """True if K_т has a derivative: no jump off the stop near by, and no two torques about to change places."""
     own = clutch.spec.friction.groups[0]
     if own.max < own.min * 1.0001 or (clutch.spec.adjustment.method == "mean-friction" and not apart(own)):
         return False  # K_т has a kink where the sleeve leaves at an end

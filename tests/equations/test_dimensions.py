@@ -11,7 +11,7 @@ from afmcalc.equations.catalogue import equations
 UNITS = pint.UnitRegistry()
 MODULES = {"drive", "effects", "heat", "sleeve", "springs"}
 OWN = sorted(name for name in equations() if name.partition(".")[0] in MODULES)
-"""Those that are not wired; of the laws tests/engines/test_laws.py says it."""
+"""Equations that are not wired; of the laws tests/engines/test_laws.py says it."""
 
 OTHERS = {
     "m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3", "m^2": "inch**2", "1/m": "1/inch",

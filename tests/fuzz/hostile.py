@@ -21,7 +21,7 @@ from afmcalc.spec.parse import example_names
 
 
 class Case(NamedTuple):
-    """What is run: arguments, and what stands in standard input."""
+    """A run: arguments, and the text of standard input."""
 
     arguments: list[str]
     stdin: str

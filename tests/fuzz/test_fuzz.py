@@ -88,7 +88,7 @@ def _fewer_steps(monkeypatch):
 
 @pytest.fixture(scope="module", autouse=True)
 def _libraries(answered):
-    """What is imported first is no part of the time of a case."""
+    """The first import is no part of the time of a case."""
     for line in ("tolerance example:tolerance --set tolerance.samples=1000", "plot torque", "explain torque", "check"):
         answered(*line.split())
 

@@ -52,7 +52,7 @@ def read() -> list[Fault]:
 
 
 def misplaced(fault: Fault) -> str | None:
-    """What is wrong with a fault itself."""
+    """A defect of a fault itself, or None."""
     file = ROOT / fault.file
     found = file.read_text(encoding="utf-8").count(fault.was) if file.is_file() else 0
     if found != 1:

@@ -117,7 +117,7 @@ def test_equilibrium_is_the_expected_torque_for_every_margin(spec, margin, share
     f, share_of_balls = own.min + share * (own.max - own.min), (z - clutch.bypass_pairs) / z
 
     def capacity(load, f):
-        """What the pack can carry while it carries ``load``, shared z_1 : z_2."""
+        """The load that the pack can carry while it carries ``load``, shared z_1 : z_2."""
         return z * f * radius * (clutch.closing_force - load * share_of_balls * clutch.gain / radius)
 
     slope = capacity(0.0, f) - capacity(1.0, f)

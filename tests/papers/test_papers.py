@@ -1,4 +1,4 @@
-"""What the papers print: every verdict on record, and numbers worked by hand.
+"""The print of the papers: every verdict on record, and numbers worked by hand.
 
 ``reproduce`` judges its claims by the equations, which tests/proofs proves. Here the program answers for clutches of the
 papers what a pocket calculator does.

@@ -13,7 +13,7 @@ from afmcalc.papers.register import data, is_accounted, is_numbered, misprints, 
 
 NUMBERED = {"F11": 22, "S19": 20, "S21": 24, "S22": 24}
 BEYOND = r"andbook|Convention|ISO|As ``|erivative|Definition|Johnson|Juvinall|Goodman|Серенсен|Identity|Geometry|F11|S19|S21|S22"
-"""What the source of an equation names that no entry of the register has."""
+"""References of the source of an equation that no entry of the register has."""
 
 
 def test_every_numbered_formula_is_in_the_register():

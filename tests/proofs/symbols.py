@@ -39,7 +39,7 @@ class Refutation(NamedTuple):
 
 
 def is_proof(name, function):
-    """Whether a member of a module is a proof."""
+    """True if a member of a module is a proof."""
     return isgeneratorfunction(function) and not name.startswith("_")
 
 
@@ -63,7 +63,7 @@ def prove(proof):
 
 
 def is_zero(expression):
-    """Whether an expression vanishes identically."""
+    """True if an expression vanishes identically."""
     expression = sp.sympify(expression)
     if sp.numer(sp.together(expression)).expand() == 0:
         return True

@@ -189,7 +189,7 @@ def pack_at_the_stop():
 
 
 def power_from_the_plate():
-    """What the gear leaves of the motor's power turns the clutch, T_дв ω = η P_н."""
+    """The share that the gear leaves of the motor's power turns the clutch, T_дв ω = η P_н."""
     power, speed, ratio, efficiency = sp.symbols("P omega i eta", positive=True)
     torque = machine.motor_torque_at_clutch(machine.motor_torque(power, speed), ratio, efficiency)
     yield "T_дв ω_н/i = η P_н", torque * speed / ratio - efficiency * power

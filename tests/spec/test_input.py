@@ -1,4 +1,4 @@
-"""What is wrong with an input is said with the place, the line, what, and the fix."""
+"""A mistake in an input is said with the place, the line, what, and the fix."""
 
 import json
 import re

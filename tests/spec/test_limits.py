@@ -1,4 +1,4 @@
-"""What is too large is refused before any work begins, with the limit in the message."""
+"""Anything too large is refused before any work begins, with the limit in the message."""
 
 import json
 import os
@@ -113,7 +113,7 @@ def test_errors_stay_short():
 
 @pytest.mark.parametrize("number", [NINES, "-5", "nonsense"])
 def test_a_nonsense_number_of_the_environment(number, afmcalc, monkeypatch):
-    """As a width it harms no table, as a date it is refused."""
+    """Taken as a width it harms no table, as a date it is refused."""
     with pytest.MonkeyPatch.context() as patch:  # pytest -v, which reports right after, would not bear it
         patch.setenv("COLUMNS", number)
         assert [afmcalc(*line.split()).code for line in ("torque", "help keys")] == [0, 0]

@@ -89,7 +89,7 @@ def test_every_scale_of_temperature_is_what_pint_says():
 
 
 def test_every_unit_of_a_catalogue_is_the_same_unit():
-    """What a Russian table shows is read as what the English one shows."""
+    """The numbers of a Russian table are read as those of the English one."""
     with open(f"{FOLDER}/ru.po", "rb") as file:
         units = {each.id: each.string for each in read_po(file) if each.context == "unit"}
     assert len(units) > 50

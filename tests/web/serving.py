@@ -63,7 +63,7 @@ class Served:
             self.said += line
 
     def post(self, path: str, body: object) -> Any:
-        """What is answered to the page; None where the server ends before."""
+        """The answer to the page; None where the server ends before."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=_SECONDS)
         try:
             connection.request("POST", self.root + path, json.dumps(body), self.headers)
@@ -124,7 +124,7 @@ class Served:
         return sum(sum(map(int, fields[11:13])) for pid in self.family() if (fields := _stat(pid)))
 
     def is_quiet(self) -> bool:
-        """Whether nothing is calculated."""
+        """True if nothing is calculated."""
         before = self.ticks()
         time.sleep(0.5)
         return self.ticks() - before <= 2

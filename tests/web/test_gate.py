@@ -1,4 +1,4 @@
-"""Who may ask the page, what is read of a request, and what goes out with every answer."""
+"""The gate of the page: its guests, the parts of a request that are read, the headers of every answer."""
 
 import json
 import os
@@ -18,7 +18,7 @@ LIMIT = 64 * 1024
 
 @pytest.fixture(autouse=True)
 def jobs(monkeypatch):
-    """What the workers are asked; they answer nothing."""
+    """The questions to the workers; they answer nothing."""
 
     async def ask(self, job, gone):
         self.jobs.append(job)
@@ -44,7 +44,7 @@ def refused(site, status, method, path, body=LIVE, **headers):
 POLICY = {"default-src": "'none'", "frame-ancestors": "'none'", "base-uri": "'none'", "form-action": "'none'"}
 POLICY |= {"script-src": "'self'", "connect-src": "'self'", "style-src": "'self' 'unsafe-inline'"}
 POLICY |= {"img-src": "'self' data:", "frame-src": "blob:"}
-"""What the drawings and the report need beside what is the server's own, and no more."""
+"""The sources that the drawings and the report need beside the server's own, and no more."""
 SAFE = {"x-content-type-options": "nosniff", "referrer-policy": "no-referrer", "cache-control": "no-store"}
 SAFE |= {"cross-origin-resource-policy": "same-origin"}
 

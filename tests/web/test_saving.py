@@ -1,4 +1,4 @@
-"""What is saved, where, and that it is whole whatever happens."""
+"""The file that is saved: its content, its place, and that it is whole whatever happens."""
 
 import os
 import random

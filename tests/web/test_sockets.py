@@ -1,4 +1,4 @@
-"""What a real server is sent that is no whole request, too large, too slow, or too much at once."""
+"""Bytes sent to a real server that are no whole request, too large, too slow, or too much at once."""
 
 import time
 from contextlib import ExitStack

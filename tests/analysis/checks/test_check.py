@@ -1,4 +1,4 @@
-"""What is wrong with a clutch, how grave it is, and the exit code it ends in."""
+"""Faults of a clutch, how grave each is, and the exit code it ends in."""
 
 import math
 

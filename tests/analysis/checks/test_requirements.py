@@ -127,12 +127,15 @@ def test_life_without_a_limit_is_held():
 
 def test_exceedance_is_of_the_torque_required():
     """P(T > 300 N·m) of friction that is uniform over 0.1…0.8, by the friction at which T is that."""
-    beyond, blocks = 300 / (1600 - 3.5 * 300), {"fields": {"friction": {"distribution": "uniform"}}}
+    beyond, blocks = (
+        300 / (1600 - 3.5 * 300),
+        {"fields": {"friction": {"distribution": "uniform"}}, "samples": 50_000, "sobol_base": 64},
+    )
     data = resolved(read_spec(CONFIGS / "default.toml"))
     data |= {"tolerance": blocks, "requirements": {"torque_max": 300.0, "exceedance": 0.5}}
     assert rows_of(make_spec(data))[1]["exceedance"].value == pytest.approx(
-        (0.8 - beyond) / 0.7, abs=0.004
-    )  # 4 errors of 200,000 samples
+        (0.8 - beyond) / 0.7, abs=0.008
+    )  # 4 errors of so many samples
     data["tolerance"] = {**blocks, "torque_limit": 250.0}
     assert rows_of(make_spec(data))[1]["exceedance"].passed is None
     del data["requirements"]["torque_max"]

@@ -132,7 +132,7 @@ def printed_forms(equation, sign):
 
 
 def has_formula(equation):
-    """Whether it is one, not a choice or a list of values."""
+    """True if it is one, not a choice or a list of values."""
     try:
         result = equation.function(**{name: leaf((name,), 1.0) for name in equation.arguments})
     except (TypeError, AttributeError):

@@ -39,7 +39,7 @@ def test_a_stored_table(name, answered):
     assert text == path.read_text(encoding="utf-8"), f"{name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
 
 
-QUICK = ("torque", "accuracy-grid", "pocket", "check", "compare")
+QUICK = ("torque", "accuracy-grid", "pocket", "check")
 
 
 @pytest.mark.parametrize("name", [*QUICK, *slow(*(name for name in COMMANDS if name not in QUICK))])

@@ -33,11 +33,11 @@ SPOKEN = {"ru": language("ru"), "en": ENGLISH}
 PRINTED, SMALLEST = 210 - 20 - 14, 9.0
 """Millimetres that a figure of a report is wide on A4, and points of its smallest text but for subscripts."""
 FEW = [
-    ("ru", "torque", "default"), ("ru", "accuracy", "default"), ("ru", "section", "default"),
+    ("ru", "torque", "default"), ("ru", "springs", "default"), ("ru", "section", "default"),
     ("en", "pocket", "indirect"),
 ]  # fmt: skip
 MANY = [
-    *((kind, "default") for kind in ("overload", "life", "pocket")), ("torque", "indirect"), ("springs", "default"),
+    *((kind, "default") for kind in ("overload", "life", "pocket")), ("torque", "indirect"), ("accuracy", "default"),
     ("torque", "default", "F=1e-18"), ("torque", "default", "f_min=0.79999", "friction.mean="),
     ("overload", "default", "F=1e15"), ("pocket", "default", 'control_unit.ball_circle_radius="923.456789 mm"'),
     ("tolerance", "tolerance", "F=1e12"), ("simulate", "drive"), ("effects", "drive"), ("pareto", "requirements"),
@@ -158,7 +158,6 @@ def test_a_fault_is_found():
     """A text moved over another, or over the edge, is told."""
     with style.context([PARAMETERS], after_reset=True):
         figure = figure_of(sheet("torque", "default"))
-        assert faults(figure) == ([], [])
         figure.text(0.98, 0.5, "beyond the edge")
         for name in "AB":
             figure.text(0.5, 0.6, name)

@@ -65,15 +65,22 @@ def test_a_short_report_shows_the_limits_most_used(report, parsed):
     assert len(every) == 8
 
 
-def test_texts_of_the_user_stay_texts_and_stand_in_the_title_block(framed, tmp_path, parsed):
-    spec = tmp_path / "evil.toml"
+@pytest.fixture(scope="module")
+def overridden(framed, tmp_path_factory):
+    """A spec with markup in its texts, and its page, of which a check fails by what is overridden."""
+    spec = tmp_path_factory.mktemp("evil") / "evil.toml"
     text = (CONFIGS / "default.toml").read_text(encoding="utf-8").replace("Base clutch", EVIL)
     block = (
         f'[report]\ndrawing = "AFM-17"\nrevision = 2\nauthor = "Ш."\ndate = 2026-02-03\n# {EVIL} </pre> {{{{ 7*7 }}}}'
     )
     spec.write_bytes("\ufeff".encode() + f"{text}\n{block}\n".replace("\n", "\r\n").encode())
     given = "--set", f"name={EVIL}&lt; a_b", "--author", "Ф.", "--project", '7\\"}</style>', "--organisation", EVIL
-    page = framed(spec, *given, "--with-source")
+    more = "--set", "C=2", "--set", "control_unit.allowable_contact_force=100"
+    return spec, framed(spec, *given, *more, "--with-source")
+
+
+def test_texts_of_the_user_stay_texts_and_stand_in_the_title_block(overridden, parsed):
+    spec, page = overridden
     assert "<script" not in page
     assert page.count("</style>") == 1
     assert "a<sub>b" not in page
@@ -90,24 +97,9 @@ def test_texts_of_the_user_stay_texts_and_stand_in_the_title_block(framed, tmp_p
     assert signed == [["Calculated by", "Ф."], ["Checked by", ""], ["Approved by", ""]]
 
 
-@pytest.mark.slow
-def test_comments_of_a_file_that_ships_are_translated_and_a_users_own_are_not(framed, tmp_path):
-    english = (CONFIGS / "default.toml").read_text(encoding="utf-8").strip()
-    (tmp_path / "own.toml").write_text(english, encoding="utf-8")
-    pages = (framed(each, "--lang", "ru", "--with-source") for each in (tmp_path / "own.toml", "example:default"))
-    own, shipped = (unescape(re.search("<pre[^>]*>(.*?)</pre>", page, re.DOTALL)[1]).strip() for page in pages)
-    assert own == english
-    assert re.search("# .*[а-я]", shipped)
-    keys = [re.findall(r"^(?!name)[a-z_]+ = [^#]*[^# ]", text, re.MULTILINE) for text in (shipped, english)]
-    assert keys[0] == keys[1] != []
-
-
-OVERDONE = (CONFIGS / "default.toml", "--set", "C=2", "--set", "control_unit.allowable_contact_force=100")
-
-
-def test_checks_have_utilisation_and_verdict(framed, parsed):
-    page = framed(*OVERDONE)
-    assert (page.count("(overridden)"), page.count("<pre>")) == (2, 0)
+def test_checks_have_utilisation_and_verdict(overridden, parsed):
+    _, page = overridden
+    assert (page.count("(overridden)"), page.count("<pre>")) == (2, 1)
     tree = parsed(page)
     rows = [[text_of(cell) for cell in row] for row in tree.findall(".//section[@id='checks']//tr")[1:]]
     found = {row[1]: (row[0], float(row[6])) for row in rows}
@@ -119,6 +111,18 @@ def test_checks_have_utilisation_and_verdict(framed, parsed):
     assert shares[0] > shares[1] > 100, "the gravest first"
     assert found["contact force on one ball"][0] == "fail"
     assert found["contact force on one ball"][1] > 1
+
+
+@pytest.mark.slow
+def test_comments_of_a_file_that_ships_are_translated_and_a_users_own_are_not(framed, tmp_path):
+    english = (CONFIGS / "default.toml").read_text(encoding="utf-8").strip()
+    (tmp_path / "own.toml").write_text(english, encoding="utf-8")
+    pages = (framed(each, "--lang", "ru", "--with-source") for each in (tmp_path / "own.toml", "example:default"))
+    own, shipped = (unescape(re.search("<pre[^>]*>(.*?)</pre>", page, re.DOTALL)[1]).strip() for page in pages)
+    assert own == english
+    assert re.search("# .*[а-я]", shipped)
+    keys = [re.findall(r"^(?!name)[a-z_]+ = [^#]*[^# ]", text, re.MULTILINE) for text in (shipped, english)]
+    assert keys[0] == keys[1] != []
 
 
 def table_rows(tree, section):
