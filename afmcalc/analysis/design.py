@@ -115,7 +115,9 @@ class DesignResult(Answer):
     """The front of a design: points of the grid."""
 
     candidates: int = described("candidates searched")
-    feasible: int = described("candidates that meet every requirement and check")
+    feasible: int = described(
+        "candidates that meet every check; events, heat and springs: as far as the front needs it"
+    )
     objectives: list[str] = described("what is small on the front", in_words=_small)
     compromise: int | None = described("compromise: its number (least sum of the normalised objectives)", optional=True)
     excluded: dict[str, int] = described(
@@ -425,8 +427,15 @@ def _binding(spec: Spec, survey: Survey, judge: _Judge) -> Binding:
     if key is not None:
         told |= key
     elif path == f"requirements.{name}" and value is not None:  # what is asked would have to give way
-        told |= {"key": path, "sign": "≤" if REQUIRED[name].least else "≥", "would_do": value, "key_unit": unit}
+        least = REQUIRED[name].least
+        told |= {"key": path, "sign": "≤" if least else "≥", "would_do": _five_digits(value, least), "key_unit": unit}
     return Binding(**{"key_unit": "1"} | told)
+
+
+def _five_digits(value: float, down: bool) -> float:  # noqa: FBT001
+    """Number rounded to five digits, down or up, so that what is printed will do."""
+    step = 10.0 ** (math.floor(math.log10(abs(value))) - 4) if value else 1.0
+    return float(f"{(math.floor if down else math.ceil)(value / step) * step:.5g}")
 
 
 def _missed(row: Row) -> str:

@@ -4,15 +4,15 @@ import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import cache, partial
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 import numpy as np
 
 from ..engines import Clutch, build
-from ..engines.checks import REQUIRED
+from ..engines.checks import REQUIRED, after_event, takes_factor_of_event
 from ..engines.evaluate import Output, evaluate
 from ..engines.selection import NAMES
-from ..equations.arrays import Floats
+from ..equations.arrays import Floats, Values
 from ..equations.terms import CASES, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
@@ -27,7 +27,7 @@ from ..units import ENGINEER
 from .asking import Answers, Asking, answer, asked
 from .check import lacks, simulating, told
 from .clutch_findings import clutch_findings
-from .simulate import largest_peaks
+from .simulate import dynamic_factors, largest_peaks
 from .sweep import feasible, find_key
 
 Function = Callable[[Floats], Floats]
@@ -175,7 +175,7 @@ def solve(
         )  # fmt: skip
     nearest = float(at[np.argmin(np.abs(value - wanted))])
     found = roots or [nearest]
-    judged = values if arrays else partial(_rows, clutch, key.path, target)
+    judged = partial(_rows, clutch, key.path, target) if not arrays and target in REQUIRED else values
     reached = dict(zip(found, judged(np.array(found)).tolist(), strict=True))
 
     def distance(root: float) -> tuple[bool, float]:
@@ -228,7 +228,7 @@ def _asked(target: str) -> str:
 
 def _judged_value(clutch: Clutch, target: str) -> float:
     """Value that a requirement judges; infinite where nothing limits it, or it may be more."""
-    check = REQUIRED[target]
+    check = after_event(clutch.spec, REQUIRED[target])
     known = told(Answers(clutch), check.needs)
     if (value := check.value_of(known)) is None:
         needs = lacks(clutch, check)
@@ -242,6 +242,9 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
     Raises AfmcalcError: a target that the clutch does not have.
     """
     output: Output = _asked(target)
+    if takes_factor_of_event(clutch.spec, str(output)):
+        output = partial(_unprotected, str(output))
+        return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: output})[target]), False
     arrays = not (target in REQUIRED and (REQUIRED[target].needs or output not in clutch))
     if arrays:
         try:
@@ -255,6 +258,11 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
         _judged_value(clutch, target)
         return _kept(partial(_rows, clutch, path, target)), False
     return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: output})[target]), arrays
+
+
+def _unprotected(name: str, clutch: Clutch) -> Values:
+    """Quantity of the unprotected side of every clutch, with the dynamic factor of its event."""
+    return cast("Values", clutch.at(dynamic_factor=dynamic_factors(clutch))[name])
 
 
 def _kept(function: Function) -> Function:

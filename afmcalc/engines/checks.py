@@ -254,7 +254,7 @@ def _stated(spec: "Spec", check: Check) -> Iterator[Check]:
     elif check.code == "accuracy-not-lasting":
         yield check._replace(limit=cast(Any, spec.requirements).accuracy_factor)
     else:
-        yield _after_event(spec, check)
+        yield after_event(spec, check)
 
 
 def _required(spec: "Spec", check: Check, name: str) -> Iterator[Check]:
@@ -272,14 +272,18 @@ def _required(spec: "Spec", check: Check, name: str) -> Iterator[Check]:
     name, unit = key.description.partition(",")[0], key.unit or "1"
     symbol = f"{key.symbol} {'≥' if check.least else '≤'} [{key.symbol}]"
     check = check._replace(name=name, symbol=symbol, unit=unit, value=value, limit=limit, path=path)
-    yield _after_event(spec, check)
+    yield after_event(spec, check)
 
 
-def _after_event(spec: "Spec", check: Check) -> Check:
+def after_event(spec: "Spec", check: Check) -> Check:
     """Replace the dynamic factor of the unprotected side by that of the event, where none is given."""
-    factor = "unprotected" in check.value or check.value == "cycles"
+    return check._replace(needs="simulate") if takes_factor_of_event(spec, check.value) else check
+
+
+def takes_factor_of_event(spec: "Spec", quantity: str) -> bool:
+    """True if a quantity of the unprotected side takes the dynamic factor of the event, as none is given."""
     open_factor = spec.drive.event is not None and spec.drive.dynamic_factor is None
-    return check._replace(needs="simulate") if factor and open_factor else check
+    return open_factor and ("unprotected" in quantity or quantity.startswith("cycles"))
 
 
 def failures(spec: "Spec", known: Known, checks: Iterable[Check]) -> list[Finding]:
