@@ -56,7 +56,7 @@ def accuracy(
     """Calculate the accuracy of a clutch, and over the grid of ``sweeps``, there with ``columns`` of quantities."""
     spec = clutch.spec
     kind = with_columns(AccuracySweep, clutch, columns)
-    swept = series(kind, spec, sweeps, asked_by(kind, clutch))
+    swept = series(kind, spec, sweeps, asked_by(kind, clutch), open_at=columns)
     slopes = elasticities(clutch)
     result = answer(
         AccuracyResult, clutch, sensitivity=dict(_shown(slopes)), sweep=swept,

@@ -107,7 +107,7 @@ def with_columns(kind: type[R], clutch: Quantities, names: Iterable[str]) -> typ
             raise AfmcalcError("--columns {name}: {why}", name=name, why=error.args[0]) from None
         if not isinstance(value, int | float):
             raise AfmcalcError("--columns {name}: is no number", name=name)
-    columns: dict[str, Any] = {name: (list[float], asked()) for name in wanted}
+    columns: dict[str, Any] = {name: (list[float | None], asked()) for name in wanted}
     return create_model(kind.__name__, __base__=kind, **columns) if columns else kind
 
 

@@ -35,8 +35,8 @@ SAMPLES, ROWS = 400, 40
 """Values looked at: of a quantity, and of what is calculated for one clutch at a time."""
 REACH, REACH_OF_EVENTS = 100.0, 5.0
 """Ratio to the present value up to which they go where the key has no bound, and where each simulates an event."""
-_SAME = 1e-12
-"""Relative difference that rounding can make."""
+_SAME, _TOUCH = 1e-12, 1e-8
+"""Relative difference that rounding can make; by which an extreme may miss the wanted value."""
 _STEPS, _STEPS_OF_ROWS = (33,) * 8, (9,)
 """Values from one side of the wanted value to the other, again and again."""
 _JUMP, _JUMP_OF_ROWS = 1e-6, 0.05
@@ -174,6 +174,8 @@ def solve(
             target=target, name=name, level=shown(value[0]),
         )  # fmt: skip
     nearest = float(at[np.argmin(np.abs(value - wanted))])
+    if not roots and abs(values(np.array([nearest]))[0] - wanted) <= _TOUCH * abs(wanted):
+        roots = [nearest]  # of a step between two samples, or an extreme that just reaches it
     found = roots or [nearest]
     judged = partial(_rows, clutch, key.path, target) if not arrays and target in REQUIRED else values
     reached = dict(zip(found, judged(np.array(found)).tolist(), strict=True))

@@ -219,14 +219,19 @@ def series(
     open_at: Sequence[str] = (),
     block: int = BLOCK,
 ) -> list[S] | None:
-    """Sweep ``outputs`` over the grid of ``axes``, one series per axis, NaN in ``open_at`` None; None without axes."""
+    """Sweep ``outputs`` over the grid of ``axes``, one series per axis; None without axes.
+
+    ``open_at`` names the columns that have None where there is no finite number.
+    """
     if not axes:
         return None
     points = grid(axes)
     values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
     answers = {name: array.tolist() for name, array in evaluate(spec, values, outputs, block).items()}
     answers |= {
-        name: [None if value != value else value for value in answers[name]] for name in open_at if name in answers
+        name: [value if math.isfinite(value) else None for value in answers[name]]
+        for name in open_at
+        if name in answers
     }
     return [
         kind(parameter=axis.name, path=axis.called_path, unit=axis.key.unit or "1", values=given.tolist(), **answers)

@@ -54,8 +54,6 @@ class Pack(ABC):
     """Share of the torque that passes the balls of a direct clutch, z_2 f_2/Σ z f."""
     lift: Any
     """Torque of the balls at which they leave the stop, N·m."""
-    farthest_turn: Any
-    """Turn of the balls at which the closing spring is slack, rad."""
 
     def ratio(self, slip: Any) -> Any:
         """Friction at a slip over sliding friction."""
@@ -163,7 +161,6 @@ class DirectPack(Pack):
     travels = False
     least_force = -math.inf
     lift = math.inf
-    farthest_turn = 1.0
 
     def __post_init__(self) -> None:
         """Calculate what does not change; no key makes rise and fall of the torque differ."""
@@ -261,11 +258,6 @@ class Sleeve(Pack):
     def farthest(self) -> Any:
         """Travel at which the closing spring is slack, m."""
         return self.closing_spring.deflection
-
-    @property
-    def farthest_turn(self) -> Any:
-        """Turn of the balls at the travel ``farthest``, rad."""
-        return sleeve.turn(self.farthest, self.mean_radius, self.stop_gain, self.gain_slope)
 
     def torque(self, ratio: Any) -> Any:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
