@@ -17,10 +17,11 @@ from afmcalc.papers import FIGURES
 
 pytestmark = pytest.mark.usefixtures("libraries")
 ABOUT = ("torque", "accuracy", "adjust", "overload", "pocket", "life", "check", "compare", "layout")
+BOTH = ("default", "indirect")
 WALK = {part: [line.split() for line in lines] for part, lines in READ["shown"].items()} | {
-    "law": [[each, f"example:{name}"] for each, name in zip(ABOUT, itertools.cycle(("default", "indirect")))],
+    "law": [[each, f"example:{name}"] for each, name in zip(ABOUT, itertools.cycle(BOTH))],
     "other law": [[each, f"example:{name}"] for each, name in zip(ABOUT, itertools.cycle(("indirect", "default")))],
-    "other steps": [["explain", name, f"example:{each}"] for name, each in zip(EXPLAINED, itertools.cycle(("default", "indirect")))],
+    "other steps": [["explain", each, f"example:{name}"] for each, name in zip(EXPLAINED, itertools.cycle(BOTH))],
     "plots": [["plot", name, "example:default"] for name, each in PLOTS.items() if each.takes == "clutch" and name not in ("springs", *DRAWINGS)],
     "figures": [["plot", "paper", name] for name in FIGURES],
     "help": [["--help"], *(["help", each] for each in ("options", "plots")), *([name, "--help"] for name in COMMANDS)],

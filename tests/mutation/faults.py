@@ -3,8 +3,8 @@
     python tests/mutation/faults.py               # all of faults.toml
     python tests/mutation/faults.py tests/spec    # those whose tests begin so
 
-Each is put into a copy of the tree, where its ``tests`` run until one fails. Exit code 1 if less than SHARE are noticed or
-what a fault replaces does not stand exactly once in its file, 2 if the tests fail without a fault.
+Each is put into a copy of the tree, where its ``tests`` run until one fails. Exit code 1 if less than SHARE are noticed
+or what a fault replaces does not stand exactly once in its file, 2 if the tests fail without a fault.
 """
 
 import ast

@@ -3,10 +3,10 @@
     python tests/mutation/run.py            # all modules, where equations or proofs differ from those of the last run
     python tests/mutation/run.py direct     # one, always
 
-A mutant is killed where a stored value changes, a proof fails or a dimension is wrong, or where one of these raises (how
-many died so is told); a proof that does not end within SECONDS kills nothing. Exit code 1 if one survives that is not
-justified below, 2 if an unchanged function does not survive. A run over all modules without survivors stores the hash of
-what it has tested (``equations.sha256``).
+A mutant is killed where a stored value changes, a proof fails or a dimension is wrong, or where one of these raises
+(how many died so is told); a proof that does not end within SECONDS kills nothing. Exit code 1 if one survives that is not
+justified below, 2 if an unchanged function does not survive. A run over all modules without survivors stores the hash
+of what it has tested (``equations.sha256``).
 """
 
 import ast
