@@ -85,6 +85,13 @@ def answered(afmcalc):
     return functools.cache(afmcalc)
 
 
+@pytest.fixture(scope="module")
+def libraries(answered):
+    """Libraries that draw, derive and sample are imported before the time of a test runs."""
+    for line in ("plot torque", "explain torque", "tolerance example:tolerance --set tolerance.samples=1000"):
+        answered(*line.split())
+
+
 @pytest.fixture(scope="session")
 def chromium():
     """A headless browser, one for the whole run."""
@@ -131,10 +138,8 @@ def _the_whole_run():
     cases.kept = functools.lru_cache(4096)(cases.kept.__wrapped__)
 
 
-LONGEST = 1.0
-"""Process time of a test that is marked neither slow nor tool, s."""
-LOOP = 0.06
-"""Process time of ``_loop`` on the machine on which LONGEST was set, s."""
+LONGEST = 1.0  # Process time of a test that is marked neither slow nor tool, s
+LOOP = 0.06  # Process time of ``_loop`` on the machine on which LONGEST was set, s
 
 
 def _loop() -> float:

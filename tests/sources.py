@@ -48,5 +48,6 @@ def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
 
 
 DATA = Path(__file__).parent / "data"
-REFUSED, READ = (tomllib.loads((DATA / f"{name}.toml").read_text(encoding="utf-8")) for name in ("refused", "read"))
-"""Inputs that are refused, and how it is said; inputs that are read."""
+TABLES = (tomllib.loads((DATA / f"{name}.toml").read_text(encoding="utf-8")) for name in ("refused", "read", "page"))
+REFUSED, READ, SCRIPTS = TABLES
+"""Inputs that are refused, and how it is said; inputs that are read; what is done in a page."""

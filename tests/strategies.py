@@ -99,14 +99,7 @@ def indirect_specs(
         holding = (closing + control) / (pairs * at_set * force)
         about = st.one_of(st.just(0.0), st.just(1.0), st.floats(1e-3, 1.1), st.floats(1, 4))
         unit["gain_slope"] = holding * draw(about)
-    return make_spec(
-        {
-            "variant": "indirect",
-            "friction": own,
-            "friction_group": {"pairs": pairs, "mean_radius": radius},
-            "closing_spring": {"force": force, "stiffness": closing},
-            "control_spring": {"stiffness": control},
-            "control_unit": unit,
-            "adjustment": {"method": method, "margin": draw(st.floats(1, 2))},
-        }
-    )
+    spec = {"variant": "indirect", "friction": own, "friction_group": {"pairs": pairs, "mean_radius": radius}}
+    spec |= {"closing_spring": {"force": force, "stiffness": closing}, "control_spring": {"stiffness": control}}
+    spec |= {"control_unit": unit, "adjustment": {"method": method, "margin": draw(st.floats(1, 2))}}
+    return make_spec(spec)

@@ -1,7 +1,6 @@
 """One question, one answer: what several commands tell is the same number, and no friction exceeds it.
 
-Random clutches of every kind. Extremes are searched over 10⁴ frictions, and by a law written here from the balance
-of the sleeve (theory, sections 5 and 12); a quantity that another command begins to tell is one place more in TOLD.
+Extremes are searched over 10⁴ frictions, and by a law written here from the balance of the sleeve (theory, 5 and 12).
 """
 
 import itertools
@@ -183,9 +182,8 @@ class Asked:
 def rows_of(page: str) -> dict[str, list[float]]:
     """Numbers in the rows of a report's tables by each text of the row; of rows of the same text the first's."""
     rows = [re.findall(r"<t[dh]([^>]*)>(.*?)</t[dh]>", row, re.S) for row in re.findall("<tr>(.*?)</tr>", page, re.S)]
-    plain = [
-        [("number" in kind, re.sub("<.*?>", "", text.replace("<sub>", "_"))) for kind, text in row] for row in rows
-    ]
+    bare = re.compile("<.*?>")
+    plain = [[("number" in kind, bare.sub("", text.replace("<sub>", "_"))) for kind, text in row] for row in rows]
     return {
         name: [float(text) for is_number, text in row if is_number and re.fullmatch(r"[\d.]+", text)]
         for row in reversed(plain)
@@ -253,10 +251,7 @@ def verdict(wrong: list[str], telling: set[str], *tables: str) -> None:
     assert not (silent := places - telling), f"places that never tell a number: {silent}"
 
 
-TELLING, AGREED = set[str](), set[str]()
-"""Places that told a number of any clutch, and kinds of the clutches."""
-
-
+TELLING, AGREED = set[str](), set[str]()  # Places that told a number of any clutch, and kinds of the clutches
 QUICK = ["unlike", "curved"]
 
 
@@ -368,13 +363,9 @@ def test_no_friction_exceeds_what_is_told(seeds, kinds, ask):
             jump = np.abs(np.diff(torque_of(*grids[-1]))).argmax()
             grids.append([np.linspace(one[jump], one[jump + 1], steps) for one in grids[-1]])
         torque = np.concatenate([torque_of(*grid) for grid in grids])
-        searched = {
-            "torque > torque_range/low": torque.min(),
-            "torque > torque_range/high": torque.max(),
-            "accuracy > accuracy_factor": torque.max() / torque.min(),
-            "required torque_max": torque.max(),
-            "life > protected/as_set": cycles(asked, torque.min(), torque.max()),
-        }
+        low, high = torque.min(), torque.max()
+        searched = {"torque > torque_range/low": low, "torque > torque_range/high": high, "required torque_max": high}
+        searched |= {"accuracy > accuracy_factor": high / low, "life > protected/as_set": cycles(asked, low, high)}
         if spec["variant"] == "indirect":
             law, unit, ends = Law(spec), spec["control_unit"], (given["min"], given["max"])
             torque, travel = law.rise(*ends, steps)

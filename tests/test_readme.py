@@ -58,21 +58,8 @@ def test_line_by_line_in_an_empty_folder(undrawn, afmcalc, tmp_path, monkeypatch
 
 PIECES = tomllib.loads((ROOT / "tests" / "data" / "pieces.toml").read_text(encoding="utf-8"))
 """Text that the page says is added, by file."""
-BEFORE, LINES = (PIECES["asked"][name] for name in ("before", "lines"))
+BEFORE, LINES, ASKED = (PIECES["asked"][name] for name in ("before", "lines", "program"))
 del PIECES["asked"]
-
-ASKED = """
-import afmcalc
-from afmcalc.cli.main import main
-assert afmcalc.__file__.startswith({home!r}), afmcalc.__file__
-print(afmcalc.load().gap().gap)
-for arguments in {arguments!r}:
-    print("====")
-    try:
-        main(arguments)
-    except SystemExit as ended:
-        assert not ended.code, arguments
-"""
 
 
 @pytest.mark.tool

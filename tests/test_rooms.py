@@ -23,8 +23,7 @@ LINE = [
 """A room imports from itself and from rooms to its left."""
 
 GROUND = {"errors", "findings", "formula_tree", "messages", "progress", "result", "units"}
-MAY_ONLY = {"equations": set(), "ground": set()}
-"""Rooms that know less than what is left of them."""
+MAY_ONLY = {"equations": set(), "ground": set()}  # Rooms that know less than what is left of them
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -91,8 +90,7 @@ def test_no_circle():
 
 ALWAYS = {"value", "limit", "path", None}
 """The fields of a finding, whether or not its sentence shows it; None: a dictionary of further values."""
-GLUED = (ast.JoinedStr, ast.BinOp)
-"""Texts put together on the spot, which no catalogue could hold."""
+GLUED = (ast.JoinedStr, ast.BinOp)  # Texts put together on the spot, which no catalogue could hold
 
 
 def fields(template: str) -> set[str]:

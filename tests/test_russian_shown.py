@@ -7,7 +7,7 @@ import re
 import pytest
 from babel.messages.pofile import read_po
 from conftest import slow
-from sources import REFUSED
+from sources import READ, REFUSED
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
 from afmcalc.cli.main import COMMANDS
@@ -15,46 +15,18 @@ from afmcalc.cli.names import DRAWINGS
 from afmcalc.messages import FOLDER, language
 from afmcalc.papers import FIGURES
 
-SHORT = ["--set", "drive.event.duration=0.02"]
+pytestmark = pytest.mark.usefixtures("libraries")
 ABOUT = ("torque", "accuracy", "adjust", "overload", "pocket", "life", "check", "compare", "layout")
-WALK = {
-    "law": [[each, f"example:{name}"] for each, name in zip(ABOUT, itertools.cycle(("default", "indirect")))],
+BOTH = ("default", "indirect")
+WALK = {part: [line.split() for line in lines] for part, lines in READ["shown"].items()} | {
+    "law": [[each, f"example:{name}"] for each, name in zip(ABOUT, itertools.cycle(BOTH))],
     "other law": [[each, f"example:{name}"] for each, name in zip(ABOUT, itertools.cycle(("indirect", "default")))],
-    "drive": [[each, "example:drive", *SHORT] for each in ("simulate", "life")],
-    "effects": [["effects", "example:drive", *SHORT]],
-    "searches": [
-        ["springs", "example:conventional", "--kind", "disc"],
-        ["tolerance", "example:tolerance", "--set", "tolerance.samples=1000"],
-        ["compare", "--variants"],
-        ["accuracy", "--sweep", "C=0.2:1:3"],
-        ["solve", "accuracy_factor=1.01"],
-        ["check", "--set", "requirements.peak_torque=1", "--set", "requirements.cycles=1e9", "--set", "C=3"],
-    ],
-    "papers": [
-        ["papers"],
-        ["papers", "--misprints"],
-        ["papers", "--claims"],
-        *(["list", each] for each in ("examples", "materials", "discs", "balls")),
-    ],
-    "steps": [
-        ["explain", "torque", "example:default", "--format", "markdown"],
-        ["explain", "life", "example:indirect"],
-    ],
-    "other steps": [
-        ["explain", name, f"example:{example}"]
-        for name, example in zip(EXPLAINED, itertools.cycle(("default", "indirect")))
-    ]
-    + [["accuracy", "--format", "markdown", "--sweep", "C=0,1"]],
-}
-SLOW = {
+    "other steps": [["explain", each, f"example:{name}"] for each, name in zip(EXPLAINED, itertools.cycle(BOTH))],
     "plots": [["plot", name, "example:default"] for name, each in PLOTS.items() if each.takes == "clutch" and name not in ("springs", *DRAWINGS)],
     "figures": [["plot", "paper", name] for name in FIGURES],
-    "design": [["design", "example:requirements"], ["springs", "example:indirect"]],
-    "report of a drive": [["report", "example:drive", *SHORT], ["simulate", "example:drive", *SHORT, "--set", "drive.event="]],
     "help": [["--help"], *(["help", each] for each in ("options", "plots")), *([name, "--help"] for name in COMMANDS)],
     "spec": [*(["init", "-", "--kind", kind] for kind in ("clutch", "tolerance", "drive")), *(["schema", name] for name in ANALYSES)],
     "mistakes": [["check", "--set", each] for each in REFUSED["mistakes"]] + [each.split() for each in REFUSED["arguments"]],
-    "report": [["report", "example:conventional"]],
 }  # fmt: skip
 
 PROSE = re.compile(r"[a-z]{3,}[,;:]? [a-z]{3,}|^[A-Z][a-z]+$")
@@ -89,13 +61,6 @@ def known():
         return {each.id if isinstance(each.id, str) else each.id[0] for each in read_po(file) if each.id}
 
 
-@pytest.fixture(scope="module", autouse=True)
-def _libraries(answered):
-    """Libraries that draw and derive are imported before the time of a test runs."""
-    answered("plot", "torque")
-    answered("explain", "torque")
-
-
 @pytest.fixture
 def noting(monkeypatch):
     monkeypatch.setenv("AFMCALC_LANG", "ru")
@@ -112,12 +77,12 @@ def shown_by(run) -> str:
     return re.sub(no_text, " ", re.sub(of_parser, " ", html.unescape(text)))
 
 
-@pytest.mark.parametrize("part", ["law", "steps", *slow(*sorted(WALK.keys() - {"law", "steps"}), *SLOW)])
+@pytest.mark.parametrize("part", ["law", "steps", *slow(*sorted(WALK.keys() - {"law", "steps"}))])
 def test_nothing_that_is_shown_is_english(part, known, noting, afmcalc, undrawn):
     """All that is looked up is there, and what is shown has no English words and no text as the catalogue has it."""
     sentences = [text for text in known if PROSE.search(text) and "{" not in text and len(text) > 17]
     wrong = []
-    for command in (WALK | SLOW)[part]:
+    for command in WALK[part]:
         noting.asked.clear()
         run = afmcalc(*command)
         assert run.code in (0, 1, 2, 3), run.err

@@ -1,16 +1,11 @@
 """The records of the variants: what a spec, an engine and every analysis ask them."""
 
 import pytest
+from sources import DATA
 
 from afmcalc.variants import VARIANTS, Variant
 
-SPEC = """variant = "two-bypass"
-friction = {min = 0.1, mean = 0.3, max = 0.8}
-friction_group = {pairs = 8, mean_radius = 0.1}
-closing_spring = {force = 2000}
-control_unit = {gain = 0.4}
-adjustment = {margin = 1.25}
-"""
+SPEC = (DATA / "two-bypass.toml").read_text(encoding="utf-8")
 
 
 def torque(f: float, gain: float = 0.4, pairs: int = 8) -> float:

@@ -1,7 +1,4 @@
-"""English texts of the program that people read, as far as they can be listed: what a catalogue has to hold.
-
-What lists do not tell (help, reports, units) is noted while it is shown: tests/test_russian_shown.py.
-"""
+"""English texts that people read, as far as they can be listed; the rest is noted while shown (test_russian_shown)."""
 
 import ast
 import os
@@ -16,8 +13,7 @@ from typing import Any, get_args
 from conftest import CONFIGS
 from sources import PACKAGE, called, calls
 
-Key = tuple[str, str]
-"""Context and text."""
+Key = tuple[str, str]  # Context and text
 
 FAILURES = (ENOENT, EACCES, EPERM, EISDIR, ENOTDIR, ENOSPC, EROFS, ENAMETOOLONG, ELOOP, EBADF, EIO, EPIPE)
 """Why files cannot be read or written, as the system says it."""
@@ -136,9 +132,8 @@ def _papers() -> Iterator[Key]:
     for figure in map(paper_figure, FIGURES):
         labels = (curve.label for panel in figure.panels for curve in panel)
         axes = (axis.name for axis in (figure.x, *figure.y))
-        yield from (
-            ("", text) for text in (figure.title, figure.inputs, figure.assumed, *figure.corrections, *labels, *axes)
-        )
+        own = (figure.title, figure.inputs, figure.assumed, *figure.corrections)
+        yield from (("", text) for text in (*own, *labels, *axes))
 
 
 def _examples() -> Iterator[Key]:

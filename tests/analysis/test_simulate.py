@@ -72,14 +72,6 @@ def test_the_command(afmcalc, tmp_path):
     assert afmcalc("torque", written, "--json").json["spec"]["drive"]["dynamic_factor"] == pytest.approx(factor)
 
 
-def test_check_holds_the_peak_against_the_requirement(afmcalc):
-    light = [CONFIGS / "drive.toml", "--set", "drive.motor_inertia=0.1", "--set", "drive.event.duration=0.05", "--json"]
-    ended = afmcalc("check", *light, "--set", "requirements.peak_torque=300")
-    row, *_ = ended.json["result"]["checks"]
-    assert (ended.code, row["path"]) == (1, "requirements.peak_torque")
-    assert row["value"] == pytest.approx(afmcalc("simulate", *light).json["result"]["peak_torque"]["max"])
-
-
 @pytest.mark.slow
 def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcalc):
     """Which are, before the balls take over, an ordinary clutch of one pair."""

@@ -6,6 +6,7 @@ from contextlib import suppress
 import numpy as np
 import pytest
 from random_clutches import random_clutches
+from sources import REFUSED
 
 from afmcalc import errors, load
 from afmcalc.analysis.solve import SEVERAL, parse_target, solve
@@ -22,12 +23,8 @@ AIMS = ("accuracy_factor", "accuracy_factor_peak", "nominal_torque", "torque_max
 
 def scan(spec, path, target, low, high):
     """The quantity at so many values between two; NaN where the gain is above its limit."""
-    whole = is_whole(path)
-    at = (
-        np.arange(low, high + 1)
-        if whole
-        else np.union1d(np.linspace(low, high, 4001), np.geomspace(max(low, high / 1e6), high, 4001))
-    )
+    dense = np.union1d(np.linspace(low, high, 4001), np.geomspace(max(low, high / 1e6), high, 4001))
+    at = np.arange(low, high + 1) if is_whole(path) else dense
     with np.errstate(all="ignore"):
         many = build(with_key(spec, path, at))
         value = np.broadcast_to(np.asarray(many[target], float), at.shape)
@@ -66,12 +63,10 @@ def judge(spec, name, target, wanted):
         assert best > 1e-9 * wanted
         return "none"
     assert result.value in roots
-    assert build(make_spec(solved.spec.model_dump(exclude_none=True)))[target] == pytest.approx(
-        result.reached, rel=1e-9
-    )
-    crossed = np.flatnonzero(
-        (gap[:-1] * gap[1:] < 0) & (np.minimum(np.abs(gap[:-1]), np.abs(gap[1:])) > 1e-10 * wanted)
-    )
+    again = build(make_spec(solved.spec.model_dump(exclude_none=True)))
+    assert again[target] == pytest.approx(result.reached, rel=1e-9)
+    apart = np.minimum(np.abs(gap[:-1]), np.abs(gap[1:])) > 1e-10 * wanted
+    crossed = np.flatnonzero((gap[:-1] * gap[1:] < 0) & apart)
     if is_whole(path):
         on = {*at[np.abs(gap) <= 1e-12 * wanted]}
         assert {*roots} == {*at[crossed], *at[crossed + 1], *on}
@@ -145,9 +140,8 @@ def test_nothing_attains_it():
 def test_a_whole_key_has_whole_values(afmcalc):
     """T_max = 2000·0.1·z·0.8/(1 + 0.4 (z − 1)) of 4 and 5 pairs; at most 300 N·m is met by 4."""
     result = afmcalc("solve", "torque_max=300", "--for", "z", "--json").json["result"]
-    assert [(root["value"], root["reached"]) for root in result["roots"]] == [
-        (z, pytest.approx(160 * z / (1 + 0.4 * (z - 1)))) for z in (4, 5)
-    ]
+    roots = [(z, pytest.approx(160 * z / (1 + 0.4 * (z - 1)))) for z in (4, 5)]
+    assert [(root["value"], root["reached"]) for root in result["roots"]] == roots
     assert result["value"] == 4
     least = afmcalc("solve", "nominal_torque=80", "--for", "z", "--json").json
     assert (least["result"]["value"], least["spec"]["friction_group"]["pairs"]) == (5, 5)
@@ -187,10 +181,9 @@ def test_force_for_a_life():
     result, _, _ = solve(build(spec), "F", "cycles", 1e6)
     per_force = sum(0.1 * 8 * f / (1 + 7 * 0.5 * f) for f in (0.1, 0.8)) / 2
     assert result.value == pytest.approx(400e6 * (1e7 / 1e6) ** (1 / 6) * 15e-6 / 2 / per_force, rel=1e-6)
-    assert load(result_spec := respecified(spec, {"closing_spring.force": result.value}).model_dump(exclude_none=True))[
-        "cycles"
-    ] == pytest.approx(1e6)
-    assert load(result_spec).with_(F=100)["cycles"] == np.inf
+    own = respecified(spec, {"closing_spring.force": result.value}).model_dump(exclude_none=True)
+    assert load(own)["cycles"] == pytest.approx(1e6)
+    assert load(own).with_(F=100)["cycles"] == np.inf
     none, _, _ = solve(build(spec), "F", "cycles", 1e8)
     assert (none.roots, none.reached) == ([], pytest.approx(1e7, rel=1e-6))
 
@@ -219,14 +212,7 @@ def test_a_force_replaces_the_torque_it_was_set_for(afmcalc):
     assert "solve-replaces" in [finding["code"] for finding in run["findings"]]
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        "--for x accuracy_factor=2", "--for name accuracy_factor=2", "--for c1 accuracy_factor=2", "torque=100",
-        "--for z1 accuracy_factor=2 example:indirect", "--for R reduced_gain=8", "acuracy_factor=2", "accuracy_factor",
-        "nominal_torque=2J", "travel_max=1mm", "accuracy_factor=nan", "peak_torque=100", "is_broken=1", "torque_at_x=1",
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize("arguments", REFUSED["solve"])
 def test_what_cannot_be_asked(arguments, afmcalc):
     run = afmcalc("solve", *arguments.split())
     assert (run.code, run.out) == (2, "")

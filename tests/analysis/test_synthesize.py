@@ -54,12 +54,10 @@ FORCE = {"allowable_contact_force": 5000}
 STEEL = {"ball_modulus": 206e9, "ball_poisson": 0.3, "wall_modulus": 206e9, "wall_poisson": 0.3}
 CONTACT = {"contact": STEEL | {"allowable_pressure": 4.2e9}}
 BY_HERTZ, BY_FORCE = {True: 3.08}, {False: 0.115}
+JUDGED = [({}, BY_HERTZ), (FORCE, BY_FORCE), (CONTACT, BY_HERTZ), (FORCE | CONTACT, BY_HERTZ | BY_FORCE)]
 
 
-@pytest.mark.parametrize(
-    ("given", "judged"),
-    [({}, BY_HERTZ), (FORCE, BY_FORCE), (CONTACT, BY_HERTZ), (FORCE | CONTACT, BY_HERTZ | BY_FORCE)],
-)
+@pytest.mark.parametrize(("given", "judged"), JUDGED)
 def test_small_balls_are_judged_by_hertz_unless_a_force_is_given(given, judged):
     """187 N allowed, share 3.08, 6.1 GPa; 0.115 of the flat 5 kN; both where both are given."""
     own = small_balls(given)
@@ -105,6 +103,5 @@ def test_the_completed_spec_is_the_same_clutch(afmcalc, tmp_path):
     before, after = (afmcalc("torque", path, "--json").json["result"]["torque"] for path in (S21, target))
     assert after == pytest.approx(before)
     own.write_text('diameters = [30, "60 mm", 200]')
-    assert (
-        afmcalc("pocket", "--set", f"catalogues.balls={own}", "--json").json["result"]["ball_diameter_standard"] == 0.03
-    )
+    found = afmcalc("pocket", "--set", f"catalogues.balls={own}", "--json").json["result"]
+    assert found["ball_diameter_standard"] == 0.03

@@ -33,9 +33,8 @@ FORCE, RADIUS = "closing_spring.force", "friction_group.mean_radius"
 def study(data, fields, **options):
     """Result and findings of a spec with a block of tolerances; few rows of Sobol indices."""
     data = data if isinstance(data, dict) else resolved(data)
-    return tolerance(
-        build(make_spec({**data, "tolerance": {"fields": fields, "sobol_base": 64, "samples": 20_000, **options}}))
-    )
+    block = {"fields": fields, "sobol_base": 64, "samples": 20_000, **options}
+    return tolerance(build(make_spec({**data, "tolerance": block})))
 
 
 def agrees(result, name, expected):
@@ -107,10 +106,8 @@ def test_error_bars_are_the_errors():
     samples = rng.lognormal(0, 0.3, (runs, size))
     for figure, true in truth.items():
         found = [estimate("x", figure, sample) for sample in samples]
-        told, own = (
-            np.mean(np.square(each))
-            for each in ([one["x_standard_error"] for one in found], [one["x"] - true for one in found])
-        )
+        told = np.mean(np.square([one["x_standard_error"] for one in found]))
+        own = np.mean(np.square([one["x"] - true for one in found]))
         assert math.sqrt(told / own) == pytest.approx(1, abs=3 / math.sqrt(2 * runs))
 
 
@@ -235,10 +232,8 @@ def test_one_clutch_has_one_life(correlation):
     assert max(lives) == pytest.approx(min(lives), rel=1e-9)
     z, clutch = np.random.default_rng(2).standard_normal((2, 100_000)), build(make_spec(base))
     scores = z[0], correlation * z[0] + math.sqrt(1 - correlation**2) * z[1]
-    frictions = [
-        own.mean * (0.8 + 0.4 * special.ndtr(score))
-        for own, score in zip(clutch.spec.friction.groups, scores, strict=True)
-    ]
+    pairs = zip(clutch.spec.friction.groups, scores, strict=True)
+    frictions = [own.mean * (0.8 + 0.4 * special.ndtr(score)) for own, score in pairs]
     damage = (clutch.at_friction(*frictions)["torque"] / (400e6 * 15e-6)) ** 6 / 1e7
     error = damage.std() / math.sqrt(damage.size) / damage.mean()
     assert result.life_protected * damage.mean() == pytest.approx(1, abs=3 * error)
@@ -246,12 +241,8 @@ def test_one_clutch_has_one_life(correlation):
 
 def test_peaks_are_interpolated_between_single_events():
     """The peak rises with friction: quantiles are events at its quantiles; of a force, events of other clutches."""
-    block = {
-        "fields": {"friction": {"distribution": "uniform"}},
-        "quantiles": [0.25, 0.75],
-        "sobol_base": 64,
-        "samples": 20_000,
-    }
+    block = {"fields": {"friction": {"distribution": "uniform"}}, "quantiles": [0.25, 0.75]}
+    block |= {"sobol_base": 64, "samples": 20_000}
     own = light(tolerance=block, requirements={"peak_torque": outcome_of(light(), 0.45).event.peak})
     result, findings = tolerance(own)
     assert "peaks-interpolated" in {each.code for each in findings}

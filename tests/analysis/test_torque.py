@@ -71,12 +71,8 @@ def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
     assert [row["nominal_torque"] for row in rows[4:]] == pytest.approx([clutch.nominal_torque] * 4)
     assert rows[3]["accuracy_factor"] == pytest.approx(rows[7]["accuracy_factor"])
     # with equal force and with equal torque K_т of 1.6 and of 1.5999999999999996 miss the same requirement
-    told = [
-        each["message"]
-        for each in afmcalc(
-            "compare", CONFIGS / "drilling-head-clutch.toml", "--set", "drive.event=", "--variants", "--json"
-        ).json["findings"]
-    ]
+    asked = [CONFIGS / "drilling-head-clutch.toml", "--set", "drive.event=", "--variants", "--json"]
+    told = [each["message"] for each in afmcalc("compare", *asked).json["findings"]]
     assert len(told) == len({*told}) > 1
 
 

@@ -106,9 +106,8 @@ def test_the_path_turns_the_sleeves_as_far_as_the_law():
 def test_what_cannot_be_cut_says_what_would():
     clutch = constant_torque(gain=1.0, allowable_contact_force=5e3)
     found, findings = pocket(clutch)
-    hint, refusal = sorted(
-        (each for each in findings if each.code == "wall-undercut"), key=lambda each: each.level == "error"
-    )
+    told = [each for each in findings if each.code == "wall-undercut"]
+    hint, refusal = sorted(told, key=lambda each: each.level == "error")
     assert (refusal.level, hint.level) == ("error", "info")
     assert found.wall is None
     gain = float(f"{hint.value:.4g}")

@@ -1,7 +1,4 @@
-"""A sweep of a million points through the Python API against the bare NumPy expressions of the same formulas.
-
-A sweep is made once: each is timed in processes of its own, where neither finds memory that the other has fetched.
-"""
+"""A sweep of a million points through the Python API and in bare NumPy, each timed once in a process of its own."""
 
 import statistics
 import subprocess
@@ -65,22 +62,18 @@ def seconds(name):
     return float(run.stdout)
 
 
-@pytest.mark.parametrize(
-    ("text", "ours", "plain", "limit"),
-    [
-        ("torque of 1e6 frictions", torque, bare_torque, 1.2),
-        ("sweep of 1e6 gains, accuracy factor alone", swept, bare, 1.25),  # 1.02 to 1.24 seen: validation is a tenth
-        ("sweep of 1e6 gains, three answers each", swept_three, bare_three, 1.1),
-    ],
-)
+@pytest.mark.parametrize(("text", "ours", "plain", "limit"), [
+    ("torque of 1e6 frictions", torque, bare_torque, 1.2),
+    ("sweep of 1e6 gains, accuracy factor alone", swept, bare, 1.25),  # 1.02 to 1.24 seen: validation is a tenth
+    ("sweep of 1e6 gains, three answers each", swept_three, bare_three, 1.1),
+])  # fmt: skip
 def test_a_million_points(text, ours, plain, limit, report):
     values = np.linspace(0.1, 0.8, 1001)
     if ours is torque:
         assert np.array_equal(ours(values), plain(values))
     else:
-        assert {name: found.tolist() for name, found in ours(values).items()} == {
-            name: wanted.tolist() for name, wanted in plain(values).items()
-        }
+        own, theirs = ({name: each.tolist() for name, each in of(values).items()} for of in (ours, plain))
+        assert own == theirs
     times = [(seconds(ours.__name__), seconds(plain.__name__)) for _ in range(PAIRS)]
     # the quarter least disturbed: a single sweep is a few milliseconds
     own, theirs = (statistics.quantiles(each, n=4)[0] for each in zip(*times, strict=True))

@@ -1,8 +1,6 @@
 """The wait of a person: CPU seconds of every command on every shipped example, start-up included.
 
-    python tests/benchmarks/waits.py                     # every command on every example
-    python tests/benchmarks/waits.py simulate check      # some commands
-    python tests/benchmarks/waits.py --example drive     # one example
+    python tests/benchmarks/waits.py simulate check --example drive    # all commands on all examples if none is named
 
 Each row is a process of its own; the ratio is to ``python -c "import numpy, scipy.integrate"``, run before it.
 With ``--start`` the wall time of three short commands against the import of the program's own four libraries.
@@ -30,8 +28,7 @@ EVERY = (
 )
 """Commands about a clutch; ``design`` is asked of the examples that search."""
 ALONE = ("papers --claims", "handbook -o handbook.html", "papers", "list materials", "list examples", "--help")
-WAIT = 300.0
-"""A command is ended after this time, s."""
+WAIT = 300.0  # A command is ended after this time, s
 
 
 def commands(chosen: list[str], example: str | None) -> Iterator[list[str]]:

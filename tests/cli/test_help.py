@@ -41,11 +41,8 @@ def test_the_panels_hold_every_command_and_topics_the_rest(afmcalc):
     shown = afmcalc("--help").out
     assert set(COMMANDS) <= set(re.findall(r"^  (\S+)", shown, re.MULTILINE))
     assert [heading for heading in main.PANELS if f"\n{heading}:\n" not in shown] == []
-    for topic, named in {
-        "options": "--set PATH=VALUE",
-        "keys": "control_unit.gain",
-        "quantities": "peak_torque",
-    }.items():
+    topics = {"options": "--set PATH=VALUE", "keys": "control_unit.gain", "quantities": "peak_torque"}
+    for topic, named in topics.items():
         assert named in afmcalc("help", topic).out
     assert afmcalc("help").out == afmcalc("-help").out == shown
     assert afmcalc("-v").out == afmcalc("--version").out

@@ -19,6 +19,7 @@ SWEEPING = ["accuracy", "overload", "life", "simulate", "plot accuracy", "plot l
 SHORT = ["--set", "drive.event.duration=0.002", "--set", "tolerance.samples=1000", "--set", "tolerance.sobol_base=64"]
 REFUSED = {"en": "error: ", "ru": "ошибка: "}
 WRONG = ['["stop"]', "{a = 1}", "1", "true", "x"]
+pytestmark = pytest.mark.usefixtures("libraries")
 ASKED = [
     *(name for name in COMMANDS if name in ANALYSES and ANALYSES[name].section and name not in SWEEPING),
     *("compare", "check", "solve accuracy_factor=2"), *(f"explain {name}" for name in EXPLAINED),
@@ -39,13 +40,6 @@ def cases():
             yield ["check", spec, *short, "--set", f"{key}="], language
         for key, value in itertools.product(TEXTS, WRONG):
             yield ["check", spec, *short, "--set", f"{key}={value}"], language
-
-
-@pytest.fixture(scope="module", autouse=True)
-def _libraries(answered):
-    """Libraries that draw, derive and sample are imported before the time of a test runs."""
-    for line in ("plot torque", "explain torque", "tolerance example:tolerance --set tolerance.samples=1000"):
-        answered(*line.split())
 
 
 @pytest.mark.parametrize("share", [2400, pytest.param(300, marks=pytest.mark.slow)])

@@ -155,8 +155,7 @@ OWN: dict[str, Any] = {
 """Arguments of a command beside those of all; where they stand first they are positional."""
 _NEEDED = {"design": "requirements", "tolerance": "tolerance", "simulate": "drive", "effects": "drive"}
 """Command → the only example it can be asked about."""
-LONG = ("simulate", "effects", "springs", "design")
-"""Commands that integrate and search."""
+LONG = ("simulate", "effects", "springs", "design")  # Commands that integrate and search
 ASKED = [*(name for name in ANALYSES if name in COMMANDS and name not in ("papers", *LONG)), "plot"]
 
 

@@ -13,6 +13,7 @@ from hostile import ASKED, LONG, calculations, command_lines
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
+pytestmark = pytest.mark.usefixtures("libraries")
 SECONDS = 2.0
 LASTING = {"handbook": 60, **dict.fromkeys(LONG, 60)}
 """Command → how many times as long it may take: an event with few steps is a second of two processors."""
@@ -84,13 +85,6 @@ def nothing_breaks_it(afmcalc, cases, many: int) -> None:
 def _fewer_steps(monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.setattr("afmcalc.drive.integrator.MOST_STEPS", 2000)  # the same refusal, sooner
-
-
-@pytest.fixture(scope="module", autouse=True)
-def _libraries(answered):
-    """The first import is no part of the time of a case."""
-    for line in ("tolerance example:tolerance --set tolerance.samples=1000", "plot torque", "explain torque", "check"):
-        answered(*line.split())
 
 
 @pytest.mark.parametrize("command", ASKED)

@@ -3,10 +3,8 @@
     python tests/mutation/faults.py               # all of faults.toml
     python tests/mutation/faults.py tests/spec    # those whose tests begin so
 
-Each is put into a copy of the tree, where its ``tests`` run until one fails. It is noticed where pytest tells of a
-failure; a run that does not end in time notices nothing. Exit code 1 if less than SHARE of them are noticed, or if what
-a fault replaces does not stand exactly once in its file (where it was rewritten, put in a fault of what came after it);
-2 if the tests fail without a fault.
+Each is put into a copy of the tree, where its ``tests`` run until one fails. Exit code 1 if less than SHARE are noticed
+or what a fault replaces does not stand exactly once in its file, 2 if the tests fail without a fault.
 """
 
 import ast
@@ -28,8 +26,7 @@ ROOT = Path(__file__).parents[2]
 COPIED = ("afmcalc", "configs", "tests", ".ci", "pyproject.toml", "README.md", "CHANGELOG.md")
 SHARE = 0.9
 SECONDS = 300
-PASSED, FAILED = 0, (1, 2)
-"""Exit codes of pytest; 2: a module could not be imported."""
+PASSED, FAILED = 0, (1, 2)  # Exit codes of pytest; 2: a module could not be imported
 _TIMES = count(1)
 
 

@@ -3,12 +3,10 @@
     python tests/mutation/run.py            # all modules, where equations or proofs differ from those of the last run
     python tests/mutation/run.py direct     # one, always
 
-A mutant is killed where a stored value of a hundred clutches changes, a proof's identity fails to vanish or a dimension is
-wrong, but also where one of these checks raises anything else (``TypeError``, a solution that is none): without the mutant all pass, and pytest fails of an
-exception as of an assertion; how many died so is told. A proof that does not end within SECONDS kills nothing: the other
-proofs decide. Each mutant runs in a process of its own, with only the mutated function exchanged. Exit code 1 if one
-survives that is not justified below, 2 if an unchanged function does not survive. A run over all modules without
-survivors stores the hash of what it has tested (``equations.sha256``).
+A mutant is killed where a stored value changes, a proof fails or a dimension is wrong, or where one of these raises
+(how many died so is told); a proof that does not end within SECONDS kills nothing. Exit code 1 if one survives that is not
+justified below, 2 if an unchanged function does not survive. A run over all modules without survivors stores the hash
+of what it has tested (``equations.sha256``).
 """
 
 import ast
@@ -33,8 +31,7 @@ TESTED = (
     "afmcalc/equations/*.py", "tests/proofs/*.py", "tests/equations/test_dimensions.py",
     "tests/engines/test_oracle.py",
 )  # fmt: skip
-EQUIVALENT: dict[str, str] = {}
-"""Mutants (as printed) that compute the same as the original, each with the reason."""
+EQUIVALENT: dict[str, str] = {}  # Mutants (as printed) that compute the same as the original, each with the reason
 NO_EQUATIONS = ("__init__", "arrays", "catalogue", "terms", "wiring")
 SWAPS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
 SECONDS = 20

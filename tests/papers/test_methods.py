@@ -36,9 +36,8 @@ def test_bands_by_formula_and_by_direct_comparison(spec, margin):
     bands = [each.at(friction=own.max)["torque"] - each.at(friction=own.min)["torque"] for each in (at_min, at_mean)]
     assert [result.min_friction.scatter, result.mean_friction.scatter] == pytest.approx(bands, rel=1e-9)
     assert result.scatter_ratio == pytest.approx(bands[1] / bands[0], rel=1e-9)
-    assert result.scatter_ratio == pytest.approx(
-        at_mean.at(friction=own.min)["torque"] / result.nominal_torque, rel=1e-9
-    )
+    lowest = at_mean.at(friction=own.min)["torque"]
+    assert result.scatter_ratio == pytest.approx(lowest / result.nominal_torque, rel=1e-9)
     assert result.force_ratio == pytest.approx(forces[0] / forces[1] * margin)
     for one in (result.min_friction, result.mean_friction):
         assert one.accuracy_factor == pytest.approx(clutch.accuracy_factor, rel=1e-12)
@@ -61,9 +60,8 @@ def test_methods_differ_on_indirect_clutches(spec):
         data["closing_spring"]["force"], data["adjustment"]["method"] = kept.closing_force, method
         clutch = build(make_spec(data))
         assert kept.accuracy_factor == pytest.approx(clutch.accuracy_factor)
-        assert kept.scatter == pytest.approx(
-            clutch.at(friction=own.max)["torque"] - clutch.at(friction=own.min)["torque"], rel=1e-9, abs=1e-9
-        )
+        low, high = (clutch.at(friction=end)["torque"] for end in (own.min, own.max))
+        assert kept.scatter == pytest.approx(high - low, rel=1e-9, abs=1e-9)
     assert (result.pairs_threshold, result.force_ratio) == (None, None)
 
 
@@ -125,9 +123,8 @@ def test_equilibrium_is_the_expected_torque_for_every_margin(spec, margin, share
     result, _ = overload(clutch)
     for at in ("min", "mean", "max"):
         end = getattr(own, at)
-        assert getattr(result.actuation_torque_equilibrium, at) == pytest.approx(
-            clutch.at(friction=end)["torque"], rel=1e-9
-        )
+        torque = clutch.at(friction=end)["torque"]
+        assert getattr(result.actuation_torque_equilibrium, at) == pytest.approx(torque, rel=1e-9)
         potential = capacity(clutch.at(friction=own.min)["torque"] / margin, end)
         assert getattr(result.potential_torque, at) == pytest.approx(potential, rel=1e-9)
         published = getattr(result.expected_torque, at) * getattr(result.actuation_factor, at)

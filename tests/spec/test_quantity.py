@@ -114,17 +114,3 @@ def test_products_are_what_pint_says(parts, unit):
             assert float(factor(own, unit)) == pytest.approx(float(expected), rel=1e-12)
         except ValueError as error:
             assert expected is None, (own, str(error))  # 1/min is a speed of rotation here
-
-
-@pytest.mark.parametrize(("text", "unit", "value"), [
-    ("2,5 кН", "N", 2500), ("2,5kN", "N", 2500), ("0,125 kN", "N", 125), ("-1,5 N", "N", -1.5), ("1,2345 N", "N", 1.2345), ("0,7", "1", 0.7),
-    ("1500,125 N", "N", 1500.125),
-])  # fmt: skip
-def test_a_decimal_comma_is_read_in_any_language(text, unit, value):
-    assert parse_quantity(text, unit) == pytest.approx(value, rel=1e-15)
-
-
-@pytest.mark.parametrize("text", ["1,500 N", "125,000 N", "1,2,3 N", "2.000,5 N"])
-def test_a_comma_that_may_separate_thousands_is_refused(text):
-    with pytest.raises(ValueError, match="or .*\\?|cannot be read|is not a unit"):
-        parse_quantity(text, "N")

@@ -62,10 +62,7 @@ def finished(coroutine: Any) -> Any:
 
 
 class Site:
-    """The application that a command line ``afmcalc serve …`` would serve, and what may be asked of it.
-
-    ``run`` is what the command left; ``listening`` the address it would listen on, None where it refused to.
-    """
+    """What ``afmcalc serve …`` would serve; ``listening``: the address it would listen on, None where it refused to."""
 
     def __init__(self, afmcalc: Callable[..., Run], *arguments: object) -> None:
         self.listening: tuple[str, int] | None = None

@@ -21,8 +21,7 @@ import pytest
 from pages import Answer
 
 PROGRAM = [sys.executable, "-m", "afmcalc"]
-_SECONDS = 60
-"""After which nothing is waited for any longer."""
+_SECONDS = 60  # After which nothing is waited for any longer
 proc = pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="processes are counted in /proc")
 
 

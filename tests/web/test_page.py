@@ -6,6 +6,7 @@ import shlex
 import pytest
 from browser import browser
 from pages import TABS, is_shown
+from sources import SCRIPTS
 
 pytestmark = [browser, pytest.mark.tool]
 FOLD = "document.querySelectorAll('#form details').forEach(one => one.open = false)"
@@ -29,12 +30,7 @@ def is_the_commands(afmcalc):
 
 def slide(page, key, share):
     """Set the slider beside a field as a mouse does, to a share of its way; the text of the field."""
-    page.page.locator(f'[name="{key}"] ~ input[type=range]').evaluate(
-        """(slider, share) => {
-          slider.value = Number(slider.min) + share * (slider.max - slider.min)
-          slider.dispatchEvent(new Event('input', {bubbles: true})) }""",
-        share,
-    )
+    page.page.locator(f'[name="{key}"] ~ input[type=range]').evaluate(SCRIPTS["slide"], share)
     return page.field(key).input_value()
 
 
@@ -90,14 +86,8 @@ def test_without_a_mouse(opened, served):
     assert 0.7 < float(moved) < 0.9
     page.answered(f"gain={moved}")
     focus(page, "#tab-accuracy")
-    for key, name in (
-        ("ArrowRight", 1),
-        ("End", -1),
-        ("ArrowRight", 0),
-        ("ArrowLeft", -1),
-        ("Home", 0),
-        ("ArrowRight", 1),
-    ):
+    keys = ("ArrowRight", "End", "ArrowRight", "ArrowLeft", "Home", "ArrowRight")
+    for key, name in zip(keys, (1, -1, 0, -1, 0, 1), strict=True):
         keyboard.press(key)
         assert page.page.evaluate("document.activeElement.id") == f"tab-{TABS[name]}"
     keyboard.press("Enter")
@@ -118,19 +108,6 @@ def test_without_a_mouse(opened, served):
     served.spec.write_bytes(before)
 
 
-ASKING = """url => Promise.all(['cors', 'no-cors'].map(mode =>
-  fetch(url, {mode}).then(reply => reply.text(), () => '').then(text => text.length)))"""
-INJECTED = """async () => {
-  const inline = document.createElement('script'), div = document.createElement('div')
-  inline.textContent = 'window.ran = 1'
-  div.innerHTML = '<img src=x onerror="window.ran = 2"><svg onload="window.ran = 3"></svg>'
-  document.body.append(inline, div)
-  const there = await fetch('http://127.0.0.1:9/').then(() => 'loaded', () => 'refused')
-  await new Promise(done => setTimeout(done, 200))
-  return [window.ran ?? null, there]
-}"""
-
-
 def test_nothing_leaves_the_page_and_nothing_comes_in(opened, served, chromium):
     """Every request goes where the page is from; no script but its own runs; no other page reads or frames it."""
     page = opened(served)
@@ -140,35 +117,24 @@ def test_nothing_leaves_the_page_and_nothing_comes_in(opened, served, chromium):
     assert not [url for url in page.requests if not url.startswith((served.url, "data:", "about:srcdoc", "blob:"))]
     assert not page.page.evaluate("document.cookie")
     assert page.problems == []
-    assert page.page.evaluate(INJECTED) == [None, "refused"]
+    assert page.page.evaluate(SCRIPTS["injected"]) == [None, "refused"]
     assert any("Content Security Policy" in text for text in page.problems)
     page.problems.clear()
     other = chromium.new_page()
     other.route("http://evil.example/", lambda route: route.fulfill(body="<p>hello", content_type="text/html"))
     other.goto("http://evil.example/")
-    assert other.evaluate(ASKING, served.url) == [0, 0]
+    assert other.evaluate(SCRIPTS["asking"], served.url) == [0, 0]
     other.set_content(f'<iframe src="{served.url}" width="900" height="600"></iframe>')
     other.wait_for_timeout(500)
     assert not other.frames[-1].query_selector("form")
     other.close()
 
 
-BURST = """async () => {
-  const field = document.querySelector('[name="control_unit.gain"]')
-  for (let number = 1; number <= 100; number++) {
-    field.value = (0.3 + 0.003 * number).toFixed(4)
-    field.dispatchEvent(new Event('input', {bubbles: true}))
-    await new Promise(done => setTimeout(done, 5))
-  }
-  return field.value
-}"""
-
-
 def test_a_burst_ends_with_the_last_state(opened, served, is_the_commands):
     """No older answer comes after it, another tab changes nothing of it, and it survives a reload."""
     page = opened(served)
     page.tab().fill('[name="control_unit.gain"]', "0.9")
-    last = page.page.evaluate(BURST)
+    last = page.page.evaluate(SCRIPTS["burst"])
     page.answered(f"gain={last}")
     assert is_the_commands(page)["gain"] == float(last)
     page.page.wait_for_timeout(300)
@@ -180,9 +146,6 @@ def test_a_burst_ends_with_the_last_state(opened, served, is_the_commands):
 
 
 WIDE = "document.documentElement.scrollWidth"
-UNNAMED = """[...document.querySelectorAll('input:not([type=hidden]), select, textarea, button')].filter(one =>
-  !(one.labels?.length && [...one.labels].some(label => label.textContent.trim())) && !one.getAttribute('aria-label')
-  && !one.textContent.trim() && !one.getAttribute('aria-labelledby')).map(one => one.outerHTML)"""
 SHOWN = {"drive": ("en", "dark", ["heat"]), "indirect": ("ru", "light", ["accuracy", "explanation", "report"])}
 
 
@@ -193,7 +156,7 @@ def test_it_is_accessible_and_fits_a_telephone(opened, serve, name):
     page = opened(serve(name, "--lang", language), scheme=scheme, width=375)
     assert page.page.get_attribute("html", "lang") == language
     page.unfold()
-    assert page.page.evaluate(UNNAMED) == []
+    assert page.page.evaluate(SCRIPTS["unnamed"]) == []
     assert page.page.get_attribute("#status", "role") == "status"
     page.page.click("#pin")
     faults = {"form": page.axe()}

@@ -9,7 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.accuracy_factor import accuracy
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.explain.formula import Expression, FormulaText, leaf
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED
@@ -115,9 +114,8 @@ def printed_forms(equation, sign):
         numbers |= {next(iter(numbers)): -0.37}
     symbols = {argument: native(symbol) for argument, (symbol, _) in terms.items()}
     assert len(set(symbols.values())) == len(symbols)
-    formula = FormulaText(
-        equation.function, {name: (symbols[name], unit) for name, (_, unit) in terms.items()}, numbers
-    )
+    units = {name: (symbols[name], unit) for name, (_, unit) in terms.items()}
+    formula = FormulaText(equation.function, units, numbers)
     # a symbol of several letters, or a ratio, is read as the product or ratio of them
     several = re.compile(r"(?!sin|cos|tan|ln|largest)([^ /()]+)([ /])(\S+)")
     names = {symbol: numbers[argument] for argument, symbol in symbols.items() if not several.fullmatch(symbol)}
@@ -174,11 +172,3 @@ def test_the_search_for_a_gain_that_can_be_cut_is_not_explained(afmcalc):
     told = afmcalc("explain", "pocket", CONFIGS / "constant-torque.toml", *wide, "--json").json
     assert "wall-undercut" in {each["code"] for each in told["findings"]}
     assert len(told["result"]["steps"]) < 70
-
-
-@pytest.mark.parametrize("force", [2500, 5500, 9000])
-def test_accuracy_of_springs_as_made_has_a_step(force):
-    spec = read_spec("example:indirect", [f"control_spring.force={force}"])
-    found, _ = explain("accuracy", spec)
-    values = {step.symbol: step.value for step in found.steps if step.at is None}
-    assert values["K_T"] == pytest.approx(accuracy(build(spec))[0].accuracy_factor, rel=1e-12)

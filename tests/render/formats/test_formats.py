@@ -8,26 +8,16 @@ import re
 from pathlib import Path
 
 import pytest
-from conftest import CONFIGS, S21, slow
+from conftest import slow
 from jsonschema import validate
+from sources import READ
 
 from afmcalc.analysis.registry import ANALYSES, schema
 
-COMMANDS = {
-    "torque": ["torque", CONFIGS / "default.toml", "--friction", "0.2", "--friction", "0.9"],
-    "accuracy-grid": ["accuracy", CONFIGS / "all-driving.toml", "--sweep", "C=0.5,1", "--sweep", "z=2:6:3"],
-    "accuracy-sweep": ["accuracy", CONFIGS / "default.toml", "--sweep", "C=0:2:9"],
-    "overload-sweep": ["overload", CONFIGS / "all-driving.toml", "--sweep", "zC=1:5:5"],
-    "pocket": ["pocket", CONFIGS / "indirect.toml"],
-    "compare": ["compare", CONFIGS / "indirect.toml", "--variants"],
-    "check": ["check", CONFIGS / "default.toml", "--set", "C=2"], "explain": ["explain", "life", S21],
-    "misprints": ["papers", "--misprints"], "materials": ["list", "materials"],
-}  # fmt: skip
-STORED = {
-    "torque": COMMANDS["torque"], "accuracy-grid": COMMANDS["accuracy-grid"], "pocket": COMMANDS["pocket"],
-    "check": COMMANDS["check"], "check.ru": [*COMMANDS["check"], "--lang", "ru"],
-    "torque.ru": ["torque", CONFIGS / "indirect.toml", "--lang", "ru"],
-}  # fmt: skip
+COMMANDS = {name: line.split() for name, line in READ["formats"].items()}
+QUICK = ("torque", "accuracy-grid", "pocket", "check")
+STORED = {name: COMMANDS[name] for name in QUICK} | {"check.ru": [*COMMANDS["check"], "--lang", "ru"]}
+STORED |= {"torque.ru": ["torque", "example:indirect", "--lang", "ru"]}
 
 
 @pytest.mark.parametrize("name", STORED)
@@ -37,9 +27,6 @@ def test_a_stored_table(name, answered):
     if os.environ.get("AFMCALC_UPDATE"):
         path.write_text(text, encoding="utf-8")
     assert text == path.read_text(encoding="utf-8"), f"{name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
-
-
-QUICK = ("torque", "accuracy-grid", "pocket", "check")
 
 
 @pytest.mark.parametrize("name", [*QUICK, *slow(*(name for name in COMMANDS if name not in QUICK))])
@@ -68,9 +55,8 @@ def test_the_formats_of_an_answer_agree(name, answered):
     flat = [{name: part for name, part in row.items() if name != "checks"} for row in lists[0]] if lists else result
     assert {*numbers(flat)} <= written
     opened = opened_with_commas(excel.out)
-    assert [[cell for cell in row if isinstance(cell, float)] for row in opened] == [
-        [float(cell) for cell in row if is_number(cell)] for row in wanted
-    ]
+    told = [[float(cell) for cell in row if is_number(cell)] for row in wanted]
+    assert [[cell for cell in row if isinstance(cell, float)] for row in opened] == told
 
 
 def cells(line, rule=None):

@@ -7,8 +7,7 @@ from conftest import slow
 
 EXAMPLES = ["default", *slow("tolerance")]
 LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-STANDARD = re.compile(r"ISO 3290-1|ГОСТ 3722-2014")
-"""Of balls: each language names its own."""
+STANDARD = re.compile(r"ISO 3290-1|ГОСТ 3722-2014")  # Of balls: each language names its own
 COUNTED = re.compile(r"(Table|Таблица|Figure|Рисунок) \d+")
 CODE = re.compile(r"--[a-z][\w-]*|\[?\b[a-z]{3,}(?:_[a-z]{2,})+|\b(?:friction|fatigue|drive|machine|heat)\.[a-z]+")
 """A key of the spec, or an option of the command line."""

@@ -5,6 +5,7 @@ import subprocess
 
 import pytest
 from conftest import CONFIGS
+from sources import SCRIPTS
 
 from afmcalc.analysis.dossier import dossier
 from afmcalc.messages import ENGLISH, language, speaking
@@ -15,12 +16,6 @@ from afmcalc.render.report.blocks import Section
 from afmcalc.render.report.sheets import print_pdf
 from afmcalc.spec import read_spec
 from afmcalc.spec.models import TitleBlock
-
-IN_ITS_BOX = """[...document.querySelectorAll('.scroll')].every(box => {
-  const own = box.getBoundingClientRect(), right = own.left + box.scrollWidth
-  return box.scrollHeight <= box.clientHeight && [...box.querySelectorAll('math, math *')].every(each => {
-    const it = each.getBoundingClientRect()
-    return it.top >= own.top && it.bottom <= own.bottom && it.left >= own.left && it.right <= right + 0.5 }) })"""
 
 
 @pytest.mark.tool
@@ -41,16 +36,15 @@ def test_in_a_browser(what, chromium, drawn, book, tmp_path):
         page.emulate_media(color_scheme=scheme)
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
-        assert page.evaluate(IN_ITS_BOX), scheme
+        assert page.evaluate(SCRIPTS["in_its_box"]), scheme
     assert page.evaluate("getComputedStyle(document.documentElement).backgroundColor") == "rgb(21, 23, 26)"
     page.close()
 
 
 def document(name="default", **more):
     """A report of a clutch that ships."""
-    title = TitleBlock(
-        drawing="AFM-17", author="Ш.", date="2026-02-03", revision="4", form=more.pop("form", "calculation")
-    )
+    form = more.pop("form", "calculation")
+    title = TitleBlock(drawing="AFM-17", author="Ш.", date="2026-02-03", revision="4", form=form)
     told = dossier(read_spec(f"example:{name}"), explained=not more.get("short"))
     return laid_out(Subject(told, "C = 0.5", title, **more))
 
