@@ -152,10 +152,7 @@ def hammering(**more: object):
 
 
 def referee(clutch, f, end, *, seat=2e-7, slow=2e-3, late=3e-5):
-    """Peaks of shaft and clutch, heat: theory-drive, section 9, every set-valued law a steep one.
-
-    ``seat``: turn of balls at their stop; ``slow``: slip of viscous friction; ``late``: N comes to the edge of its play.
-    """
+    """Peaks of shaft and clutch, heat: theory-drive 9, steep laws: turn ``seat``, viscous slip ``slow``, play ``late``."""
     spec, drive = clutch.spec, clutch.spec.drive
     z, R, C = spec.friction_group.pairs, clutch.mean_radius, spec.control_unit.gain
     key = 2 * R * spec.control_unit.key_friction / spec.control_unit.hub_diameter

@@ -192,10 +192,7 @@ def seated(low):
 
 @pytest.mark.parametrize("low", [0.5, 0.4, 0.25, 0.1])
 def test_a_sleeve_that_never_left_its_stop_does_not_return(low):
-    """The key keeps N = F_п2/(1 + z κ f_max) = 750 N down to f_max κ/κ₊ = 0.25; below, N = F_п2/(1 + z κ₊ f).
-
-    Along κ₊ the force on the stop would be nought at f = 0.5: a sleeve that came back from a travel would sit down there.
-    """
+    """The key keeps N = F_п2/(1 + z κ f_max) = 750 N down to f_max κ/κ₊ = 0.25; below, N = F_п2/(1 + z κ₊ f)."""
     clutch = build(seated(low))
     assert clutch.travel_max == 0
     pressed = max(1500 / (1 + 2 * 0.5), 1500 / (1 + 4 * low))

@@ -99,10 +99,7 @@ def test_curvature_of_a_coil_in_a_textbook():
 
 
 def test_coil_spring_by_en_13906_1():
-    """A published verification (wire 5, outside 39.6, 9.5 turns of 11.5, 105.8 long): 16.181 N/mm.
-
-    Its least gaps, 12.3 mm, are for a load that swings: 1.5 times those of one that rests.
-    """
+    """A published verification (wire 5, outside 39.6, 9.5 turns of 11.5, 105.8 long): 16.181 N/mm; gaps of swinging."""
     own = CoilCharacteristic(CoilSprings(wire_diameter=5e-3, coil_diameter=34.6e-3, turns=9.5, free_length=105.8e-3))
     assert own.rate == pytest.approx(16181, abs=0.5)
     assert 1.5 * (own.end - own.range[1]) == pytest.approx(12.3e-3, abs=1e-4)
