@@ -228,20 +228,20 @@ def test_every_number_of_a_clutch_can_be_wanted():
         solve(clutch, "F", "mean_pressure", 1e6)
 
 
-LIFE = [f"--set=fatigue.{key}" for key in ("endurance_limit=20MPa", "polar_section_modulus=15cm^3", "base_cycles=1e7")]
+SHAFT = [f"--set=fatigue.{key}" for key in ("endurance_limit=20MPa", "polar_section_modulus=15cm^3", "base_cycles=1e7")]
 
 
 def test_a_value_of_a_step_is_reached_and_an_unlimited_life_is_empty(afmcalc):
     """The standard ball has one diameter over a range of gains; below the endurance limit there is no number of slips."""
     assert afmcalc("solve", "ball_diameter_standard=0.025", "--for", "C", "--json").json["result"]["roots"]
-    swept = afmcalc("accuracy", *LIFE, "--sweep", "F=500,3000", "--columns", "cycles", "--json").json["result"]["sweep"]
+    swept = afmcalc("accuracy", *SHAFT, "--sweep", "F=500,3000", "--columns", "cycles", "--json").json["result"]["sweep"]
     assert [value is None for value in swept[0]["cycles"]] == [True, False]
 
 
 @pytest.mark.slow
 def test_a_life_beside_an_event_takes_its_dynamic_factor(afmcalc, tmp_path):
     """The spec that is solved for a life passes the check that requires it, to the precision of a root."""
-    life = (*LIFE, "--set=requirements.cycles=1e6")
+    life = (*SHAFT, "--set=requirements.cycles=1e6")
     afmcalc("solve", "cycles=1e6", "--for", "F", "example:drive", *life, "--save", str(tmp_path / "found.toml"))
     rows = afmcalc("check", str(tmp_path / "found.toml"), "--json").json["result"]["checks"]
     assert [row["value"] for row in rows if row["path"] == "requirements.cycles"] == pytest.approx([1e6], rel=1e-3)
