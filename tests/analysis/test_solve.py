@@ -234,8 +234,8 @@ SHAFT = [f"--set=fatigue.{key}" for key in ("endurance_limit=20MPa", "polar_sect
 def test_a_value_of_a_step_is_reached_and_an_unlimited_life_is_empty(afmcalc):
     """The standard ball has one diameter over a range of gains; below the endurance limit there is no number of slips."""
     assert afmcalc("solve", "ball_diameter_standard=0.025", "--for", "C", "--json").json["result"]["roots"]
-    swept = afmcalc("accuracy", *SHAFT, "--sweep", "F=500,3000", "--columns", "cycles", "--json").json["result"]["sweep"]
-    assert [value is None for value in swept[0]["cycles"]] == [True, False]
+    run = afmcalc("accuracy", *SHAFT, "--sweep", "F=500,3000", "--columns", "cycles", "--json")
+    assert [value is None for value in run.json["result"]["sweep"][0]["cycles"]] == [True, False]
 
 
 @pytest.mark.slow
