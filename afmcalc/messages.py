@@ -198,7 +198,7 @@ _LATIN = table("""\
 пуск = st; тр = fr; зад = req; ном = nom""")
 """Letters of an index of the papers → Latin ones, of the English word that they stand for."""
 _LATIN_OF = table("F_п = cl; T_п = pot; K_п = n; m_п = st; T_муф = exp; T_маш = mach; σ_т τ_т = y")
-"""The same of a symbol in which they stand for another word."""
+"""Latin index of a symbol in which the Cyrillic one stands for another word."""
 _INDEX_WORD = re.compile(r"[а-яё]+|(?<![^\W\d_])cp(?![^\W\d_])")
 _INDEXED = re.compile(r"(?<![^\W_])[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*")
 _QUOTED = re.compile("(«[^»]*»)")

@@ -115,7 +115,7 @@ class Triple(AtEnds):
 
 
 class OpenTriple(AtEnds):
-    """The same of a quantity that need not be: null where there is none."""
+    """Optional ``Triple``: null where there is none."""
 
     min: float | None = Field(description="at f_min")
     mean: float | None = Field(description="at the mean friction")

@@ -17,9 +17,9 @@ from .asking import Answers
 from .clutch_findings import clutch_findings
 from .drive_result import SimulateResult
 from .fatigue import UNLIMITED
-from .heat import heat_values
 from .registry import ANALYSES
 from .simulate import event_values
+from .trip_heat import heat_values
 from .unusual import unusual
 
 Grade = Literal["pass", "note", "warning", "fail", "not judged"]

@@ -1,4 +1,4 @@
-"""What a simulation of the drive tells."""
+"""Results of a simulation of the drive."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Literal

@@ -156,7 +156,7 @@ def _pocket(wall: Wall, depth: float, relief: float) -> Points:
 
 
 def _mirrored(points: Points) -> Points:
-    """The same in the other sleeve, which turns the other way."""
+    """Contour in the other sleeve, which turns the other way."""
     return [(-along, -around) for along, around in points]
 
 

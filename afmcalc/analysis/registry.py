@@ -45,7 +45,7 @@ class Section(NamedTuple):
     sources: Sequence[str] = ()
     """Keys of the references it rests on."""
     sources_indirect: Sequence[str] = ()
-    """The same for an indirect clutch, where its law is another."""
+    """Sources for an indirect clutch, where its law is another."""
 
 
 @cache
@@ -174,7 +174,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "heat", "analysis.heat", "HeatResult", _heat_is_known, ("answers",), explained=True, judged=True,
+            "heat", "analysis.trip_heat", "HeatResult", _heat_is_known, ("answers",), explained=True, judged=True,
             conclusion=_heated, example="drive",
         ),
         Analysis(

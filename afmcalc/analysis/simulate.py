@@ -8,7 +8,7 @@ import numpy as np
 
 from ..drive.cases import Case, Outcome, case_of, outcome_of
 from ..drive.integrator import CLOSE, CLOSE_CLUTCH, CLOSED, SPREAD, Event, Row, peak_time
-from ..drive.pack import Sleeve
+from ..drive.pack_and_sleeve import Sleeve
 from ..drive.train import Train, train_of
 from ..engines import Clutch
 from ..engines.checks import Beside, failures_of

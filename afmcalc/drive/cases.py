@@ -8,7 +8,7 @@ from ..engines import Clutch
 from ..equations.arrays import Values
 from .integrator import Event, simulate
 from .motion import stacked
-from .pack import DirectPack, Sleeve, ordinary_pack, pack_of
+from .pack_and_sleeve import DirectPack, Sleeve, ordinary_pack, pack_of
 from .train import Train, train_of
 
 
@@ -82,7 +82,7 @@ def case_of(clutch: Clutch, driving: Values, driven: Values | None = None, *, or
 
 
 class Outcome(NamedTuple):
-    """What an event does at one friction."""
+    """Event at one friction, of the clutch and of an ordinary one in its place."""
 
     case: Case
     event: Event
@@ -101,7 +101,7 @@ class Outcome(NamedTuple):
 
     @property
     def ended(self) -> bool:
-        """Whether the slip has ended, as far as is known for good."""
+        """True if the slip has ended for good, as far as is known."""
         return _ended(self.event, self.case)
 
     @property
@@ -121,7 +121,7 @@ class Outcome(NamedTuple):
 
     @property
     def rattles(self) -> bool:
-        """Whether the balls leave their stop, against which the sleeve then rattles."""
+        """True if the balls leave their stop, against which the sleeve then rattles."""
         return bool(self.event.travel_max)
 
     @property
@@ -132,7 +132,7 @@ class Outcome(NamedTuple):
 
     @property
     def endless(self) -> bool:
-        """Whether the motor is what keeps it slipping."""
+        """True if the motor keeps it slipping."""
         train, event = self.case.train, self.event
         strong = train.cut_off is None and abs(event.last) <= train.engine.torque
         return not self.ended and strong and not event.stuck

@@ -16,7 +16,7 @@ from ..messages import say
 from ..progress import tell
 from .bounds import settled, slips_below
 from .motion import Motion, clip, cut, larger, where
-from .pack import DirectPack, Sleeve
+from .pack_and_sleeve import DirectPack, Sleeve
 from .train import Train
 
 STEPS_A_SWING = 150
@@ -47,16 +47,16 @@ _FEW = 6
 CLOSE = 2e-3
 """Error of the peak, relative, up to which a step is fine enough."""
 CLOSE_CLUTCH = 3e-3
-"""The same at the clutch, whose torque springs as its slip ends."""
+"""Error of the peak at the clutch, whose torque springs as its slip ends, up to which a step is fine enough."""
 SPREAD = 0.01
-"""The same of heat and slip time, beyond which they are ill-conditioned."""
+"""Relative error of heat and slip time beyond which they are ill-conditioned."""
 CLOSED = 1e-3
-"""The same of the energy balance."""
+"""Relative error of the energy balance beyond which a result is an error."""
 _HALVINGS = 3
 _QUIET = 1e-3
 """Swing, relative to the torque, below which nothing swings."""
 _SILENT = 1e-9
-"""The same where a swing may grow again."""
+"""Swing below which nothing swings where a swing may grow again."""
 _CARRIES = 1e-6
 """Share of the slip torque that a motor may lack and still never stop."""
 _SWINGS = 6.0
@@ -82,7 +82,7 @@ class Row(NamedTuple):
 
 
 class Event(NamedTuple):
-    """What an event did to a drive, or to many; torques in N·m."""
+    """Results of an event for a drive, or for many; torques in N·m."""
 
     peak: Any
     peak_clutch: Any
@@ -102,11 +102,11 @@ class Event(NamedTuple):
     last: Any
     """Torque of the clutch at the end."""
     stuck: Any
-    """Whether the pack does not slip at the end."""
+    """True if the pack does not slip at the end."""
     passed: Any
-    """Whether no torque of the shaft exceeds the peak any more."""
+    """True if no torque of the shaft exceeds the peak any more."""
     settled: Any
-    """Whether nothing more can come."""
+    """True if nothing more can come."""
     pulled: Any
     """Torque with which the pack slipped as the motor was switched off; 0 where it did not."""
     rows: Any = ()
@@ -114,11 +114,11 @@ class Event(NamedTuple):
     peak_error: Any = 0.0
     """Change of the peak against twice the step, relative."""
     clutch_error: Any = 0.0
-    """The same of the peak at the clutch."""
+    """Change of the peak at the clutch against twice the step, relative."""
     slip_error: Any = 0.0
-    """The same of heat or slip time."""
+    """Change of heat or slip time against twice the step, relative."""
     other: Any = None
-    """The same event with twice the step, of one drive."""
+    """Event with twice the step, of one drive."""
 
 
 def simulate(
@@ -320,7 +320,7 @@ class _Watch:
         return found
 
     def event(self, motion: Motion, ended: Any) -> Event:
-        """What has happened."""
+        """Event so far."""
         size = larger(larger(self.most, abs(motion.motor_work)), larger(abs(motion.tool_work), motion.heat))
         residual = abs(motion.left - self.begun) / size
         figures = (

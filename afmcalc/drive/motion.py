@@ -15,7 +15,7 @@ import numpy as np
 from ..engines.quantities import Quantities
 from ..equations import direct
 from ..equations.arrays import is_array
-from .pack import DirectPack, Sleeve
+from .pack_and_sleeve import DirectPack, Sleeve
 from .train import Train
 
 _NEARLY_NO = 1e-30

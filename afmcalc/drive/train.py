@@ -67,7 +67,7 @@ class Train:
 
     @property
     def without_hub(self) -> "Train":
-        """The same where the hub belongs to the driven half."""
+        """Drive in which the hub belongs to the driven half."""
         return replace(self, driven_inertia=self.driven_inertia + self.hub_inertia, hub_inertia=0.0)
 
     def passed(self, time: Any) -> Any:

@@ -175,7 +175,7 @@ class CoilCharacteristic:
         return self.rate * deflection
 
     def stiffness(self, deflection: Values) -> Values:
-        """The same at every deflection, N/m."""
+        """Stiffness at every deflection, N/m."""
         return self.rate + 0.0 * deflection
 
     def deflection(self, force: Values) -> Values:

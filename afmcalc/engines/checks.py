@@ -56,7 +56,7 @@ class Check(NamedTuple):
     value: str
     """Name of a quantity, or of what the part tells."""
     limit: str | float
-    """The same, or a number that the spec states."""
+    """Name of the quantity that limits, or a number that the spec states."""
     least: bool = False
     strict: bool = False
     """True if a value on the limit fails."""

@@ -175,7 +175,7 @@ class Quantities(Named):
         return self.laws.missing(name, self._names)
 
     def at(self, case: str = "", /, **values: Any) -> "Quantities":
-        """The same clutch in a case, or with other values of some quantities.
+        """Clutch in a case, or with other values of some quantities.
 
         What is set last counts: it displaces values set before of quantities that follow from it. A case sets all that
         it names, or none. Raises MissingError: no such case or quantity.

@@ -37,7 +37,7 @@ _METHODS_UNLIKE: dict[str, Part] = {"min-friction": unlike.SET_AT_MIN, "mean-fri
 KEYS: dict[str, tuple[Part, ...]] = {
     "wall_angle": (pack.WALL_ANGLE_GIVEN,), "uniform-pressure": (pack.UNIFORM_PRESSURE,),
     "uniform-wear": (pressure.UNIFORM_WEAR,), "motor_power": (machine.GIVEN,), "amplitude": (life.AMPLITUDE,),
-    "goodman": (life.GOODMAN,),
+    "goodman": (life.GOODMAN,), "event": (life.AFTER_EVENT,),
 }  # fmt: skip
 """Quantity or option of a spec → the laws that it brings; those of the sleeve have an order of their own."""
 RULES = ("amplitude", "goodman")
@@ -142,6 +142,8 @@ def quantities_of(spec: Spec, *, noted: bool = False) -> Clutch:
         keys.add(group.radius_model or "uniform-wear")
     if unit is not None and unit.pocket is not None:
         keys.add(unit.pocket)
+    if spec.drive.event is not None and spec.drive.dynamic_factor is None:
+        keys.add("event")
     laws = laws_for(spec.variant, spec.adjustment.method, frozenset(keys & _CHOOSING))
     return Clutch(spec, laws, found, noted=noted)
 

@@ -152,6 +152,7 @@ def _each_slip(damaging_stress):
     }
 
 
+AFTER_EVENT = {"dynamic_factor": Same("dynamic_factor_of_event")}
 AMPLITUDE = _each_slip(_equivalent_stress_sensitivity)
 GOODMAN = _each_slip(_equivalent_stress_goodman)
 

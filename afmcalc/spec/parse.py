@@ -36,7 +36,7 @@ class Source(Label):
         return source
 
     def but(self, paths: Iterable[str]) -> "Source":
-        """The same text, with other values at some paths."""
+        """Text with other values at some paths."""
         gone = dict.fromkeys(paths, "")
         findings = (finding for finding in self.findings if finding.path not in gone)
         return Source(self, self.text, {**self.overridden, **gone}, findings)

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from afmcalc.analysis.asking import Answers
 from afmcalc.analysis.check import check
-from afmcalc.analysis.heat import heat
 from afmcalc.analysis.simulate import history
-from afmcalc.drive.heat import Layer, course_of, warming
+from afmcalc.analysis.trip_heat import heat
+from afmcalc.drive.warming import Layer, course_of, warming
 from afmcalc.engines import build
 from afmcalc.spec import make_spec
 

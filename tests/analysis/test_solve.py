@@ -240,7 +240,9 @@ def test_a_value_of_a_step_is_reached_and_an_unlimited_life_is_empty(afmcalc):
 
 @pytest.mark.slow
 def test_a_life_beside_an_event_takes_its_dynamic_factor(afmcalc, tmp_path):
-    """The spec that is solved for a life passes the check that requires it, to the precision of a root."""
+    """The spec that is solved for a life passes the check that requires it; asked by name the life needs the factor."""
+    with pytest.raises(LookupError, match="dynamic_factor_of_event"):
+        load("example:drive")["cycles"]
     life = (*SHAFT, "--set=requirements.cycles=1e6")
     afmcalc("solve", "cycles=1e6", "--for", "F", "example:drive", *life, "--save", str(tmp_path / "found.toml"))
     rows = afmcalc("check", str(tmp_path / "found.toml"), "--json").json["result"]["checks"]

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from afmcalc.analysis.half_section import layout
-from afmcalc.analysis.heat import heat
 from afmcalc.analysis.spring_search import _tables, coil_diameters, coils, picked, ranked, springs
+from afmcalc.analysis.trip_heat import heat
 from afmcalc.engines import build
 from afmcalc.engines.characteristics import DiscCharacteristic
 from afmcalc.engines.parts import SpringDemand, checks_of_part, spring_demands, values_of_part

@@ -6,7 +6,7 @@ from typing import Any
 from afmcalc.drive.cases import Case
 from afmcalc.drive.integrator import Event, step_of, stepped
 from afmcalc.drive.motion import Motion
-from afmcalc.drive.pack import DirectPack, Sleeve
+from afmcalc.drive.pack_and_sleeve import DirectPack, Sleeve
 from afmcalc.drive.train import Engine, Train
 from afmcalc.engines import Clutch, build
 from afmcalc.engines.quantities import Quantities

@@ -10,7 +10,7 @@ from drives import SLEEVE, TRAIN, case, indirect, run, springs
 
 from afmcalc.drive.integrator import simulate, stepped
 from afmcalc.drive.motion import Motion
-from afmcalc.drive.pack import DirectPack, Sleeve
+from afmcalc.drive.pack_and_sleeve import DirectPack, Sleeve
 from afmcalc.drive.train import Engine
 from afmcalc.engines.quantities import Quantities
 

@@ -274,7 +274,7 @@ class _Report:
         self.quantities: dict[str, int] = {}
         """Quantity → number of the formula that gives it."""
         self.terms: dict[Term, int] = {}
-        """The same of equations that are not wired: what they take and give is of one type."""
+        """Term → number of the formula that gives it, of equations that are not wired."""
         self.meanings: set[Meaning] = set()
 
     def derivation(self, steps: list[NotedStep]) -> Derivation:

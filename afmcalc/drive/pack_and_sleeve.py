@@ -30,7 +30,7 @@ class Pack(ABC):
     """Discs with their balls at the stop."""
 
     travels: ClassVar[bool]
-    """Whether the balls can leave their stop."""
+    """True if the balls can leave their stop."""
     mean_radius: Any
     closing_force: Any
     """F_п, of an indirect clutch F_п1, N."""

@@ -6,7 +6,7 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from ..drive.cases import case_of
-from ..drive.heat import Course, Layer, course_of, warming
+from ..drive.warming import Course, Layer, course_of, warming
 from ..engines import Clutch
 from ..engines.checks import failures_of
 from ..engines.parts import following_spring, following_stiffness, lost_by_wear
