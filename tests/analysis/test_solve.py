@@ -232,10 +232,9 @@ SHAFT = [f"--set=fatigue.{key}" for key in ("endurance_limit=20MPa", "polar_sect
 
 
 def test_a_value_of_a_step_is_reached_and_an_unlimited_life_is_empty(afmcalc):
-    """The standard ball has one diameter over a range of gains; below the endurance limit there is no number of slips."""
     assert afmcalc("solve", "ball_diameter_standard=0.025", "--for", "C", "--json").json["result"]["roots"]
     run = afmcalc("accuracy", *SHAFT, "--sweep", "F=500,3000", "--columns", "cycles", "--json")
-    assert [value is None for value in run.json["result"]["sweep"][0]["cycles"]] == [True, False]
+    assert [each is None for each in run.json["result"]["sweep"][0]["cycles"]] == [True, False]
 
 
 @pytest.mark.slow
@@ -243,7 +242,7 @@ def test_a_life_beside_an_event_takes_its_dynamic_factor(afmcalc, tmp_path):
     """The spec that is solved for a life passes the check that requires it; asked by name the life needs the factor."""
     with pytest.raises(LookupError, match="dynamic_factor_of_event"):
         load("example:drive")["cycles"]
-    life = (*SHAFT, "--set=requirements.cycles=1e6")
-    afmcalc("solve", "cycles=1e6", "--for", "F", "example:drive", *life, "--save", str(tmp_path / "found.toml"))
-    rows = afmcalc("check", str(tmp_path / "found.toml"), "--json").json["result"]["checks"]
+    life, found = (*SHAFT, "--set=requirements.cycles=1e6"), str(tmp_path / "found.toml")
+    afmcalc("solve", "cycles=1e6", "--for", "F", "example:drive", *life, "--save", found)
+    rows = afmcalc("check", found, "--json").json["result"]["checks"]
     assert [row["value"] for row in rows if row["path"] == "requirements.cycles"] == pytest.approx([1e6], rel=1e-3)

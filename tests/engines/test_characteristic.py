@@ -66,9 +66,8 @@ def test_a_stack_is_n_forces_and_i_deflections(name, parallel, series, share):
 
 def test_disc_spring_of_a_textbook():
     """Machinery's Handbook, 31st edition (2020), "Disc spring examples", pages 362 and 363.
-
-    80 × 41 × 4, 2.2 high, reckoned with the diameter 77.78 its edges are apart: K_1, K_2, K_3, and at the deflections
-    0.9 and 1.32 mm the force (14 390 and 20 050 N) and the stresses at OM (1103 N/mm²), II and III.
+    80 × 41 × 4, 2.2 high, reckoned with the diameter 77.78 its edges are apart: K_1, K_2, K_3; at 0.9 and 1.32 mm the force
+    (14 390 and 20 050 N) and the stresses at OM (1103 N/mm²), II and III.
     """
     ratio = 80 / 41
     logarithm = math.log(ratio)
