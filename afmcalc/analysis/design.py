@@ -115,9 +115,7 @@ class DesignResult(Answer):
     """The front of a design: points of the grid."""
 
     candidates: int = described("candidates searched")
-    feasible: int = described(
-        "candidates that meet every check; events, heat and springs: as far as the front needs it"
-    )
+    feasible: int = described("candidates that pass; events, heat and springs are judged for the front alone")
     objectives: list[str] = described("what is small on the front", in_words=_small)
     compromise: int | None = described("compromise: its number (least sum of the normalised objectives)", optional=True)
     excluded: dict[str, int] = described(
