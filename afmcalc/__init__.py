@@ -6,23 +6,23 @@
 234.146
 """
 
-TYPE_CHECKING = False  # typing costs more than all the rest, and Ctrl-C may come meanwhile
+TYPE_CHECKING = False  # a type checker takes the name as True; importing it from typing is slow
 if TYPE_CHECKING:
     from .errors import AfmcalcError, FileError, SpecError
     from .python import Clutch, build, compare, design, load, loads
     from .spec import Spec, read_spec
 
-__version__ = "0.3.0"
+__version__ = "0.4.0"
 __all__ = [
     "AfmcalcError", "Clutch", "FileError", "Spec", "SpecError", "build", "compare", "design", "load", "loads",
     "read_spec",
 ]  # fmt: skip
 
 _HOMES = {"errors": ("AfmcalcError", "FileError", "SpecError"), "spec": ("Spec", "read_spec")}
-"""Module → public names of it; all others are of ``python``."""
+"""Module → its public names; all other public names are in the module ``python``."""
 
 
-if not TYPE_CHECKING:  # who checks types is to know every name
+if not TYPE_CHECKING:  # otherwise a type checker would accept any name
 
     def __getattr__(name: str) -> object:
         """Import a public name on first use, so that ``import afmcalc`` costs nothing."""

@@ -1,20 +1,20 @@
-"""Errors meant for people: what is wrong, where, what was given, what is allowed.
+"""Errors for users: the fault, its place, the value given, the values allowed.
 
-What may be missing here is asked for too: the modules of an extra, the texts of the language of the user.
+This module also checks that the modules of an extra and the texts of the user's language are installed.
 """
 
 import re
-import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from importlib.util import find_spec
+from locale import getlocale
 from typing import NamedTuple, TypeVar
 
 from .messages import ENGLISH, FOLDER, LANGUAGES, Language, deferred, filled, language, say, translate
 
 MOST_SHOWN = 20
-"""Problems of a spec that are shown; of the others the number."""
+"""Largest number of problems of a spec that are shown; further problems are only counted."""
 LONGEST_LINE = 390
-"""Characters of a line of an error; with what is put before it, below 400."""
+"""Largest length of a line of an error, characters; with its prefix the line stays below 400."""
 
 
 BEYOND_NUMBERS = deferred("a result is not finite (beyond the range of numbers): check the magnitudes in the spec")
@@ -24,53 +24,45 @@ T = TypeVar("T")
 
 
 def given(value: T | None) -> T:
-    """Return a value, asserting that it is not None: validation guarantees it."""
+    """The value itself, asserted not to be None; validation guarantees that it is given."""
     assert value is not None
     return value
 
 
 class AfmcalcError(Exception):
-    """Anything the user can put right; ``exit_code`` is the code the command line ends with."""
+    """Error that the user can correct; ``exit_code`` is the exit code of the command line."""
 
     exit_code = 2
 
     def __init__(self, template: str, /, **values: object) -> None:
-        """Take a template and the values that fill it, or a sentence."""
+        """Set the message: ``template`` filled with ``values``; without values, ``template`` is only translated."""
         super().__init__(filled(template, values) if values else translate(template))
 
     def __str__(self) -> str:
-        """The message in the language of the user, no line of it too long to read."""
+        """Message in the user's language; lines longer than ``LONGEST_LINE`` are cut."""
         lines = super().__str__().split("\n")
         return "\n".join(line if len(line) <= LONGEST_LINE else f"{line[: LONGEST_LINE - 1]}…" for line in lines)
 
 
 class FileError(AfmcalcError):
-    """A file cannot be read or written."""
+    """Error of a file that cannot be read or written."""
 
     exit_code = 3
 
 
 def reason(error: OSError) -> str:
-    """Why a file could not be read or written."""
+    """Reason why a file could not be read or written, in the user's language."""
     return translate(error.strerror or str(error))
 
 
 def unexpected(error: Exception) -> tuple[bool, list[str]]:
-    """Tell, in the language of the user, of an error that is none of ours.
-
-    Returns:
-        Whether what was asked is beyond the range of numbers, or of memory, else afmcalc is at fault; what to say.
-    """
-    from pydantic import ValidationError
-
-    if isinstance(error, ValidationError):
-        beyond = all(detail["type"] == "finite_number" for detail in error.errors())
-    else:
-        beyond = isinstance(error, ArithmeticError | RuntimeWarning)
-    if beyond:
-        return True, [translate(BEYOND_NUMBERS)]
+    """True for an overflow or a lack of memory, False for a fault of afmcalc; and the sentences to show."""
     if isinstance(error, MemoryError):
         return True, [say("not enough memory for what was asked")]
+    # pydantic's error for a result that is not finite
+    found: list[dict[str, str]] = getattr(error, "errors", list)()
+    if isinstance(error, ArithmeticError | RuntimeWarning) or {each["type"] for each in found} == {"finite_number"}:
+        return True, [translate(BEYOND_NUMBERS)]
     import os
     import traceback
 
@@ -96,13 +88,13 @@ EXTRAS = {
     "pdf": ("matplotlib", "markdown_it", "typst"),
     "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "markdown_it"),
 }
-"""Optional dependencies, as pip knows them → modules they bring."""
+"""Extra of the package, as pip names it → modules that it installs."""
 
 
 def need(extra: str, *modules: str) -> None:
-    """Make sure that the modules of an extra, or these of it, are installed, without importing them.
+    """Check that all ``modules`` (by default the modules of the extra) are installed, without importing them.
 
-    Raises AfmcalcError: one is missing; it says how to get it.
+    Raises AfmcalcError if a module is missing; its message says how to install it.
     """
     missing = [name for name in modules or EXTRAS[extra] if find_spec(name) is None]
     if missing:
@@ -114,51 +106,46 @@ def need(extra: str, *modules: str) -> None:
 
 
 class CalculationError(AfmcalcError, ValueError):
-    """The input is well formed but the calculation asked for has no answer."""
+    """Error of a calculation that has no answer although its input is valid."""
 
 
 _WIDTH = 100
-"""Characters of a line of a text that are shown."""
+"""Largest number of characters of a spec's line that an error shows."""
 
 
 class Place(NamedTuple):
-    """A line of a text, counted from 1."""
+    """Line of the text of a spec; ``line`` counts from 1."""
 
     line: int
     text: str
 
     def shown(self) -> str:
-        """Return the line as an error shows it, cut where it is too long."""
+        """Line with its number as an error shows it, cut at ``_WIDTH`` characters."""
         cut = "".join(sign if sign.isprintable() else " " for sign in self.text[:_WIDTH])
         return f"  {self.line} | {cut.rstrip()}"
 
 
-class Label(str):
-    """Name of a text in messages."""
-
-    def origin(self, path: str) -> str:
-        """Origin of the value at a dotted path: the text, or an option of the command line."""
-        return self
-
-    def place(self, path: str) -> Place | None:
-        """Line of the key at a dotted path; None where the text is not known."""
-        return None
-
-
 class Problem(NamedTuple):
-    """One thing wrong with a spec."""
+    """One fault of a spec."""
 
     path: str
-    """Dotted key path, e.g. ``friction.max``; empty for the spec as a whole."""
+    """Dotted path of the key, such as ``friction.max``; empty for the spec as a whole."""
     given: str | None
-    """The value given, as the user wrote it; None when a key is missing."""
+    """Value as the user wrote it; None if a key is missing."""
     message: str
-    """The fault, and what is allowed."""
+    """Description of the fault, and the values allowed."""
     place: Place | None = None
-    """Line of the text it was read from, as far as that is known."""
+    """Line of the text that has the value; None if unknown."""
+    origin: str = ""
+    """Source of the value, a file or a command-line option; if empty, the source of the spec."""
+
+    @property
+    def where(self) -> str:
+        """Origin of the value, with its line if the line is known."""
+        return f"{self.origin}:{self.place.line}" if self.place else self.origin
 
     def __str__(self) -> str:
-        """One line: path, value, message."""
+        """Path, value and message in one line."""
         where = self.path
         if self.given is not None:
             where = f"{where} = {self.given}" if where else self.given
@@ -166,46 +153,30 @@ class Problem(NamedTuple):
 
 
 class SpecError(AfmcalcError, ValueError):
-    """A spec is invalid; carries every problem found, not only the first."""
+    """Error of an invalid spec; it has all problems found, not only the first."""
 
     def __init__(self, source: str, problems: list[Problem], more: int = 0) -> None:
-        """Collect ``problems`` of the spec read from ``source``; ``more`` are there that nobody looked into."""
-        self.source, self.more = source if isinstance(source, Label) else Label(source), more
-        self.problems = [
-            problem._replace(place=problem.place or self.source.place(problem.path)) for problem in problems
-        ]
+        """Collect ``problems`` of the spec read from ``source``; ``more``: number of further problems not listed."""
+        self.source, self.more = source, more
+        self.problems = [problem._replace(origin=problem.origin or source) for problem in problems]
         lines: list[str] = []
         for problem in self.problems[:MOST_SHOWN]:
-            lines.append(say("{where}: {problem}", where=self.where(problem), problem=str(problem)))
+            lines.append(say("{where}: {problem}", where=problem.where, problem=str(problem)))
             lines += [problem.place.shown()] if problem.place else []
         if hidden := len(self.problems[MOST_SHOWN:]) + more:
-            lines.append(say("{source}: and {hidden:,} more", source=self.source, hidden=hidden))
+            lines.append(say("{source}: and {hidden:,} more", source=source, hidden=hidden))
         super().__init__("{problems}", problems="\n".join(lines))
-
-    def where(self, problem: Problem) -> str:
-        """Origin of the value, with its line, as far as that is known."""
-        origin = self.source.origin(problem.path)
-        return f"{origin}:{problem.place.line}" if problem.place else origin
 
 
 OPTION, VARIABLE = "--lang", "AFMCALC_LANG"
 _LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
 
 
-def chosen_language(
-    lang: str,
-    environment: Mapping[str, str],
-    note: Callable[[str], object] = lambda text: None,
-) -> Language:
-    """Return the language of the option, else of AFMCALC_LANG, else of the system: English where that is not known.
-
-    Args:
-        lang: language asked for by the option, if any.
-        environment: variables of the process.
-        note: is told that the language of the system is not spoken, as its texts are missing.
+def chosen_language(lang: str, environment: Mapping[str, str]) -> Language:
+    """Language of the option ``lang``, else of AFMCALC_LANG, else of the system, else English.
 
     Raises:
-        AfmcalcError: what is asked for is unknown, or its texts are missing.
+        AfmcalcError: the language is unknown, or its texts are missing.
     """
     by, asked = (OPTION, lang) if lang else (VARIABLE, environment.get(VARIABLE, ""))
     if asked and asked not in LANGUAGES:
@@ -213,31 +184,17 @@ def chosen_language(
     name = asked or _system_language(environment)
     try:
         return language(name)
-    except Exception as error:  # whatever is wrong with the file
-        missing = AfmcalcError(
+    except Exception as error:  # the file may be missing, empty or cut off
+        raise AfmcalcError(
             "the texts of the language {name} cannot be read ({folder}: {file}): install afmcalc anew, "
             "or ask for --lang en",
             name=name, folder=FOLDER, file=f"{name}.mo",
-        )  # fmt: skip
-        if asked:
-            raise missing from error
-        note(str(missing))
-        return ENGLISH
+        ) from error  # fmt: skip
 
 
 def _system_language(environment: Mapping[str, str]) -> str:
-    """Return the language of the system: LANGUAGE, a list, is asked first, but not where the locale is plain C."""
+    """Language of the system: by the variable LANGUAGE unless the locale is C, else by the locale, else English."""
     locale = next(filter(None, map(environment.get, _LOCALE)), "")
-    others = [] if re.match(r"(C|POSIX)\b", locale) else environment.get("LANGUAGE", "").split(":")
-    wanted = [name for name in (*others, locale) if name] or [_windows_locale()]
-    return next((known for name in wanted if (known := re.split("[_.@]", name)[0]) in LANGUAGES), ENGLISH.name)
-
-
-def _windows_locale() -> str:
-    """Return the language of the texts of Windows; nothing of another system, whose environment tells it."""
-    if sys.platform != "win32":
-        return ""
-    import ctypes
-    from locale import windows_locale
-
-    return windows_locale.get(ctypes.windll.kernel32.GetUserDefaultUILanguage(), "")
+    others = "" if re.match(r"(C|POSIX)\b", locale) else environment.get("LANGUAGE", "")
+    wanted = f"{others}:{locale}".strip(":") or getlocale()[0] or ""  # on Windows getlocale says Russian_Russia
+    return next((name for each in wanted.split(":") if (name := each[:2].lower()) in LANGUAGES), ENGLISH.name)

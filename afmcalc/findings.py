@@ -1,4 +1,4 @@
-"""Findings: what a designer should know about a legal design, and the sentence of each."""
+"""Findings (remarks on a valid design) and their sentences."""
 
 from dataclasses import dataclass
 from math import isfinite
@@ -13,7 +13,7 @@ Level = Literal["info", "warning", "error"]
 
 @dataclass(frozen=True)
 class Finding:
-    """One remark on a design, with the number it is about and the number it is held against."""
+    """Remark on a design, with the value it is about and the limit of that value."""
 
     level: Annotated[
         Level, Field(description="info: worth knowing; warning: not as the law or the wish says; error: must change")
@@ -34,16 +34,16 @@ def finding(
     path: str | None = None,
     **values: object,
 ) -> Finding:
-    """Make a finding with the sentence of its code in ``FINDINGS``, which shows ``value``, ``limit``, ``path``, others.
+    """Finding with the sentence of its code in ``FINDINGS``, filled with ``value``, ``limit``, ``path`` and ``values``.
 
     Args:
-        code: as ``Finding`` has it; one with several sentences is followed by ``/case``.
-        values: what else the sentence shows, SI.
+        code: as in ``Finding``, or ``code/case`` if the code has several sentences.
+        values: further fields of the sentence, SI.
 
     Raises:
-        OverflowError: a number is beyond the range of numbers: it would be told as nan or inf.
+        OverflowError: a number is not finite.
     """
-    # a float of NumPy is no float of JSON
+    # NumPy floats become Python floats
     given = {"value": value, "limit": limit, "path": path, **values}
     values = {name: float(number) if isinstance(number, float) else number for name, number in given.items()}
     if not all(isfinite(number) for number in values.values() if isinstance(number, float)):
@@ -84,9 +84,9 @@ ordinary-slips-before-event | the ordinary clutch of equal T_н carries only {va
 slips-before-event | at {at} the clutch carries {value:.5g N·m}, less than the load of {limit:.5g N·m} before the event: it slips all the time
 drive-not-in-balance | before the event the motor gives {value:.5g N·m} against a load of {limit:.5g N·m}: the drive does not run steadily
 motor-never-stops | at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({carries}): the slip does not end; give a cut-off (drive.cut_off)
-motor-stops-at-cut-off | at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({carries}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack
+motor-stops-at-cut-off | at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({carries}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.3g kJ} in the pack
 energy-not-closed | the energy of the event does not close, {value:.2g} of it is missing: do not trust this result, and report the spec
-release-lag | at f_max the drive trips at {value:.5g N·m}: {share:.0%} of the way from T_муф = {limit:.5g N·m}, where the release force follows at once, to T_п = {held:.5g N·m}, where it does not follow (S22)
+release-lag | at f_max the drive trips at {value:.5g N·m}: {share:.0%} of the way from T_муф = {limit:.5g N·m}, where the release force follows at once, to T_п = {held:.5g N·m}, where it does not follow, all pairs sharing the load (S22 (22))
 slip-outlasts-duration | at {at} the slip has not ended within the {value:.4g s} that are simulated
 event-not-settled | at {at} the drive has neither come to rest nor to a steady run within the {value:.4g} s that are simulated: it may slip again, and the peak may yet rise (a motor that stalls swings the shaft up until it is switched off, drive.cut_off)
 peak-not-converged | at {at} twice the time step changes the peak torque by {value:.2%}, more than {limit:.1%}, however fine the steps: the peak is that uncertain
@@ -102,7 +102,9 @@ judder | slow slip is not steady: friction that falls with speed takes {value:.3
 hub-too-large | a hub of {value:.5g mm} does not go into the clutch: balls and discs leave it {limit:.5g mm}
 balls-overlap | {balls} balls of {value:.5g mm} do not fit on the ball circle: their centres are {limit:.5g mm} apart
 default-clearance | {path} is not given: {value:g mm} is taken (S21: 2…3 mm)
-no-sleeve-travel | a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance
+laid-out-worn | the layout is that of a worn pack: as new the sleeves are {value:.4g mm} further apart
+no-sleeve-travel | a direct clutch has no sleeve: x_max is 0; heat.lining, the wear of a pair, adds the play that the balls need as the pack wears
+no-sleeve-travel/worn | a direct clutch has no sleeve: x_max is 0; the pocket has {value:.4g mm} of play for the wear of the pack
 ball-reaches-axis | a ball of radius {value:.5g mm} reaches the axis: its centre lies {limit:.5g mm} from it
 pockets-overlap | {balls} pockets cut into each other: each is {value:.5g mm} wide at the face, their centres are {limit:.5g mm} apart
 parts-collide | {first} and {second} are in each other's way by {value:.4g mm}
@@ -110,6 +112,7 @@ odd-pairs | {value:.0f} pairs cannot be built so: discs that take turns between 
 housing-too-wide | the housing around the discs is {value:.5g mm} wide: there is room for {limit:.5g mm}
 clutch-too-long | the clutch is {value:.5g mm} long at least: there is room for {limit:.5g mm}
 layout-without | not in the layout: {name}; give {path}
+speed-from-plate | drive.speed is not given: {value:.5g rpm} is taken from [machine], the speed of the plate over the ratio
 inertia-from-layout | {path} is not given: {value:.4g} kg·m² is taken from the layout, all parts of steel
 depth-beyond-sleeve | the pockets, cut {value:.5g mm} deep, go through the sleeve of {limit:.5g mm}
 no-standard-ball | no standard ball is as large as {value:.5g mm}, the largest is {limit:.5g mm}: change gain, springs, gap or list
@@ -121,14 +124,17 @@ balls-not-given | the number of balls is not given: neither the contact force is
 control-unit-not-judged | {path} is not given: whether balls and pockets can be made is not judged
 contact-force-exceeded | the contact force {value:.5g kN} exceeds the allowable {limit:.5g kN}
 contact-force-exceeded/hertz | the contact force {value:.5g kN} exceeds the {limit:.5g kN} that Hertz allows: the contact pressure is {contact_pressure:.5g MPa}, allowable {allowable_pressure:.5g MPa}
+static-safety-assumed | {path} is not given: {value:g}, the static limit, where a ball is dented by 10⁻⁴ of its diameter; under shocks makers of bearings ask for {limit:g}
 contact-assumed | control_unit.contact is not given: ball and wall are taken as hardened steel, {modulus:.5g GPa}, Poisson's ratio {poisson:g}, contact pressure at most {limit:.5g MPa}: it is {value:.5g MPa}
 temperature-exceeded | discs or faces reach {value:.4g °C} in one trip: above the highest, {limit:.4g °C}, that {lining} allows
 temperature-in-range | discs or faces reach {value:.4g °C} in one trip: within the printed range of what {lining} allows, which begins at {limit:.4g °C}
 discs-melt | steel discs or their faces would reach {value:.4g °C} in one trip: iron melts at {limit:.0f °C} (CRC Handbook), steel below it; more mass, less heat or an earlier cut-off is needed
 temperature-beyond-catalogue | discs or faces reach {value:.4g °C} in one trip: no material of the catalogue allows more than {limit:g °C} ({name})
-faces-not-judged | the temperature of the faces is not known (it needs heat.conductivity, heat.density and both radii): the mean of the discs, which is lower, is held against what {name} allows
+faces-not-judged | the temperature of the faces is not known (it needs both radii): the mean of the discs, which is lower, is held against what {name} allows
 lining-thick | no heat.lining: the lining is taken as endlessly thick, a lower bound of the surface temperature
 discs-take-all | no heat.lining_conductivity, heat.lining_density and heat.lining_specific_heat: the discs take all the heat of the faces, an upper bound of their surface temperature
+discs-of-steel | {listed} not given: the discs are taken as of steel, {density:g} kg/m³, {specific_heat:g} J/(kg·K), {conductivity:g} W/(m·K) (EN 1993-1-2 at 100 °C, rounded down)
+discs-from-layout | heat.disc_mass is not given: {value:.3g} kg is taken from the layout, the discs of the pack over the faces, all of steel but what heat.lining allows to wear: it heats less than discs with a thicker lining do
 discs-thick | no heat.disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature
 spring-slack-before-worn | the spring falls slack once each pair has worn by {value:.4g mm}, before its lining of {limit:.4g mm} is gone: trips until it is gone are not told
 heat-not-told | not calculated: what the spec does not give the data for, {listed}
@@ -139,7 +145,8 @@ effect-on-accuracy | {effect}: K_т lies between {low:.4g} and {high:.4g}, the l
 effect-on-torque | {effect}: the torque changes by up to {value:+.1%}
 worn-below-machine | with its lining worn off, the clutch carries at least {value:.5g N·m}: less than the machine's nominal torque {limit:.5g N·m}
 worn-below-nominal | with its lining worn off, the clutch carries at least {value:.5g N·m}: less than its nominal torque {limit:.5g N·m}, not less than the machine's {machine:.5g N·m}
-effect-not-told | {name}: not calculated, needs {listed}
+effect-not-told | not calculated: {listed}
+pressure-disc-key-locks | the key of the pressure disc locks itself at a friction of {value:.3g} or more, and it reaches {limit:.3g}: the spring slackens and the pack does not; a ball spline or a larger diameter of the key mends it
 requirement-missed | {name}: {shown}, but {bound} {required} is required
 requirement-not-judged | {name} not judged: needs {needs}
 unusual/friction | a coefficient of friction of {value:.4g} is unusual: {low:g}…{high:g} is usual, the materials of the catalogue have {least:g}…{most:g}
@@ -166,15 +173,16 @@ coil-fatigue | {path}: it moves at every trip; with k_τ the shear stress is {va
 wire-not-judged | {path}: EN 10270-1 has no wire of {value:.4g mm} (0.3 to 20 mm): its stress is not judged
 stiffness-of-the-discs | {path} is {value:.5g N/mm}, that of the discs as set {limit:.5g N/mm}: the law takes their curve; leave the stiffness out, or the discs
 no-spring | {path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}
-room-not-given | {path}.inner_diameter, {path}.outer_diameter or {path}.length is not given: nothing bounds the spring there
+room-not-given | {path}.inner_diameter, {path}.outer_diameter or {path}.length is not given: there nothing bounds the spring but the width of the clutch, {limit:.4g mm}
 any-stiffness | {path} is not given: any stiffness will do
 mean-pressure-exceeded | surface pressure {value:.5g MPa} in the mean: above the largest, {limit:.5g MPa}, that {lining} allows
 mean-pressure-in-range | surface pressure {value:.5g MPa} in the mean: within the printed range of what {lining} allows, which begins at {limit:.5g MPa}
 peak-pressure-exceeded | surface pressure {value:.5g MPa} at the inner edge: above the largest, {limit:.5g MPa}, that {lining} allows
 peak-pressure-in-range | surface pressure {value:.5g MPa} at the inner edge: within the printed range of what {lining} allows, which begins at {limit:.5g MPa}
+ordinary-trips-at | an ordinary clutch in its place would trip at {least:.2f}…{value:.2f} times the rated torque, row {number} at {least:.2f}…{limit:.2f}
 front-equals | {value:.0f} more candidates that pass the checks of the grid equal one of the front in every objective: of equals the first is told
 no-candidate | none of {candidates:,} candidates holds every check; the nearest: {missed}
-no-candidate/key | none of {candidates:,} candidates holds every check; the nearest: {missed}; what would do: {key} {sign} {would}
+no-candidate/key | none of {candidates:,} candidates holds every check; the nearest: {missed}; what would do: {would_do}
 returning-covered | when friction falls from f_max to f_min under a load that lasts, the torque falls to {value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m} and within its margin over the machine's {machine:.5g N·m}: the friction at the key holds the sleeve back
 returning-below-nominal | when friction falls from f_max to f_min under a load that lasts, the torque falls to {value:.5g N·m}, below the nominal torque of the machine, {limit:.5g N·m}: the friction at the key holds the sleeve back
 unexpected-verdict | {row}: {verdict}; on record is: {record}
@@ -210,4 +218,4 @@ sweep-replaces | {path} of the spec gives way to the swept {by}
 """  # noqa: E501
 
 FINDINGS = dict(line.split(" | ", 1) for line in _TABLE.splitlines())
-"""Code of a finding, with its case where it has several → its sentence."""
+"""``code`` or ``code/case`` of a finding → template of its sentence."""

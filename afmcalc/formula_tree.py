@@ -1,4 +1,4 @@
-"""A formula as a tree of signs, fractions and indices, and its writers: one line of text, LaTeX."""
+"""A formula as a tree of signs, fractions and indices, and in one line of text."""
 
 import re
 from typing import NamedTuple, TypeAlias
@@ -7,38 +7,38 @@ from .messages import localized, native
 
 
 class Node(NamedTuple):
-    """A part of a formula that is more than one sign."""
+    """Part of a formula that is more than one sign."""
 
     kind: str
-    """``number``, ``text``, ``function`` or ``gap`` have a text; ``root`` and ``brackets`` have one tree, ``fraction``
-    two, ``rows`` several; ``script`` has base, index and exponent, of which one may be empty."""
+    """``number``, ``text``, ``function`` and ``gap`` have a text; ``root`` and ``brackets`` have one tree, ``fraction``
+    two, ``rows`` several; ``script`` has base, index and exponent, of which index or exponent may be empty."""
     text: str = ""
     parts: "tuple[Tree, ...]" = ()
 
 
 Tree: TypeAlias = tuple[str | Node, ...]
-"""A formula as a row of signs and nodes, set in the letters, numbers and units of the user's language."""
+"""Formula as a sequence of signs and nodes, its symbols, numbers and units in the user's language."""
 GAP = Node("gap", "0.17")
-"""Space between a number and its unit, em."""
+"""Space between a number and its unit; its width is in em."""
 TIMES = "\u2062"
-"""Sign between factors where none is seen."""
+"""Invisible multiplication sign between factors."""
 
 
 def bracketed(tree: Tree) -> Tree:
-    """Put a tree in brackets, unless it is in them."""
+    """Tree in brackets; a tree already in brackets is not changed."""
     single = len(tree) == 1 and isinstance(tree[0], Node) and tree[0].kind == "brackets"
     return tree if single else (Node("brackets", parts=(tree,)),)
 
 
 def is_single(tree: Tree) -> bool:
-    """True if a tree is one sign, number or symbol, perhaps with an index."""
+    """True if a tree is one sign, number or symbol, perhaps with an index but without an exponent."""
     first, *others = tree
     kind = "number" if isinstance(first, str) else first.kind
     return not others and (kind in ("number", "text") or (kind == "script" and not first[2][2]))
 
 
 def raised(base: Tree, exponent: Tree, index: Tree = ()) -> Tree:
-    """Add an exponent, or an index, to the last part of a tree."""
+    """Tree with ``exponent`` and ``index`` added to its last part."""
     *before, last = base
     parts: tuple[Tree, ...] = ((last,), (), ())
     if isinstance(last, Node) and last.kind == "script":
@@ -47,7 +47,7 @@ def raised(base: Tree, exponent: Tree, index: Tree = ()) -> Tree:
 
 
 def symbol_tree(symbol: str) -> Tree:
-    """Return a symbol of the papers as a tree.
+    """Symbol of the papers as a tree.
 
     >>> symbol_tree("F_п2")[0].parts
     (('F',), (Node(kind='text', text='sp2', parts=()),), ())
@@ -75,7 +75,7 @@ _SIGNS = re.compile(
 
 
 def value_tree(shown: str) -> Tree:
-    """Return a number as people see it, with its unit, as a tree.
+    """Displayed number with its unit as a tree.
 
     >>> text(value_tree("1.2e+07 N"))
     '1.2·10^7 N'
@@ -98,7 +98,7 @@ _LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 def text(tree: Tree) -> str:
-    """Write a tree in one line.
+    """Formula as one line of text.
 
     >>> text(("a", "+", Node("fraction", parts=(("b", "+", "c"), ("d", TIMES, "e")))))
     'a + (b + c)/(d·e)'
@@ -136,46 +136,8 @@ def _text(node: Node, *parts: Tree) -> str:
 
 
 def _without(tree: Tree, signs: str) -> str:
-    """Write a tree, in brackets if one of some signs is in it or in a unit of it."""
+    """Formula as one line of text, in brackets if the formula or a unit in it contains one of ``signs``."""
     marks = (
         node if isinstance(node, str) else {"text": node.text, "fraction": "/"}.get(node.kind, "") for node in tree
     )
     return text(bracketed(tree) if {*"".join(marks)} & {*signs} else tree)
-
-
-def latex(tree: Tree) -> str:
-    """Write a tree as LaTeX.
-
-    >>> latex((*symbol_tree("F_п"), "=", *value_tree("0,5 кН")))
-    'F_{\\\\text{cl}} = 0{,}5 \\\\, \\\\text{кН}'
-    """
-    return " ".join(map(_latex, tree))
-
-
-def _latex(node: str | Node) -> str:
-    if isinstance(node, str):
-        return _LATEX.get(node, node)
-    parts = [*map(latex, node.parts)]
-    match node.kind:
-        case "number":
-            return node.text.replace(",", "{,}").replace("\xa0", "\\,")
-        case "text":
-            return f"\\text{{{node.text}}}"
-        case "function":
-            return f"\\operatorname{{{node.text}}}" if node.text.endswith("tg") else f"\\{node.text}"
-        case "gap":
-            return "\\,"
-        case "brackets":
-            return f"\\left({parts[0]}\\right)"
-        case "root":
-            return f"\\sqrt{{{parts[0]}}}"
-        case "fraction":
-            return f"\\frac{{{parts[0]}}}{{{parts[1]}}}"
-    base, below, above = parts
-    return base + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
-
-
-_LATEX = {
-    "α": "\\alpha", "β": "\\beta", "κ": "\\kappa", "ν": "\\nu", "π": "\\pi", "σ": "\\sigma", "τ": "\\tau", "ψ": "\\psi",
-    "Δ": "\\Delta", "∂": "\\partial", "·": "\\cdot", "′": "\\prime", "−": "-", TIMES: "",
-}  # fmt: skip

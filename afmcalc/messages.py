@@ -1,9 +1,9 @@
-"""Sentences, numbers and symbols in the language of the user; sentences are translated by gettext when they are made.
+"""Sentences, numbers and symbols in the user's language; gettext translates a sentence when it is made.
 
-English texts are the keys: ``say("{path}: is no table", path=path)``, always a literal so that it can be collected;
-one of a table made on import is marked ``deferred`` and translated where it is used. A field may end in a unit:
-``{force:.5g kN}`` shows a force given in N, so a value stays SI. Translations stand in ``locale/NAME.po``, compiled in
-``locale/NAME.mo``.
+English texts are the keys of the translations: ``say("{path}: is no table", path=path)``, always a literal so that
+tests can collect it; a text in a table built at import is marked ``deferred`` and translated where it is used. A
+field may end in a unit: ``{force:.5g kN}`` shows a force given in N, so values stay SI. Translations stand in
+``locale/NAME.po``, compiled to ``locale/NAME.mo``.
 """
 
 import os
@@ -12,7 +12,7 @@ import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
-from functools import cache
+from functools import cache, lru_cache
 from gettext import GNUTranslations, NullTranslations
 from typing import Any, SupportsFloat, cast
 
@@ -20,14 +20,14 @@ from .units import in_unit, table, typeset
 
 FOLDER = os.path.join(os.path.dirname(__file__), "locale")
 WRITTEN = {"ru": (",", "\xa0")}
-"""Language of those that ship → its decimal sign, and what sets groups of digits apart."""
+"""Translated language → its decimal sign and its separator of digit groups."""
 
 
 class Language(string.Formatter):
-    """Translations into one language, and a formatter that writes numbers and units as its readers do.
+    """Translations into one language, and a formatter that writes numbers and units by its conventions.
 
-    ``{low:g mm…}{high:g mm}`` is a range that names its unit once. A text that is cut off, ``{name:.80}``, is marked.
-    Of a list every member is set by the format of the field.
+    ``{low:g mm…}{high:g mm}`` is a range that names its unit once. A text cut by ``{name:.80}`` ends in an ellipsis.
+    The format of a field applies to every member of a list.
     """
 
     def __init__(self, name: str, catalogue: NullTranslations) -> None:
@@ -37,10 +37,10 @@ class Language(string.Formatter):
         self._signs = str.maketrans({".": decimal, ",": group})
 
     def format_field(self, value: object, format_spec: str) -> str:
-        """Set one value of a sentence."""
+        """Text of the value of one field."""
         if isinstance(value, list | tuple):
             members = [self.format_field(member, format_spec) for member in value]
-            # a decimal comma does not separate as well
+            # list members with decimal commas are separated by semicolons
             return ("; " if any(self is not ENGLISH and "," in each for each in members) else ", ").join(members)
         number_format, _, unit = format_spec.partition(" ")
         if isinstance(value, str | Exception):
@@ -49,14 +49,14 @@ class Language(string.Formatter):
             return shown if len(shown) >= len(text) else f"{shown}…"
         if not unit:
             is_number = hasattr(value, "__float__") and not isinstance(value, bool)
-            counts = is_number and (number_format or isinstance(value, float))  # a port or a line is no amount
+            counts = is_number and (number_format or isinstance(value, float))  # a bare integer is a port or a line
             return self.number(format(value, number_format)) if counts else format(value, number_format)
         amount = float(cast(SupportsFloat, value))
         shown = self.number(format(in_unit(amount, unit.removesuffix("…")), number_format))
         return f"{shown}…" if unit.endswith("…") else with_unit(shown, self.catalogue.pgettext("unit", unit))
 
     def number(self, shown: str) -> str:
-        """Set a number, given as Python writes it, as people write it."""
+        """Number written by Python ('0.5') in the notation of this language ('0,5')."""
         if self is ENGLISH:
             return shown
         shown = _LONG.sub(lambda digits: f"{int(digits[0]):,}", shown.replace(",", "").replace("inf", "∞"))
@@ -68,18 +68,18 @@ class Language(string.Formatter):
 
 
 _LONG = re.compile(r"(?<![\d.])\d{5,}")
-"""Digits before a decimal point that are set in groups."""
+"""Pattern of five or more digits before a decimal point, which are written in groups of three."""
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 ENGLISH = Language("en", NullTranslations())
-"""The language that everything is written in."""
+"""Language of the texts in the source code."""
 LANGUAGES = (ENGLISH.name, *WRITTEN)
 """Names of the languages that ship."""
 
 
 @cache
 def language(name: str) -> Language:
-    """Language of a name."""
+    """Language by its name; its catalogue is read once."""
     if name == ENGLISH.name:
         return ENGLISH
     with open(os.path.join(FOLDER, f"{name}.mo"), "rb") as file:
@@ -90,18 +90,18 @@ _LANGUAGE: ContextVar[Language | None] = ContextVar("language", default=None)
 
 
 def _current() -> Language:
-    """Language of the user; where the program does not set it (from Python), that of AFMCALC_LANG."""
+    """Language set by ``speaking``; otherwise (from Python) the language of AFMCALC_LANG, else English."""
     if chosen := _LANGUAGE.get():
         return chosen
     name = os.environ.get("AFMCALC_LANG", "")
-    with suppress(Exception):  # a file that cannot be read is reported where the language is chosen
+    with suppress(Exception):  # an unreadable file is reported where the language is chosen
         return language(name) if name in LANGUAGES else ENGLISH
     return ENGLISH
 
 
 @contextmanager
 def speaking(language: Language) -> Iterator[None]:
-    """Speak a language in the block."""
+    """Use a language inside the ``with`` block."""
     before = _LANGUAGE.set(language)
     try:
         yield
@@ -115,7 +115,7 @@ def spoken() -> str:
 
 
 def say(template: str, /, **values: object) -> str:
-    """Sentence of a template in the language of the user.
+    """Sentence in the user's language: ``template``, a literal, translated and filled with ``values``.
 
     >>> say("the force is {force:.5g kN}, {times:g} times too much", force=2000.0, times=2)
     'the force is 2 kN, 2 times too much'
@@ -124,53 +124,43 @@ def say(template: str, /, **values: object) -> str:
 
 
 def filled(template: str, values: Mapping[str, object]) -> str:
-    """Sentence of a template of a table in the language of the user."""
+    """Sentence as from ``say``, but from a template that is no literal (one in a table)."""
     return _current().vformat(translate(template), (), values)
 
 
-def say_many(one: str, many: str, /, *, count: int, **values: object) -> str:
-    """Sentence of the template for one or of that for many; another language may have more forms.
-
-    >>> say_many("{count} line", "{count} lines", count=3)
-    '3 lines'
-    """
-    template = _current().catalogue.ngettext(one, many, count)
-    return _current().vformat(template, (), {"count": count, **values})
-
-
 def translate(text: str, context: str = "") -> str:
-    """English text of a table in the language of the user, its symbols too; one that is not in the catalogue stays.
+    """Text of the program, with its symbols, in the user's language; English if the catalogue lacks the text.
 
     Args:
-        text: the text; what a user wrote is not for it, but for ``named``.
+        text: the text; a name given by the user is translated by ``named`` instead.
         context: context in the catalogue: ``unit``, ``value``, …
     """
     if _current() is ENGLISH:
         return latin(text) if context in ("", "comment", "symbol") else text
     catalogue = _current().catalogue
-    if context or not text:  # of nothing gettext gives the head of the catalogue
+    if context or not text:  # gettext translates '' to the header of the catalogue
         return catalogue.pgettext(context, text)
     sentence = catalogue.gettext(text)
     return catalogue.pgettext("value", text) if sentence == text else sentence
 
 
 def deferred(text: str) -> str:
-    """The text itself, marked for the catalogue: it is translated where it is used."""
+    """Text unchanged, marked for the catalogue; it is translated where it is used."""
     return text
 
 
 def named(name: str | None) -> str:
-    """Name of a clutch, as given; only one that ships with the program has one in every language."""
+    """Name of a clutch as given, empty for None; names of the built-in examples are translated."""
     return translate(name, "name") if name else ""
 
 
 def localized(number: str) -> str:
-    """Number, given as Python writes it, as people write it in the language of the user."""
+    """Number written by Python ('0.5') in the notation of the user's language ('0,5')."""
     return _current().number(number)
 
 
 def measured(value: float, unit: str, digits: int = 6) -> str:
-    """Value in SI, shown in the unit of that name, which is "1" of a pure number.
+    """SI value converted to ``unit`` and followed by the unit; the unit "1" of a pure number is not shown.
 
     >>> measured(2000.0, "kN"), measured(0.5, "1")
     ('2 kN', '0.5')
@@ -179,7 +169,7 @@ def measured(value: float, unit: str, digits: int = 6) -> str:
 
 
 def percent(share: float) -> str:
-    """Share of a limit, never as 100 % what is below or beyond it.
+    """Share of a limit in percent, with enough digits that only a share of exactly 1 is shown as 100 %.
 
     >>> percent(0.99952), percent(0.5), percent(1.00001)
     ('99.95%', '50.0%', '100.001%')
@@ -189,16 +179,16 @@ def percent(share: float) -> str:
 
 
 def with_unit(number: str, unit: str) -> str:
-    """Number with its unit, none where it is pure; only the sign of a degree stands close to its number."""
+    """Number followed by its unit, or alone if it is a pure number; only ° follows without a space."""
     return number if unit in ("", "–") else f"{number}{unit if unit == '°' else f' {unit}'}"
 
 
 _LATIN = table("""\
 н = n; т = T; п = sp; ш = ball; ц = c; д = dyn; в = sh; р = s; cp = mean; ср = pub; муф = c; маш = m; дв = mot;
 пуск = st; тр = fr; зад = req; ном = nom""")
-"""Letters of an index of the papers → Latin ones, of the English word that they stand for."""
+"""Index of a symbol in the papers → Latin abbreviation of its English meaning."""
 _LATIN_OF = table("F_п = cl; T_п = pot; K_п = n; m_п = st; T_муф = exp; T_маш = mach; σ_т τ_т = y")
-"""Latin index of a symbol in which the Cyrillic one stands for another word."""
+"""Symbol whose index has another meaning than in ``_LATIN`` → its Latin index."""
 _INDEX_WORD = re.compile(r"[а-яё]+|(?<![^\W\d_])cp(?![^\W\d_])")
 _INDEXED = re.compile(r"(?<![^\W_])[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*")
 _QUOTED = re.compile("(«[^»]*»)")
@@ -209,8 +199,9 @@ _SYMBOL = re.compile(
 _WORD = re.compile(r"[^\W\d_]{2,}")
 
 
+@lru_cache(4096)  # most texts are templates in tables, which are used again and again
 def latin(text: str) -> str:
-    """Text with the indices of the papers' symbols in Latin letters; what is quoted, in «», stays as it is printed.
+    """Text with the indices of symbols in Latin letters; a quotation in «» stays as printed.
 
     >>> latin("T_н.маш, K_т,act"), latin("F_п"), latin("F_п2"), latin("f_1cp"), latin("T'_п")
     ('T_n,m, K_T,act', 'F_cl', 'F_sp2', 'f_1mean', "T'_pot")
@@ -227,9 +218,9 @@ def _latin_symbol(symbol: re.Match[str]) -> str:
 
 
 def native(text: str) -> str:
-    """Text with symbols in the letters of the user's language: ``F_cl`` or ``F_п``, ``tan α`` or ``tg α``.
+    """Text with its symbols in the letters of the user's language: ``F_cl`` or ``F_п``, ``tan α`` or ``tg α``.
 
-    What is quoted, in «», stays as it is printed.
+    A quotation in «» stays as printed.
     """
     if _current() is ENGLISH:
         return latin(text)
@@ -246,7 +237,7 @@ def _native(symbol: re.Match[str]) -> str:
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """Hint ``"; did you mean 'x'?"`` at the nearest known word, or nothing when none is near.
+    """Hint ``"; did you mean 'x'?"`` with the nearest known word; empty if no known word is near.
 
     >>> did_you_mean("frction", ["friction", "drive"])
     "; did you mean 'friction'?"
@@ -262,22 +253,22 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
 
 
 _LONGEST_WORD = 60
-"""Letters of a word that is worth comparing."""
+"""Largest length of a word that is compared with known words, characters."""
 
 
 _HIDDEN = re.compile(
     "[\x00-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb"
     "\ud800-\udfff\U000e0000-\U000e007f]"
 )
-"""Characters that act on a terminal, turn the direction of writing, are not seen, or are none (undecodable bytes)."""
+"""Control, invisible and direction-changing characters, and surrogates (undecodable bytes)."""
 
 
 def printable(text: str, *, lines: bool = False) -> str:
-    r"""Text that may hold anything (names, keys, arguments), its hidden characters escaped as in JSON.
+    r"""Text from outside (names, keys, arguments) with its hidden characters escaped as in JSON.
 
     Args:
         text: any text.
-        lines: True if ends of lines are meant as such.
+        lines: True to keep line breaks.
 
     >>> print(printable("a\x1b[31m \u202eb\n"))
     a\u001b[31m \u202eb\n
@@ -292,5 +283,5 @@ def printable(text: str, *, lines: bool = False) -> str:
 
 
 def is_unicode(stream: Any) -> bool:
-    """True if a stream takes any text."""
+    """True if the encoding of a stream has all characters."""
     return (getattr(stream, "encoding", "") or "").lower().replace("-", "").startswith("utf")

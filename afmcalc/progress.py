@@ -1,6 +1,6 @@
-"""Progress of a calculation: any loop may tell it, and a bar on standard error shows it to whoever waits.
+"""Progress of a calculation, which loops report and a bar on standard error shows.
 
-The bar appears where something takes longer than a second; Ctrl-C ends it.
+The bar appears after one second; Ctrl-C ends the calculation.
 """
 
 import time
@@ -15,18 +15,18 @@ T = TypeVar("T")
 PATIENCE = 1.0
 """Seconds before the bar appears."""
 WATCHER: "ContextVar[Bar | None]" = ContextVar("watcher", default=None)
-"""Watcher of the calculation under way."""
+"""Bar that shows the running calculation; None: progress is not shown."""
 
 
 def tell(work: str, done: int, total: int) -> None:
-    """Tell how much of a piece of work is behind, of how much."""
+    """Report ``done`` of ``total`` steps of ``work`` to the watcher, if there is one."""
     if watcher := WATCHER.get():
         watcher.advance(work, done, total)
 
 
 @contextmanager
 def unwatched() -> Iterator[None]:
-    """Tell nothing in the block: it is a part of a work that is counted as a whole."""
+    """Report no progress inside the ``with`` block, which is one step of a larger calculation."""
     token = WATCHER.set(None)
     try:
         yield
@@ -35,7 +35,7 @@ def unwatched() -> Iterator[None]:
 
 
 def counted(work: str, parts: Sequence[T]) -> Iterator[T]:
-    """Go through the parts of a piece of work, and tell how many are behind."""
+    """Yield ``parts``; before each part report how many parts are done."""
     for done, part in enumerate(parts):
         tell(work, done, len(parts))
         yield part
@@ -44,36 +44,35 @@ def counted(work: str, parts: Sequence[T]) -> Iterator[T]:
 
 
 class Bar:
-    """Progress with the time left, on a terminal, after the first second; leaves the line clean when it ends."""
+    """Progress bar with the time left, on standard error after ``PATIENCE`` seconds; removed at the end."""
 
     def __init__(self) -> None:
-        """Begin to wait."""
+        """Start the clock."""
         self._begun = time.monotonic()
         self._shown: Any = None
         self._tasks: dict[str, Any] = {}
 
     def advance(self, work: str, done: int, total: int) -> None:
-        """Show how much of a piece of work is done."""
+        """Show ``done`` of ``total`` steps of ``work``."""
         if time.monotonic() - self._begun < PATIENCE:
             return
         if self._shown is None:
             from rich.console import Console
-            from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+            from rich.progress import Progress
 
-            columns = TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
-            self._shown = Progress(*columns, console=Console(stderr=True), transient=True)
+            self._shown = Progress(console=Console(stderr=True), transient=True)
             self._shown.start()
         if work not in self._tasks:
             self._tasks[work] = self._shown.add_task(work)
         self._shown.update(self._tasks[work], completed=done, total=total)
 
     def __enter__(self) -> "Bar":
-        """Start."""
+        """Become the watcher."""
         self._token = WATCHER.set(self)
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
-        """Take the bar away, whatever ended the work."""
+        """Remove the bar, even after an error."""
         WATCHER.reset(self._token)
         if self._shown is not None:
             self._shown.stop()

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from .analysis.design import DesignResult
     from .analysis.drive_result import HeatResult, SimulateResult
     from .analysis.explain.explain import ExplainResult
+    from .analysis.explain.mend import MendResult
     from .analysis.fatigue import LifeResult
     from .analysis.half_section import LayoutResult
     from .analysis.neglected import EffectsResult
@@ -42,9 +43,9 @@ if TYPE_CHECKING:
     from .analysis.trip import OverloadResult
 
 Sweep: TypeAlias = str | Sequence[str]
-"""``"C"``, ``"C=0:1.25:6"``, or several as on the command line; they make a grid."""
+"""Sweep of a spec key as on the command line, ``"C"`` or ``"C=0:1.25:6"``; several sweeps make a grid."""
 Friction: TypeAlias = float | tuple[float, float] | Sequence[float | tuple[float, float]]
-"""A friction, a pair f_1, f_2 of unlike materials, or several of them."""
+"""A coefficient of friction, a pair (f_1, f_2) for unlike materials, or a sequence of coefficients or pairs."""
 A = TypeVar("A", bound=Answer)
 
 
@@ -56,11 +57,11 @@ class Picture(str):
 
 
 class Clutch:
-    """A clutch that is asked by a method for each command: ``clutch.accuracy()``, ``clutch.life(sweep="dT")``.
+    """A clutch with a method for each command: ``clutch.accuracy()``, ``clutch.life(sweep="dT")``.
 
-    An answer is the result of the command, with ``findings``, ``spec``, ``to_dict()``, ``to_dataframe()``. Quantities
-    are asked by name, in SI: ``clutch["accuracy_factor"]``; what depends on friction in a case, ``clutch.at("f_max")``,
-    or at a friction, ``clutch.at(friction=0.3).torque``.
+    A method returns the result of its command, with ``findings``, ``spec``, ``to_dict()``, ``to_dataframe()``.
+    Quantities in SI are read by name, ``clutch["accuracy_factor"]``; a quantity that depends on friction is read in a
+    case, ``clutch.at("f_max").torque``, or at a friction, ``clutch.at(friction=0.3).torque``.
     """
 
     def __init__(self, spec: Spec | Mapping[str, object]) -> None:
@@ -69,26 +70,26 @@ class Clutch:
 
     @property
     def spec(self) -> Spec:
-        """The spec it was built from."""
+        """Spec from which the clutch was built."""
         return self._engine.spec
 
     def with_(self, keys: Mapping[str, object] | None = None, /, **named: object) -> "Clutch":
-        """Return the clutch with other values of some keys, by name, symbol or path; None removes a key.
+        """Clutch with other values of some keys, given by name, symbol or path; None removes a key.
 
-        A key takes the place of those that exclude it (the gain that of a wall angle).
+        A new key replaces the keys that it excludes (the gain replaces a wall angle).
         """
         return Clutch(respecified(self.spec, apply_overrides({}, {**(keys or {}), **named})))
 
     def accuracy(self, sweep: Sweep = (), columns: Sequence[str] = ()) -> "AccuracyResult":
-        """Accuracy factor, its limits and sensitivities, and sweeps of it, with ``columns`` of more quantities."""
+        """Accuracy factor, its limits and sensitivities, and sweeps, which may have ``columns`` of other quantities."""
         return self._ask("accuracy", self._axes(sweep), columns)
 
     def adjust(self) -> "AdjustResult":
-        """Both ways of setting the spring, at f_min and at mean friction."""
+        """Both settings of the spring, at f_min and at mean friction."""
         return self._ask("adjust")
 
     def check(self, *, strict: bool = False) -> "CheckResult":
-        """Requirements, limits and findings, with a verdict; ``strict``: a warning fails too."""
+        """Requirements, limits and findings, with a verdict; with ``strict`` the clutch also fails by a warning."""
         return self._ask("check", strict=strict)
 
     def effects(self) -> "EffectsResult":
@@ -96,7 +97,7 @@ class Clutch:
         return self._ask("effects")
 
     def explain(self, command: str, *, model: StressRule | None = None) -> "ExplainResult":
-        """The calculation of a command step by step: formula, numbers, value, source."""
+        """Calculation of a command step by step: formula, numbers, value, source."""
         return _answered("explain", self.spec, *_asked("explain", command, self.spec, model))
 
     def heat(self) -> "HeatResult":
@@ -104,7 +105,7 @@ class Clutch:
         return self._ask("heat")
 
     def history(self, friction: Friction = ()) -> dict[str, Floats]:
-        """The event over time as arrays, SI, by name: time, torque_shaft, travel, …; without friction all three."""
+        """Name (time, torque_shaft, …) → values during the event, SI, at ``friction``, else f_min, mean f and f_max."""
         from .analysis.simulate import history
 
         moments = [moment.to_dict() for moment in history(self._engine, _pairs(friction)).moments]
@@ -112,32 +113,36 @@ class Clutch:
         return {name: np.array([moment[name] for moment in moments]) for name in names}
 
     def layout(self) -> "LayoutResult":
-        """Parts in half section, what collides, mass and inertia; needs the block [envelope]."""
+        """Parts in half section, collisions, mass and inertia; needs the block [envelope]."""
         return self._ask("layout")
 
     def life(self, model: StressRule = "mean-stress", sweep: Sweep = ()) -> "LifeResult":
         """Cycles to failure on both sides of the clutch; ``sweep`` also takes dT, the scatter band."""
         return self._ask("life", model, self._axes(sweep, band=True))
 
+    def mend(self, code: str) -> "MendResult":
+        """Meaning of an error or a warning, and the keys of this clutch whose change clears it."""
+        return self._ask("mend", code)
+
     def overload(self, sweep: Sweep = (), friction: Friction = ()) -> "OverloadResult":
-        """Potential and actuation torque with a torque margin (S22), also at the friction asked for."""
+        """Potential and actuation torque with a torque margin (S22); also at ``friction``, if given."""
         return self._ask("overload", self._axes(sweep), _pairs(friction))
 
     def simulate(self, friction: Friction = (), sweep: Sweep = ()) -> "SimulateResult":
-        """The drive in time when the clutch trips, with the heat of it, also at the friction asked for."""
+        """Simulation of the drive as the clutch trips, also at ``friction``; without a sweep also the heat."""
         return self._ask("simulate", _pairs(friction), self._axes(sweep), heated=not sweep)
 
     def solve(self, target: str, value: float | str, *, for_: str = "C", beyond_limit: bool = False) -> "SolveResult":
-        """One key from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it.
+        """Value of one key that gives a wanted quantity; ``Clutch(answer.spec)`` is the clutch with this value.
 
         Args:
-            target: quantity that is wanted.
-            value: its value, in SI or a text with a unit.
+            target: name of the wanted quantity.
+            value: wanted value, a number in SI or a text with a unit.
             for_: key to solve for, by symbol or path.
-            beyond_limit: whether to go past the gain limit of the variant.
+            beyond_limit: True to search beyond the gain limit of the variant.
 
         Raises:
-            CalculationError: no value of the key gives it; says which comes nearest.
+            CalculationError: no value of the key gives the wanted value; the message names the nearest.
         """
         from .analysis.solve import parse_target
 
@@ -158,7 +163,7 @@ class Clutch:
         return self._ask("pocket")
 
     def tolerance(self) -> "ToleranceResult":
-        """Torque over tolerances and scatter: quantiles, risks, life, what scatters most."""
+        """Scatter of the torque under tolerances: quantiles, risks, life, and which input causes most of it."""
         return self._ask("tolerance")
 
     @typing.overload
@@ -168,7 +173,7 @@ class Clutch:
     @typing.overload
     def torque(self, friction: Floats, friction_driven: Floats | float | None = None) -> Floats: ...
     def torque(self, friction: Any = None, friction_driven: Any = None) -> object:
-        """Slip torque, N·m, at a friction or an array of them; without one what the command gives."""
+        """Slip torque, N·m, at a friction or an array of frictions; without arguments the result of the command."""
         if friction is None and friction_driven is None:
             return self._ask("torque")
         driving, driven = _checked(friction), _checked(friction if friction_driven is None else friction_driven)
@@ -177,39 +182,42 @@ class Clutch:
         return self._engine.at_friction(driving, driven)["torque"]
 
     def at(self, case: str = "", /, **values: Any) -> Quantities:
-        """Quantities in a case (``f_max``), or with other values of some (``friction``): numbers, or arrays of them.
+        """Quantities in a case (``f_max``), or with some quantities (``friction``) set to numbers or arrays.
 
         Raises:
-            LookupError: no such case or quantity; says what is near.
+            LookupError: there is no such case or quantity; the message names the nearest name.
         """
         return self._engine.at(case, **values)
 
     def __getitem__(self, name: str) -> Any:
-        """Return a quantity that depends on no case, or in one: ``clutch["torque_at_f_max"]``.
+        """Quantity by its name; if it depends on friction, the name ends in a case: ``clutch["torque_at_f_max"]``.
 
         Raises:
-            LookupError: no such quantity, or one that needs a case; says what is near, or which cases there are.
+            LookupError: there is no such quantity, or it needs a case; the message has the nearest name, or the cases.
         """
         return self._engine[name]
 
+    def __contains__(self, name: str) -> bool:
+        """True if the quantity has a value without a case."""
+        return name in self._engine
+
     def names(self) -> list[str]:
-        """Quantities that can be asked, some of them only in a case or at a friction."""
+        """Names of all quantities, including those that need a case or a friction."""
         return self.at("f_max").names()
 
     def __reduce__(self) -> tuple[type["Clutch"], tuple[Spec]]:
-        """Copy and pickle the spec; the clutch is built from it."""
+        """Pickle only the spec; unpickling builds the clutch from the spec."""
         return Clutch, (self.spec,)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write the spec, over a file that exists; comments, order and units of the text it was read from stay."""
-        target = Path(path)
-        target.write_text(saved(self.spec, {}, self.spec, str(target.absolute().parent)), encoding="utf-8")
+        """Write the spec, replacing an existing file; comments, order and units of its source text are kept."""
+        Path(path).write_text(saved(self.spec, {}, self.spec, path), encoding="utf-8")
 
     def plot(self, name: str, path: str | PathLike[str] | None = None, *, sweep: str | None = None) -> "Picture":
-        """Return a plot as SVG, which a notebook shows; with ``path`` also write it, as .svg, .png or .pdf.
+        """Plot as SVG, which a notebook shows; with ``path`` the plot is also written, as .svg, .png or .pdf.
 
         Raises:
-            AfmcalcError: no plot of that name or file of that ending.
+            AfmcalcError: the plot is unknown, or the file has another extension.
         """
         from .analysis.asking import Answers
         from .analysis.plot_data import Request, gathered
@@ -231,19 +239,16 @@ class Clutch:
         from hashlib import sha256
 
         from .analysis.dossier import dossier
-        from .render.report import Subject, render
-        from .render.report.title import text_as_given, title_block
+        from .render.report import render, subject_of
 
         need("report")
         source = self.spec.label
         told, digest = dossier(self.spec, explained=not short), sha256(source.text.encode()).hexdigest()
-        given, title = text_as_given(source), title_block(self.spec, {})
-        subject = Subject(told, given, title, digest, source, [], __version__, False, short)
         with open(path, "w", encoding="utf-8") as file:
-            file.write(render(subject))
+            file.write(render(subject_of(told, source, digest, short=short)))
 
     def _summary(self) -> list[tuple[str, str]]:
-        """Return what a clutch is in a few lines: torques, accuracy, verdict but for what takes long."""
+        """Rows (name, text) of a summary: torques, accuracy, and the verdict of the quick checks."""
         from .analysis.asking import Answers
         from .analysis.check import check_at_once
         from .render.amounts import measured
@@ -259,7 +264,7 @@ class Clutch:
         ]
 
     def __repr__(self) -> str:
-        """Return torques, accuracy and verdict."""
+        """Summary, one line each: clutch, torques, accuracy, verdict."""
         return "\n".join(f"{name}: {text}" for name, text in self._summary())
 
     def _repr_html_(self) -> str:
@@ -280,7 +285,7 @@ class Clutch:
 
 
 def _asked(command: str, *arguments: object, **options: object) -> Any:
-    """Ask the function of a command; a number that leaves the range of numbers is an error as at the command line."""
+    """Result and findings of the function of a command; raises CalculationError if a number overflows."""
     try:
         return ANALYSES[command].function(*arguments, **options)
     except ArithmeticError:
@@ -288,7 +293,7 @@ def _asked(command: str, *arguments: object, **options: object) -> Any:
 
 
 def _answered(command: str, spec: Spec | None, result: A, findings: list[Finding]) -> A:
-    """Return a result with all that its command prints."""
+    """Result with the spec and the findings that its command prints."""
     data = None if spec is None else resolved(spec)
     return result.printed_as(Output(command, __version__, data, result, findings), _rendered)
 
@@ -300,7 +305,7 @@ def _rendered(output: Output, name: str) -> str:
 
 
 def _checked(friction: Any) -> Any:
-    """Check a friction, or an array of them."""
+    """Friction or array of frictions; raises ValueError unless all are finite and at least 0."""
     given = np.asarray(friction)
     if given.dtype.kind not in "fiu" or not np.all((given >= 0) & (given < np.inf)):
         raise ValueError(
@@ -330,8 +335,8 @@ def load(source: str | PathLike[str] | Mapping[str, object] | None = None, set: 
     """Read a spec and build its clutch.
 
     Args:
-        source: a path, ``"-"`` for standard input, ``"example:NAME"``, plain data; None for ``example:default``.
-        set: other values of its keys, by name, symbol or path; None removes a key.
+        source: a path, ``"-"`` for standard input, ``"example:NAME"``, a mapping of keys; None for ``example:default``.
+        set: other values of spec keys, by name, symbol or path; None removes a key.
 
     Raises:
         SpecError: the spec is invalid.
@@ -346,7 +351,7 @@ build = Clutch
 def compare(
     clutches: Sequence[Clutch | str | PathLike[str]] | Clutch | str | PathLike[str], *, variants: bool = False
 ) -> "CompareResult":
-    """Clutches, or files of specs, side by side; with ``variants`` one as every variant it can be built as."""
+    """Comparison of clutches or spec files or, with ``variants``, of one clutch built as each possible variant."""
     several = [clutches] if isinstance(clutches, Clutch | str | PathLike) else clutches
     compared = [each if isinstance(each, Clutch) else load(each) for each in several]
     answer = _asked("compare", [clutch._engine for clutch in compared], variants=variants)
@@ -356,13 +361,13 @@ def compare(
 def design(
     source: str | PathLike[str] | Mapping[str, object], *, pick: int | str | None = None, set: Overrides = ()
 ) -> "DesignResult":
-    """All that nothing else beats of the clutches that the [search] of a spec allows and that hold every check.
+    """Pareto front of the clutches that the [search] of a spec allows and that pass every check.
 
-    With ``pick`` only that number of the front, or its ``"compromise"``: ``Clutch(answer.spec)``.
+    ``pick``: number of the only clutch wanted, or ``"compromise"``; ``Clutch(answer.spec)`` builds this clutch.
 
     Raises:
         SpecError: the spec is invalid, or searches too many candidates.
-        AfmcalcError: no such number, or no compromise.
+        AfmcalcError: there is no clutch of that number, or no compromise.
     """
     from .analysis.design import picked
 

@@ -15,16 +15,21 @@ if TYPE_CHECKING:
 
 
 class Result(BaseModel):
-    """Base of every result; all formats are read off its fields."""
+    """Base class of every result; all formats are made from its fields."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False, extra="forbid", defer_build=True)
 
     def words(self, name: str) -> str | None:
-        """Words for people in place of a field's value; None for the value itself, "" for nothing."""
+        """Words shown to people in place of a field's value; None: the value is shown; empty: nothing is shown."""
         return None
 
+    @classmethod
+    def detailed(cls) -> type[Self]:
+        """Return the class with the fields that are declared outside of it; by default there are no such fields."""
+        return cls
+
     def to_dict(self) -> dict[str, Any]:
-        """Return plain data, SI, as the JSON of the command has it."""
+        """Plain data, SI, as in the JSON of the command."""
         return self.model_dump(mode="json")
 
 
@@ -33,51 +38,51 @@ class Shown:
     """Presentation of a result field; called by pydantic, it writes unit and symbol into the JSON Schema."""
 
     unit: str = ""
-    """SI unit; "1" of a pure number, empty of what is no quantity."""
+    """SI unit; "1" for a pure number, empty for a value that is no quantity."""
     symbol: str | None = None
     """Symbol of the papers."""
+    digits: int = 0
+    """Significant figures shown to people; 0: as many as ``render.amounts`` gives to the unit."""
     null: str = "–"
-    """Meaning of a missing value, for people."""
+    """Text shown to people in place of a missing value."""
     unit_in: str = ""
-    """Attribute that holds the SI unit of the value, where the unit is no constant."""
+    """Name of the attribute that has the SI unit of the value, if the unit is not constant."""
     is_unit: bool = False
     """True if the value is the unit of other fields."""
     error_of: str = ""
-    """Field whose standard error this is; people see it beside the figure."""
+    """Name of another field of which this field is the standard error; people see it beside that field's value."""
     code: bool = False
     """True if the value is a name that a user types: it is never translated."""
     detail: bool = False
-    """Left out of tables for people when the table is long."""
+    """True if tables for people leave the field out when they are long."""
     details: bool = False
-    """Left out for people unless they ask for details."""
+    """True if the field is shown to people only with ``--details``."""
     data: bool = False
-    """A list for programs: CSV writes it, people are spared it."""
+    """True if a list is for programs: CSV writes it, formats for people leave it out."""
     across: bool = False
-    """True if people see the records of a list side by side, quantities as rows."""
+    """True if the records of a list are shown to people side by side, with quantities as rows."""
     folds: bool = False
-    """True if a table tells what is the same in all of its rows once, in a line above it."""
-    by: str = ""
-    """Field of the records whose every value gets a table of its own, for people."""
+    """True if values that are the same in all rows of a table are shown once, in a line above the table."""
     ranked: bool = False
     """True if a dictionary is shown with its largest magnitude first."""
     keys_are: str = "parameter"
     """Name of the keys of a dictionary."""
     in_words: Callable[[str], str] | None = None
-    """``name`` → what people read in place of a name, of each in a list, or of each key of a dictionary."""
+    """Function from a name (a value, an item of a list, a key of a dictionary) to the words shown to people."""
     steps: bool = False
     """True if a list holds the steps of an explanation."""
     asked: bool = False
-    """True if the value is a quantity of a clutch, as ``analysis.asking`` asks it."""
+    """True if the value is a quantity of a clutch, which ``analysis.asking`` fills in."""
     quantity: str = ""
-    """Its name, where it is not that of the field."""
+    """Name of the quantity of the clutch, if it is not the name of the field."""
 
     def __call__(self, schema: dict[str, Any]) -> None:
-        """Write what a program wants to know."""
+        """Write unit and symbol into the JSON Schema of the field."""
         schema |= {"unit": self.unit, "symbol": self.symbol}
 
 
 def quantity(unit: str, symbol: str | None, description: str, *, optional: bool = False, **shown: Any) -> Any:
-    """Declare a result field: SI unit ("1" for a pure number), symbol of the papers, what it is; rest as ``Shown``.
+    """Declare a result field: SI unit ("1" for a pure number), symbol of the papers, description; rest as in ``Shown``.
 
     ``optional`` leaves the field null (and out of tables) where it does not apply.
     """
@@ -93,16 +98,16 @@ def described(description: str, **shown: Any) -> Any:
 
 
 def shown_as(field: FieldInfo) -> Shown:
-    """Return how a field of a result is shown."""
+    """Presentation of a field of a result."""
     return field.json_schema_extra if isinstance(field.json_schema_extra, Shown) else Shown()
 
 
 class AtEnds(Result):
-    """Base of a quantity at the smallest, the mean and the largest friction."""
+    """Base class of results that give a quantity at the smallest, the mean and the largest friction."""
 
     @classmethod
     def of(cls, values: Iterable[Any]) -> Self:
-        """Build it of three values."""
+        """Build the triple from its three values."""
         return cls(**dict(zip(("min", "mean", "max"), values, strict=True)))
 
 
@@ -123,7 +128,7 @@ class OpenTriple(AtEnds):
 
 
 class Series(Result):
-    """One swept key: its coordinate at every point of the grid; subclasses add the answers there."""
+    """One swept key: its value at every point of the grid; subclasses add the results at these points."""
 
     parameter: str = described("swept key as called")
     path: str = described("spec path")
@@ -143,29 +148,29 @@ class Output:
 
 
 class Answer(Result):
-    """Base of what a command calculates; asked from Python it carries the rest of what the command prints."""
+    """Base class of results of commands; in Python, a result also has the other parts of the command's output."""
 
     findings_first: ClassVar[bool] = False
-    """True if the findings are what the command is called for: ``--quiet`` keeps them."""
+    """True if the findings are the purpose of the command, so that ``--quiet`` keeps them."""
     of_several: ClassVar[bool] = False
-    """True if it is of more clutches than the one of the spec."""
+    """True if the result is about several clutches, not only the clutch of the spec."""
     many_lists: ClassVar[bool] = False
-    """True if it holds several lists that belong together: CSV has one figure of any of them in each row."""
+    """True if the result has several lists that belong together: CSV then has a row for each number of each list."""
     rows_with_values: ClassVar[bool] = False
-    """True if CSV has the single values in every row of its list."""
+    """True if CSV repeats the single values of the result in every row of its list."""
 
     _output: Output = PrivateAttr()
     _render: Callable[[Output, str], str] = PrivateAttr()
 
     def printed_as(self, output: Output, render: Callable[[Output, str], str]) -> Self:
-        """Return the answer with the output that it is in, and with what writes that in a format."""
+        """Copy of the answer that has the whole output, and a function that writes the output in a format."""
         answer = self.model_copy()
         answer._output, answer._render = output, render
         return answer
 
     @property
     def output(self) -> Output:
-        """Output of the command; only of an answer that was asked for from Python."""
+        """Output of the command; only an answer that was returned in Python has an output."""
         return self._output
 
     @property
@@ -184,10 +189,10 @@ class Answer(Result):
         return self._output.findings
 
     def to_dataframe(self) -> "pandas.DataFrame":
-        """Return a table: a row per friction, else the rows of the CSV; needs pandas.
+        """Table with a row for each friction, else with the rows of the CSV; needs pandas.
 
-        Columns are named as the fields; ``attrs["units"]`` has their SI units, ``attrs["values"]`` what holds for all
-        frictions.
+        Columns are named as the fields; ``attrs["units"]`` has their SI units, ``attrs["values"]`` the values that are
+        the same for all frictions.
         """
         import io
 
@@ -210,7 +215,7 @@ class Answer(Result):
         return rows
 
     def __repr__(self) -> str:
-        """Return the tables of the terminal."""
+        """Tables of the terminal."""
         return self._render(self._output, "table") if hasattr(self, "_output") else super().__repr__()
 
     __str__ = __repr__

@@ -1,4 +1,4 @@
-"""The one table of units and the grammar of their products; whoever reads or shows a quantity only names its unit."""
+"""The only table of units, and the grammar of their products; other modules refer to a unit by its name."""
 
 import re
 from collections.abc import Mapping
@@ -11,7 +11,7 @@ BASES = ("m", "N", "rad", "J", "s", "kg", "K")
 
 
 def table(text: str) -> dict[str, str]:
-    """Names and the value of each, from ``names = value; …``."""
+    """Name → value, from a text ``names = value; …`` in which several names may share a value."""
     rows = (row.split(" = ") for row in re.split(r";\s", text))
     return {name: value for names, value in rows for name in names.split()}
 
@@ -24,7 +24,7 @@ in inch = 25.4e-3 m; ft foot = 0.3048 m; lbf = 4.4482216152605 N; kgf kp = 9.806
 psi = 6894.757293168361336722673445 N/m^2; ksi = 6894757.293168361336722673445 N/m^2;
 rpm = 0.1047197551196597746154214461 rad/s; deg degree ° = 0.01745329251994329576923690768489 rad;
 rev revolution U = 6.283185307179586476925286766559 rad; min minute = 60 s; h hour = 3600 s""")
-"""Unit → its value in SI; the units of ``PREFIXED`` also take a prefix."""
+"""Unit → its value in SI; the units in ``PREFIXED`` may also have a prefix."""
 PREFIXES = table("""\
 k kilo = 1e3; M mega = 1e6; G giga = 1e9; d deci = 0.1; c centi = 0.01; m milli = 1e-3; u µ μ micro = 1e-6""")
 
@@ -35,12 +35,12 @@ RUSSIAN_PREFIXES = table("""\
 к = k; М = M; Г = G; д = d; с = c; м = m; мк = u""")
 
 ZEROS = {"K": Decimal(0), "К": Decimal(0)} | dict.fromkeys(("degC", "°C", "°С"), Decimal("273.15"))
-"""Scale of a temperature, in Latin or Cyrillic letters → its zero, K."""
+"""Scale of a temperature, in Latin or Cyrillic letters → its zero point, K."""
 
 ENGINEER = table("""\
 N = kN; m = mm; m^3 = cm^3; N/m = N/mm; 1/m = 1/mm; rad = deg; Pa = MPa; J = kJ; W = kW; J/m^2 = J/mm^2;
 W/m^2 = W/mm^2; N^2/m^2 = N^2/mm^2""") | {"K abs": "degC"}
-"""SI unit → the unit in which engineers read the quantity, where it differs."""
+"""SI unit → the unit in which engineers read the quantity, if it is not the SI unit."""
 
 
 class UnitProduct(NamedTuple):
@@ -49,7 +49,7 @@ class UnitProduct(NamedTuple):
     factor: Decimal
     """Value in SI."""
     exponents: tuple[int, ...]
-    """Powers of ``BASES``."""
+    """Exponents of ``BASES``, in their order."""
     latin: str
     """Spelling in Latin letters."""
 
@@ -60,7 +60,7 @@ class UnknownUnitError(ValueError):
 
 @cache
 def words() -> dict[str, UnitProduct]:
-    """Every word that is a unit."""
+    """Name of a unit, with and without every possible prefix → the unit."""
     known = {name: UnitProduct(Decimal(1), tuple(int(name == base) for base in BASES), name) for name in BASES}
     for name, value in (PREFIXED | PLAIN).items():
         number, si = value.split()
@@ -81,9 +81,9 @@ _DIVISOR = re.compile(r"/\s*\(([^()/]*)\)")
 
 @cache
 def product(text: str) -> UnitProduct:
-    """Read a product such as ``kN*m/rad``, ``1/min``, ``min^-1``, ``J/(kg*K)`` or ``kgm2``.
+    """Unit of a product such as ``kN*m/rad``, ``1/min``, ``min^-1``, ``J/(kg*K)`` or ``kgm2``.
 
-    Raises UnknownUnitError: a word of it is no unit; ValueError: it is no product.
+    Raises UnknownUnitError if a word in the text is no unit, and ValueError if the text is no product of units.
     """
     return _product(text, words())
 
@@ -108,7 +108,7 @@ def _product(text: str, words: Mapping[str, UnitProduct]) -> UnitProduct:
 
 
 def _units(word: str, words: Mapping[str, UnitProduct]) -> list[UnitProduct]:
-    """Units that a word is made of: one, or a force or mass with a length (Nm, kgm2)."""
+    """Units that are joined in a word: a single unit, or a force or mass with a length (Nm, kgm2)."""
     for name in (word, word.removesuffix("s") if len(word) > len("hour") else word):
         if name in words:
             return [words[name]]
@@ -121,7 +121,7 @@ def _units(word: str, words: Mapping[str, UnitProduct]) -> list[UnitProduct]:
 
 @cache
 def per_si(name: str) -> float:
-    """Number of units in one SI unit; a scale of temperature has degrees as large as a kelvin.
+    """Number of units in one SI unit; 1 for a temperature scale, whose degree is as large as a kelvin.
 
     >>> per_si("kN"), per_si("J/mm²"), per_si("degC")
     (0.001, 1e-06, 1.0)
@@ -130,7 +130,7 @@ def per_si(name: str) -> float:
 
 
 def in_unit(value: float, name: str) -> float:
-    """Return a value, given in SI, in the unit or on the scale of that name.
+    """SI value converted to the unit or temperature scale ``name``.
 
     >>> in_unit(0.1, "mm"), in_unit(300.15, "°C")
     (100.0, 27.0)
@@ -139,7 +139,7 @@ def in_unit(value: float, name: str) -> float:
 
 
 def typeset(unit: str) -> str:
-    """Return the name of a unit as people write it; a pure number has none.
+    """Name of a unit as typeset; empty for a pure number.
 
     >>> typeset("kg*m^2"), typeset("degC"), typeset("1")
     ('kg·m²', '°C', '')

@@ -1,4 +1,4 @@
-"""Shared by all tests: running the program in-process, random clutches."""
+"""Fixtures and hooks of all tests: running the program in-process, a browser, a limit of time."""
 
 import contextlib
 import functools
@@ -9,6 +9,7 @@ import os
 import shutil
 import sys
 import time
+from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -19,6 +20,7 @@ from hypothesis import settings
 
 gc.disable()  # nothing imported is ever garbage
 os.environ["AFMCALC_LANG"] = "en"
+os.environ["OPENBLAS_NUM_THREADS"] = "1"  # as the program does
 sys.dont_write_bytecode = False  # else every worker, and every start of the program, compiles all of it anew
 for variable in ("PYTHONDONTWRITEBYTECODE", "COLUMNS"):  # tables are as wide as they need to be
     os.environ.pop(variable, None)
@@ -34,8 +36,18 @@ S21 = Path(__file__).parent / "data" / "s21-fig2.toml"
 
 
 def slow(*cases: Any) -> list[Any]:
-    """Cases of a test that run where slow tests do; a tuple has several arguments."""
+    """Cases of a test that are run only with the slow tests; a tuple holds several arguments."""
     return [pytest.param(*(each if isinstance(each, tuple) else (each,)), marks=pytest.mark.slow) for each in cases]
+
+
+def overrides(*changes: str) -> list[str]:
+    """Changes of keys as options of the command line."""
+    return [f"--set={each}" for each in changes]
+
+
+def codes(findings: Iterable[Any]) -> dict[str, Any]:
+    """Findings by their codes."""
+    return {each.code: each for each in findings}
 
 
 @dataclass(frozen=True)
@@ -81,15 +93,24 @@ def afmcalc():
 
 @pytest.fixture(scope="session")
 def answered(afmcalc):
-    """Run the program as ``afmcalc`` does, once for each command line: for those that read only what ships."""
+    """Run the program as ``afmcalc`` does, but each command line once: for lines that read only files that ship."""
     return functools.cache(afmcalc)
 
 
 @pytest.fixture(scope="module")
 def libraries(answered):
-    """Libraries that draw, derive and sample are imported before the time of a test runs."""
+    """Import the libraries that draw, derive and sample before the time of a test is taken."""
     for line in ("plot torque", "explain torque", "tolerance example:tolerance --set tolerance.samples=1000"):
         answered(*line.split())
+
+
+@pytest.fixture(scope="session")
+def parsed_package():
+    """Parse every module before the time of a test is taken."""
+    from sources import FILES, nodes
+
+    for module in FILES:
+        nodes(module)
 
 
 @pytest.fixture(scope="session")
@@ -110,31 +131,54 @@ FRAME = "<svg viewBox='0 0 7 4'></svg>"
 
 @pytest.fixture
 def undrawn(monkeypatch):
-    """Reports have frames in place of their drawings, which take most of their time."""
+    """Replace the drawings of reports, which take most of their time, with empty frames."""
     monkeypatch.setattr("afmcalc.render.report.page.inline_svg", lambda sheet: FRAME)
 
 
+SEARCHED: dict[tuple[Any, ...], Any] = {}
+
+
+@pytest.fixture
+def searched_once(monkeypatch):
+    """Run the search of each spec once for the whole test run."""
+    from afmcalc.analysis import design
+    from afmcalc.messages import spoken
+
+    search = design.design
+
+    def kept(spec: Any, sort: str | None = None) -> Any:
+        if (key := (spec.model_dump_json(), sort, spoken())) not in SEARCHED:
+            SEARCHED[key] = search(spec, sort)
+        return SEARCHED[key]
+
+    monkeypatch.setattr(design, "design", kept)
+
+
 def pytest_configure(config):
-    """Derandomised examples, few of each, more where slow tests run."""
+    """Set Hypothesis to a few derandomised examples per test, more of them with the slow tests."""
     if os.environ.get("AFMCALC_UPDATE"):
         config.option.markexpr = ""  # every stored output
-    settings.register_profile("default", deadline=None, derandomize=True, max_examples=8)
+    settings.register_profile("default", deadline=None, derandomize=True, max_examples=6)
     settings.register_profile("slow", deadline=None, derandomize=True, max_examples=50)
     settings.load_profile("default" if "not slow" in config.option.markexpr else "slow")
 
 
 @pytest.fixture(scope="session", autouse=True)
 def _the_whole_run():
-    """Keep every event, and the program of each command, for the whole run."""
+    """Cache every event, and the parser of each command and of the whole program, for the test run."""
     from afmcalc.cli import main
     from afmcalc.drive import cases
+    from afmcalc.messages import spoken
 
-    program_of, help_apart = main.application, {"-h", "--help", "help"}
-    kept = functools.cache(lambda command: program_of([command]))
-    main.application = lambda line: (
-        kept(line[0]) if line[:1] and line[0] in main.COMMANDS and not help_apart & {*line} else program_of(line)
+    program_of, known = main.application, {*main.COMMANDS, "help"}
+
+    @functools.cache
+    def kept(called: str, helped: bool, language: str) -> Any:
+        return program_of([called, *["--help"] * helped])
+
+    main.application = lambda line: kept(
+        line[0] if line and line[0] in known else "", not {"-h", "--help"}.isdisjoint(line), spoken()
     )
-
     cases.kept = functools.lru_cache(4096)(cases.kept.__wrapped__)
 
 
@@ -154,7 +198,7 @@ def pytest_runtest_call(item):
     begun = time.process_time()
     result = yield
     taken = time.process_time() - begun
-    limit = LONGEST * settings.default.max_examples / 8  # more of them where slow tests run
+    limit = LONGEST * settings.default.max_examples / 6  # more of them where slow tests run
     own = any(map(item.get_closest_marker, ("slow", "tool")))
     if not own and taken > limit and taken > LONGEST * max(1.0, _loop() / LOOP):
         pytest.fail(f"took {taken:.1f} s of process time: make it faster, or mark it slow or tool", pytrace=False)
@@ -163,7 +207,7 @@ def pytest_runtest_call(item):
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(item):
-    """Where AFMCALC_TOOLS is ``required`` a tool that is not there is a failure; an optional one may be skipped."""
+    """Turn a skip for a missing tool into a failure if AFMCALC_TOOLS is ``required``, unless the tool is optional."""
     report = yield
     if report.skipped and item.get_closest_marker("tool") and os.environ.get("AFMCALC_TOOLS") == "required":
         reason = str(report.longrepr[-1]) if isinstance(report.longrepr, tuple) else ""
@@ -175,7 +219,7 @@ def pytest_runtest_makereport(item):
 def pytest_collection_finish(session):
     """Import what many tests need, so that none of them is charged with it."""
     if len(session.items) > 300:
-        for name in ("matplotlib.figure", "scipy.integrate", "sympy"):
+        for name in ("matplotlib.figure", "scipy.stats", "sympy"):
             import_module(name)
     gc.freeze()  # what is imported by now stays
     gc.set_threshold(100_000)

@@ -1,4 +1,4 @@
-"""The answer of a command where one extra alone is installed, or none: its result, or a sentence that names what is missing.
+"""Commands where one extra alone is installed, or none: each gives its result, or a sentence on what is missing.
 
 ``python tests/one_extra.py NAME`` (or ``''``) with the Python of an environment that has only it.
 """
@@ -15,16 +15,16 @@ from afmcalc.cli.main import main
 DRAWS = {"plot", "report", "pdf", "web"}
 ASKED = {
     "torque": None, "plot torque -o a.svg": DRAWS,
-    "plot pareto example:requirements -o b.pdf": DRAWS, "plot paper F11-2 -o c.png": DRAWS,
+    "plot pareto example:requirements -o b.pdf": {"pdf"}, "plot paper F11-2 -o c.png": {"pdf"},
     "layout example:envelope -o i.pdf": {"pdf"}, "layout example:envelope -o d.dxf": {"cad"}, "pocket -o e.dxf": {"cad"},
     "report -o f.html": DRAWS, "handbook -o g.html": DRAWS,
     "report -o h.pdf": {"pdf"}, "serve --no-browser": {"web"},
 }  # fmt: skip
-"""Command line → extras of which it needs one; None: it does without."""
+"""Command line → extras of which it needs one; None if it needs none."""
 
 
 def fault(line, there, language):
-    """Faults in how a command line ends."""
+    """Run a command line; return the fault in its exit code or message, empty if there is none."""
     errors, arguments = io.StringIO(), [*line.split(), *(["--force"] if " -o " in line else []), "--lang", language]
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(errors):
         try:

@@ -1,10 +1,11 @@
-"""The package as its source has it, parsed once."""
+"""Syntax trees of the package, each parsed once, and tables of test inputs."""
 
 import ast
 import tomllib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import afmcalc
 
@@ -25,7 +26,7 @@ def tree(module: str) -> ast.Module:
 
 @cache
 def nodes(module: str) -> tuple[ast.AST, ...]:
-    """All there is in it."""
+    """All nodes of the syntax tree of a module."""
     return tuple(ast.walk(tree(module)))
 
 
@@ -35,7 +36,7 @@ def _all_calls(module: str) -> tuple[ast.Call, ...]:
 
 
 def called(node: ast.Call) -> str:
-    """Name of what is called."""
+    """Name of the function that a call calls."""
     return node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
 
 
@@ -48,6 +49,12 @@ def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
 
 
 DATA = Path(__file__).parent / "data"
-TABLES = (tomllib.loads((DATA / f"{name}.toml").read_text(encoding="utf-8")) for name in ("refused", "read", "page"))
-REFUSED, READ, SCRIPTS = TABLES
-"""Inputs that are refused, and how it is said; inputs that are read; what is done in a page."""
+
+
+def table(name: str) -> dict[str, Any]:
+    """A table of data/."""
+    return tomllib.loads((DATA / f"{name}.toml").read_text(encoding="utf-8"))
+
+
+REFUSED, READ, SCRIPTS, CLUTCHES = map(table, ("refused", "read", "page", "clutches"))
+"""Inputs that are refused, with their messages; inputs that are read; actions in a page; specs and parts of them."""

@@ -9,9 +9,9 @@ from afmcalc.spec.models import CoilSprings
 
 FRICTION = st.floats(0.02, 1.0)
 GAIN = st.one_of(st.just(0.0), st.floats(1e-6, 5))
-"""None, or one a machine could have: not 1e-306, which asks for 1e306 pairs of a wanted accuracy."""
+"""Gain of 0, or one that a machine could have: with 1e-306 a wanted accuracy would take 1e306 pairs."""
 CHARACTERS = st.one_of(*(st.integers(*ends) for ends in ((0, 127), (0, 0xD7FF), (0xE000, 0x10FFFF)))).map(chr)
-"""Any but a surrogate; ``st.characters`` would first make a table of all of them, which takes longer than the tests."""
+"""Any character but a surrogate; ``st.characters`` would first make a table of all, which takes longer than a test."""
 
 
 def p5(*overrides: str, **blocks: Any) -> Any:
@@ -57,7 +57,7 @@ def direct_specs(draw: st.DrawFn, variants: tuple[str, ...] = DIRECT) -> Any:
 
 @st.composite
 def spaced_specs(draw: st.DrawFn) -> Any:
-    """A spec of any variant with all that a layout needs, balls and springs included; its parts collide or not."""
+    """A spec of any variant with all that a layout needs, balls and springs included; its parts may collide."""
     data = draw(st.one_of(direct_specs(), indirect_specs())).model_dump(exclude_none=True)
     radius = data["friction_group"].pop("mean_radius")
     share = lambda low, high: draw(st.floats(low, high)) * radius  # noqa: E731
@@ -86,7 +86,7 @@ def spaced_specs(draw: st.DrawFn) -> Any:
 def indirect_specs(
     draw: st.DrawFn, methods: tuple[str, ...] = ("min-friction", "mean-friction"), *, curved: bool = False
 ) -> Any:
-    """A spec of an indirect clutch whose gain overcomes the key; curved: with pockets about those that hold the torque."""
+    """A spec of an indirect clutch with a gain above its threshold; ``curved``: its pockets nearly hold the torque."""
     radius, key, hub = draw(st.floats(0.05, 0.3)), draw(st.floats(0, 0.3)), draw(st.floats(0.03, 0.2))
     threshold = 2 * radius * key / hub
     own, method = draw(ranges()), draw(st.sampled_from(methods))

@@ -1,4 +1,4 @@
-"""One question, one answer: what several commands tell is the same number, and no friction exceeds it.
+"""One question, one answer: several commands give the same number, and no friction gives a torque beyond the extremes.
 
 Extremes are searched over 10⁴ frictions, and by a law written here from the balance of the sleeve (theory, 5 and 12).
 """
@@ -7,7 +7,6 @@ import itertools
 import json
 import math
 import re
-import tomllib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from conftest import slow
+from sources import table
 
 import afmcalc
 
@@ -24,13 +24,13 @@ Rng, Spec = np.random.Generator, dict[str, Any]
 
 
 def friction(rng: Rng) -> dict[str, float]:
-    """A range, its mean anywhere in it."""
+    """A friction range with its mean anywhere in the range."""
     low, spread = rng.uniform(0.04, 0.25), rng.uniform(1.3, 7)
     return {"min": low, "mean": low * rng.uniform(1, spread), "max": low * spread}
 
 
 def clutch(rng: Rng, kind: str) -> Spec:
-    """A random clutch, set by either method, with margin."""
+    """A random clutch, set by either method, with a torque margin."""
     pairs, force, given = int(rng.integers(2, 13)), rng.uniform(300, 8000), friction(rng)
     inner, wide = rng.uniform(0.04, 0.12), rng.uniform(1.15, 1.6)
     radius, margin = inner * (1 + wide) / 2, max(1.0, rng.uniform(0.7, 2))
@@ -78,7 +78,7 @@ def made_indirect(spec: Spec, rng: Rng, kind: str, radius: float) -> None:
 
 
 def drive(spec: Spec, rng: Rng) -> Spec:
-    """Put it in a drive: the tool is stopped or overloaded, the discs take the heat."""
+    """Put a clutch in a drive whose tool is stopped or overloaded; the discs take the heat."""
     event = {"kind": "stop", "stop_time": rng.uniform(0.004, 0.02)}
     spec["drive"] = {
         "speed": rng.uniform(8, 30), "motor_inertia": rng.uniform(0.1, 0.5), "cut_off": 0.05, "event": event,
@@ -94,9 +94,8 @@ def drive(spec: Spec, rng: Rng) -> Spec:
     return spec | {"heat": heat | {"cooling": 2.5, "ambient": 293.15}}
 
 
-TABLES = tomllib.loads((Path(__file__).parent / "data" / "told.toml").read_text(encoding="utf-8"))
-TOLD, SCATTERED, SPRUNG, PRINTED, EVENT = TABLES.values()
-"""Each quantity, and every place that tells it: a command, and the path in what it answers."""
+TOLD, SCATTERED, SPRUNG, PRINTED, EVENT = table("told").values()
+"""Tables: quantity → every place that tells it, a command and the path in its answer."""
 
 
 def rows(table: str) -> dict[str, list[str]]:
@@ -112,7 +111,7 @@ def limit(key: str) -> str:
 
 
 class Asked:
-    """A clutch and what the commands answer, each asked once."""
+    """A clutch, and the answers of the commands about it, each asked once."""
 
     def __init__(self, run: Callable[..., Any], spec: Spec, file: Path) -> None:
         self.run, self.spec, self.file, self.answers = run, spec, file, dict[str, Any]({"none": {}})
@@ -129,7 +128,7 @@ class Asked:
             "overload": "overload" if method == "min-friction" else "none",  # S22 sets at f_min; overload says so
             "method": "none" if "force" in spec.get("control_spring", {}) else method.replace("-", "_"),
         }
-        # with a control spring as made other closing forces give the same torque, or none does
+        # with a given force of the control spring several closing forces, or none, may give the same torque
         goal = f"solve --for F nominal_torque={self.told('torque > nominal_torque')!r}"
         self.words["solve"] = "none" if self.words["method"] == "none" else goal
 
@@ -148,7 +147,7 @@ class Asked:
         return self.answers[command]
 
     def told(self, place: str) -> Any:
-        """The number in a place; None where this clutch has none."""
+        """The number at a place of an answer; None if this clutch has no such number."""
         if place.startswith("= "):
             return DERIVED[place[2:]](self)
         if place.startswith("required "):
@@ -168,7 +167,7 @@ class Asked:
         return value
 
     def apart(self, table: str, relative: float, telling: set[str]) -> Iterator[str]:
-        """Quantities that two places tell apart, with what each tells; places that tell a number are noted."""
+        """Quantities to which two places give different numbers, with these numbers; notes all places with a number."""
         for quantity, places in rows(table).items():
             values = {place: self.told(place) for place in places}
             numbers = [value for value in values.values() if value is not None]
@@ -180,7 +179,7 @@ class Asked:
 
 
 def rows_of(page: str) -> dict[str, list[float]]:
-    """Numbers in the rows of a report's tables by each text of the row; of rows of the same text the first's."""
+    """Text in a row of a report's tables → numbers of that row, or of the first of several rows with this text."""
     rows = [re.findall(r"<t[dh]([^>]*)>(.*?)</t[dh]>", row, re.S) for row in re.findall("<tr>(.*?)</tr>", page, re.S)]
     bare = re.compile("<.*?>")
     plain = [[("number" in kind, bare.sub("", text.replace("<sub>", "_"))) for kind, text in row] for row in rows]
@@ -197,7 +196,7 @@ def extremes(asked: Asked) -> tuple[float, float]:
 
 
 def cycles(asked: Asked, low: float, high: float, factor: float = 1.0) -> float:
-    """S19 (19)."""
+    """Cycles to failure, S19 (19)."""
     fatigue = asked.spec["fatigue"]
     stress = factor * (low + high) / 2 / fatigue["polar_section_modulus"]
     return float(fatigue["base_cycles"] * (fatigue["endurance_limit"] / stress) ** fatigue["exponent"])
@@ -210,12 +209,12 @@ def pressure(asked: Asked) -> float:
 
 
 def peak(asked: Asked) -> float:
-    """The peak that is judged (finding bypass-peak)."""
+    """The peak torque that is judged, with that of the bypass pairs (finding bypass-peak)."""
     return float(max(asked.told("simulate > peak_torque/#max"), asked.told("simulate > peak_torque_bypass") or 0.0))
 
 
 def dynamic_factor(asked: Asked) -> float:
-    """The largest that a life takes: that of the bypass pairs, which may hold at f_max first, too."""
+    """The largest dynamic factor that a life takes, with that of the bypass pairs, which may hold first at f_max."""
     bypass = asked.told("simulate > peak_torque_bypass") or 0.0
     slipping = asked.told("simulate > dynamic_factor/#max")
     return float(max(slipping, bypass / asked.told("simulate > sliding_torque/max")))
@@ -252,13 +251,12 @@ def verdict(wrong: list[str], telling: set[str], *tables: str) -> None:
 
 
 TELLING, AGREED = set[str](), set[str]()  # Places that told a number of any clutch, and kinds of the clutches
-QUICK = ["unlike", "curved"]
+QUICK = ["unlike"]
 
 
-@pytest.mark.parametrize("seed", [2, *slow(3)])
 @pytest.mark.parametrize("kind", [*QUICK, *slow(*(each for each in KINDS if each not in QUICK))])
-def test_a_quantity_is_one_number(kind, seed, ask):
-    ((_, _, spec),) = some(range(seed, seed + 1), (kind,))
+def test_a_quantity_is_one_number(kind, ask):
+    ((_, _, spec),) = some(range(2, 3), (kind,))
     asked = ask(spec)
     wrong = [*asked.apart(TOLD, 1e-9, TELLING)]
     # the two frictions of unlike materials scatter apart; samples miss a peak just before a jump
@@ -268,7 +266,7 @@ def test_a_quantity_is_one_number(kind, seed, ask):
 
 
 def test_every_place_tells_a_number():
-    """Of the clutches of the test before it, where it ran with all of them."""
+    """This test needs the clutches of the test before it, if that ran with all of them."""
     if {*KINDS} == AGREED:
         verdict([], TELLING, TOLD, SCATTERED)
 
@@ -281,10 +279,10 @@ def test_springs_are_chosen_for_the_forces_of_the_clutch(kind, ask):
         assert len(telling) == (4 if kind == "straight" else 2)
 
 
-EVERY_KIND = slow((("conventional", "all-driving", "curved"),))
+EVERY_KIND = slow((("conventional", "all-driving", "curved"),), (("curved",),))
 
 
-@pytest.mark.parametrize("kinds", [("curved",), *EVERY_KIND])
+@pytest.mark.parametrize("kinds", [("conventional",), *EVERY_KIND])
 def test_a_report_prints_what_the_commands_tell(kinds, ask, undrawn):
     wrong, telling = [], set[str]()
     for _, _, spec in some(range(200, 201), kinds):
@@ -301,7 +299,7 @@ def test_an_event_is_one_number(kinds, ask):
 
 
 class Law:
-    """An indirect clutch's torque and friction by the travel at which the sleeve is: no friction is solved for."""
+    """Torque and friction of an indirect clutch as functions of the sleeve's travel: no equation is solved."""
 
     def __init__(self, spec: Spec) -> None:
         group, unit, given = spec["friction_group"], spec["control_unit"], spec["friction"]
@@ -325,7 +323,7 @@ class Law:
         return self.pairs * self.radius * friction * self.control / (1 + self.pairs * gain * friction)
 
     def rise(self, low: float, high: float, steps: int) -> tuple[Any, Any]:
-        """Torque and travel as friction rises; where less friction would do for more travel the sleeve jumps there."""
+        """Torque and travel as friction rises; the sleeve jumps to a larger travel that needs less friction."""
         travel = np.linspace(0, self.force / self.closing * (1 - 1e-9), 100 * steps)
         friction, torque = self.moving(travel, self.rising)
         passed = (friction >= np.maximum.accumulate(friction)) & (friction > max(low, self.leaves)) & (friction <= high)
@@ -334,7 +332,7 @@ class Law:
         return torque, np.concatenate([0 * at_stop, travel[passed]])
 
     def least_returning(self, low: float, high: float, most: float, steps: int) -> float:
-        """Smallest torque as friction falls under load from the travel at high: locked, then moving, then at the stop."""
+        """Smallest torque as friction falls under load from ``high``: sleeve locked, then moving, then at the stop."""
         held = self.pairs * self.radius * (self.force - self.closing * most)
         locked = held if most else self.seated(high, self.rising) / high
         falls = high * (self.rising + self.slope * most) / (self.returning + self.slope * most)
@@ -349,7 +347,7 @@ HARD = ("unlike", "all-driving", "curved", "steep", "constant-torque")
 
 
 @pytest.mark.parametrize(
-    ("seeds", "kinds"), [(range(102, 103), (kind,)) for kind in HARD] + slow((range(102, 105), KINDS))
+    ("seeds", "kinds"), [(range(102, 103), (kind,)) for kind in HARD] + slow((range(103, 105), KINDS))
 )
 def test_no_friction_exceeds_what_is_told(seeds, kinds, ask):
     wrong, steps = [], 3_001
@@ -375,7 +373,7 @@ def test_no_friction_exceeds_what_is_told(seeds, kinds, ask):
             searched |= {"required torque_max": torque.max(), "pocket > contact_force": force.max()}
             searched["accuracy > accuracy_factor_hysteresis"] = torque.max() / least
         told = {place: asked.told(place) for place in searched}
-        # what is least may not be undercut, what is most not exceeded; a step of the search misses either by little
+        # no torque lies beyond the extremes that are told; the search misses either extreme by a part of its step
         room = {place: (-1, 1)[place.endswith(("low", "as_set"))] for place in searched}
         wrong += [
             f"{kind}, {place} tells {told[place]!r}, the search {float(value)!r}: {json.dumps(spec)}"

@@ -1,4 +1,4 @@
-"""The package from Python."""
+"""Use of the package from Python."""
 
 import copy
 import csv
@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from conftest import CONFIGS, ROOT
+from conftest import CONFIGS, ROOT, overrides
 from sources import FILES, READ
 
 import afmcalc as package
@@ -45,7 +45,7 @@ DRIVE = {"drive.event.duration": 0.01}
 def test_python_answers_what_a_command_prints(example, keys, name, given, arguments, afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     answer = getattr(package.load(CONFIGS / f"{example}.toml", keys), name)(**given)
-    options = [part for key, value in keys.items() for part in ("--set", f"{key}={value}")]
+    options = overrides(*(f"{key}={value}" for key, value in keys.items()))
     run = afmcalc(name, *arguments, CONFIGS / f"{example}.toml", *options, "--json")
     assert json.loads(renderer("json")(answer.output, False)) == run.json
     assert answer.to_dict() == run.json["result"]
@@ -65,13 +65,12 @@ def test_clutches_side_by_side_and_designs(afmcalc):
     wanted = CONFIGS / "requirements.toml"
     few = ("search.friction_group.pairs=8", "search.control_unit.gain=[0.8, 0.9]")
     picked = package.design(wanted, pick=1, set=few)
-    sets = (part for each in few for part in ("--set", each))
-    assert picked.to_dict() == afmcalc("design", wanted, *sets, "--pick", "1", "--json").json["result"]
+    assert picked.to_dict() == afmcalc("design", wanted, *overrides(*few), "--pick", "1", "--json").json["result"]
     assert package.load(picked.spec)["closing_force"] == pytest.approx(picked.front[0].closing_force)
 
 
 def test_other_values_of_keys():
-    """By path, name or symbol, in SI or with a unit; a key takes the place of those that exclude it."""
+    """Keys are given by path, name or symbol, in SI or with a unit; a key replaces those that exclude it."""
     data = tomllib.loads(
         "variant = 'all-driving'\nfriction = {min = 0.1, max = 0.8}\nfriction_group = {pairs = 8, mean_radius = 0.1}\n"
         "closing_spring = {force = 2000}\ncontrol_unit = {wall_angle = '14 deg', ball_circle_radius = 0.05}\n"
@@ -117,7 +116,7 @@ def test_a_clutch_and_an_answer_can_be_copied_and_kept():
 
 
 def test_quantities_are_asked_by_name():
-    """A quantity that depends on friction is asked in a case or at a friction; who misspells a name is told what is near."""
+    """A quantity that depends on friction needs a case or a friction; the error on a misspelt name has similar ones."""
     clutch, friction = package.load("example:default"), np.linspace(0.1, 0.8, 1001)
     assert clutch["accuracy_factor"] == clutch.accuracy().accuracy_factor
     assert clutch.at("f_max").torque == clutch["torque_at_f_max"] == clutch.torque(0.8)
@@ -150,6 +149,7 @@ def test_an_answer_shows_itself():
     assert swept.accuracy_factor == swept.result.accuracy_factor
 
 
+@pytest.mark.slow
 def test_a_frame_has_a_row_per_friction_or_per_point(monkeypatch):
     """Names are those of the fields, units beside them; without pandas an error says how to get it."""
     frame = package.load().torque().to_dataframe()

@@ -1,4 +1,4 @@
-"""The order of the source: imports go one way, those in functions too; what is said is a template in one place."""
+"""The order of the source: all imports go one way, also those in functions; each message is a template in one place."""
 
 import ast
 import inspect
@@ -16,6 +16,7 @@ from afmcalc.engines.parts import RULES
 from afmcalc.findings import FINDINGS
 from afmcalc.units import per_si
 
+pytestmark = pytest.mark.usefixtures("parsed_package")
 LINE = [
     "equations", "ground", "variants", "spec", "engines", "drive", "papers", "analysis", "render", "web", "cli",
     "door",
@@ -24,13 +25,6 @@ LINE = [
 
 GROUND = {"errors", "findings", "formula_tree", "messages", "progress", "result", "units"}
 MAY_ONLY = {"equations": set(), "ground": set()}  # Rooms that know less than what is left of them
-
-
-@pytest.fixture(scope="module", autouse=True)
-def _parsed():
-    """Every module is parsed before the time of a test runs."""
-    for module in FILES:
-        nodes(module)
 
 
 def room(module: str) -> str:
@@ -56,7 +50,7 @@ def imported(module: str) -> set[str]:
 
 
 def named(module: str) -> set[str]:
-    """Modules that a module names in a string, to import them when they are asked for."""
+    """Modules that a module names in a string, to import them at their first use."""
     texts = {node.value for node in nodes(module) if isinstance(node, ast.Constant) and isinstance(node.value, str)}
     return {text.strip(".").removeprefix("afmcalc.") for text in texts if "." in text.rstrip(".")} & set(FILES) - {""}
 
@@ -72,7 +66,7 @@ def test_no_arrow_goes_back():
 
 
 def for_types(module: str) -> set[str]:
-    """Modules of its own folder that a module names for type checkers alone, as a base names its subclass."""
+    """Modules of its own folder that a module imports for type checkers alone, as a base class does its subclass."""
     home = module.rpartition(".")[0]
     blocks = [node for node in nodes(module) if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"]
     inside = [node for block in blocks for node in ast.walk(block)]
@@ -118,13 +112,13 @@ def test_what_is_said_is_a_literal_template_filled_with_what_it_names():
 
 
 def fits(code: str, given: set[str | None]) -> bool:
-    """True if a sentence is given what it names, and nothing else."""
+    """True if the sentence of a code gets all values that it names, and no others."""
     named = fields(FINDINGS[code])
     return (None in given or named <= given) and given - ALWAYS <= named
 
 
 def codes(code: ast.expr) -> set[str]:
-    """Codes that a finding may be made with; none where the code is handed over."""
+    """Codes that the expression ``code`` may have; none if it is a variable."""
     if isinstance(code, ast.IfExp):
         return codes(code.body) | codes(code.orelse)
     return {text} if (text := literal(code)) else set()

@@ -1,24 +1,28 @@
-"""Russian: everything has it, in whole sentences, and only people see it."""
+"""Russian: everything has it, in whole sentences, only people see it, and nothing shown in it is English."""
 
+import html
 import io
+import itertools
 import json
 import os
 import re
 import string
-import sys
 from gettext import GNUTranslations
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po
-from sources import READ
+from conftest import slow
+from sources import READ, REFUSED
 from texts import texts
 
-from afmcalc.cli.main import without_lang
+from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
+from afmcalc.cli.main import COMMANDS, without_lang
+from afmcalc.cli.names import DRAWINGS
 from afmcalc.errors import AfmcalcError, chosen_language
-from afmcalc.messages import FOLDER, language, localized, say, say_many, speaking
+from afmcalc.messages import FOLDER, language, localized, say, speaking
+from afmcalc.papers import FIGURES
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +49,7 @@ def fields(template: str) -> set[str]:
 
 
 def test_a_translation_is_whole(catalogue):
-    """The fields of the English, each plural form, and letters of its own."""
+    """A translation has the fields of the English text, and every plural form."""
     for (context, text), each in catalogue.items():
         forms = [each.string] if isinstance(each.string, str) else each.string
         assert len(forms) == (1 if isinstance(each.id, str) else 3), text
@@ -53,15 +57,6 @@ def test_a_translation_is_whole(catalogue):
             assert form, text
             if context != "comment":
                 assert fields(form) == fields(text), text
-
-
-def test_plural_forms():
-    with speaking(language("ru")):
-        said = [
-            say_many("{count} driving pair{default}", "{count} driving pairs{default}", count=count, default="")
-            for count in (1, 3, 5, 11, 21)
-        ]
-    assert said == ["1 ведущая пара", "3 ведущие пары", "5 ведущих пар", "11 ведущих пар", "21 ведущая пара"]
 
 
 def test_numbers():
@@ -89,20 +84,18 @@ def test_the_option_may_stand_anywhere_and_names_a_language_that_there_is():
             chosen_language(without_lang(arguments)[1], environment)
 
 
-def test_windows_has_a_setting_of_its_own(monkeypatch):
-    monkeypatch.setattr(sys, "platform", "win32")
-    own = ((0x0419, {}, "ru"), (0x0409, {}, "en"), (0x0419, {"LANG": "de_DE.UTF-8"}, "en"))
-    for number, environment, name in own:
-        library = SimpleNamespace(kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda number=number: number))
-        monkeypatch.setattr("ctypes.windll", library, raising=False)
+def test_windows_has_names_of_its_own(monkeypatch):
+    for own, environment, name in (
+        ("Russian_Russia", {}, "ru"),
+        ("English_United States", {}, "en"),
+        (None, {}, "en"),
+        ("Russian_Russia", {"LANG": "de_DE.UTF-8"}, "en"),
+    ):
+        monkeypatch.setattr("afmcalc.errors.getlocale", lambda own=own: (own, "cp1251"))
         assert chosen_language("", environment).name == name
 
 
-READ_BY_PROGRAMS = (
-    "check --set C=2",
-    "compare --variants",
-    "check --set friction.max=2N",
-)
+READ_BY_PROGRAMS = ("check --set C=2", "compare --variants", "check --set friction.max=2N")
 
 
 @pytest.mark.parametrize("line", READ_BY_PROGRAMS)
@@ -129,19 +122,19 @@ def test_sentences_of_json_are_in_the_language_of_the_user(afmcalc):
 
 
 @pytest.mark.parametrize("left", [None, 0, 1000])
-def test_russian_without_its_texts_is_an_error_where_asked_for_else_a_note(left, afmcalc, tmp_path, monkeypatch):
-    """Their file is lost, empty, or cut off."""
+def test_russian_without_its_texts_is_an_error(left, afmcalc, tmp_path, monkeypatch):
+    """The file of the Russian texts is lost, empty, or cut off."""
     if left is not None:
         (tmp_path / "ru.mo").write_bytes(Path(FOLDER, "ru.mo").read_bytes()[:left])
     monkeypatch.setattr("afmcalc.messages.FOLDER", str(tmp_path))
     monkeypatch.delenv("AFMCALC_LANG")
     monkeypatch.setenv("LC_ALL", RU)
     try:
-        for arguments, code, said in ((["--lang", "ru"], 2, "error"), ([], 0, "note")):
+        for arguments in (["--lang", "ru"], []):
             language.cache_clear()
             run = afmcalc(*arguments, "list", "examples")
-            assert (run.code, bool(run.out), run.err.count("\n")) == (code, code == 0, 1)
-            assert run.err.startswith(f"{said}: the texts of the language ru cannot be read")
+            assert (run.code, run.out, run.err.count("\n")) == (2, "", 1)
+            assert run.err.startswith("error: the texts of the language ru cannot be read")
     finally:
         language.cache_clear()
 
@@ -157,3 +150,87 @@ def test_a_catalogue_is_compiled():
     read, wanted = (vars(GNUTranslations(each))["_catalog"] for each in files)
     # what its head says of the version of Babel is not compared
     assert read | {"": ""} == wanted | {"": ""}, "AFMCALC_UPDATE=1 pytest tests/test_russian.py compiles it"
+
+
+pytestmark = pytest.mark.usefixtures("libraries")
+ABOUT = ("torque", "accuracy", "adjust", "overload", "pocket", "life", "check", "compare", "layout")
+BOTH = ("default", "indirect")
+WALK = {part: [line.split() for line in lines] for part, lines in READ["shown"].items()} | {
+    "law": [[each, f"example:{name}"] for each, name in zip(ABOUT, itertools.cycle(BOTH))],
+    "other law": [[each, f"example:{name}"] for each, name in zip(ABOUT, itertools.cycle(("indirect", "default")))],
+    "other steps": [["explain", each, f"example:{name}"] for each, name in zip(EXPLAINED, itertools.cycle(BOTH))],
+    "plots": [["plot", name, "example:default"] for name, each in PLOTS.items() if each.takes == "clutch" and name not in ("springs", *DRAWINGS)],
+    "figures": [["plot", "paper", name] for name in [*FIGURES][::4]],
+    "help": [["--help"], *(["help", each] for each in ("options", "plots")), *([name, "--help"] for name in COMMANDS)],
+    "spec": [*(["init", "-", "--kind", kind] for kind in ("clutch", "tolerance", "drive")), *(["schema", name] for name in ANALYSES)],
+    "mistakes": [["check", "--set", each] for each in REFUSED["mistakes"]] + [each.split() for each in REFUSED["arguments"]],
+}  # fmt: skip
+
+PROSE = re.compile(r"[a-z]{3,}[,;:]? [a-z]{3,}|^[A-Z][a-z]+$")
+UNIT = re.compile("^(mm|kN|MPa|kJ|kg|rpm)$|^[A-Za-z]*([·/²³⁻¹]+[A-Za-z]*)+$")
+ENGLISH = re.compile(r"(?<!--)\b(?:the|is|are|must|has|not|with|which|than|from|unknown)\b (?!=)")
+"""English words, which no Russian text may have."""
+
+
+class Noting:
+    """A catalogue that records the texts looked up in it."""
+
+    def __init__(self, whole) -> None:
+        self.whole, self.asked = whole, set()
+
+    def gettext(self, text):
+        self.asked.add(("", text))
+        return self.whole.gettext(text)
+
+    def pgettext(self, context, text):
+        self.asked.add((context, text))
+        return self.whole.pgettext(context, text)
+
+    def ngettext(self, one, many, count):
+        self.asked.add(("", one))
+        return self.whole.ngettext(one, many, count)
+
+
+@pytest.fixture(scope="module")
+def known():
+    """English texts of the catalogue."""
+    with open(f"{FOLDER}/ru.po", "rb") as file:
+        return {each.id if isinstance(each.id, str) else each.id[0] for each in read_po(file) if each.id}
+
+
+@pytest.fixture
+def noting(monkeypatch):
+    monkeypatch.setenv("AFMCALC_LANG", "ru")
+    noting = Noting(language("ru").catalogue)
+    monkeypatch.setattr(language("ru"), "catalogue", noting)
+    return noting
+
+
+def shown_by(run) -> str:
+    """Text of an output that people read, without styles, markup, quotations, bibliography and errors of the parser."""
+    text = re.sub(r"(?s)<(style|pre|code|math|script)\b.*?</\1>|<dl class=.references.*?</dl>", " ", run.out + run.err)
+    no_text = r"(?m)<[^>]*>|^.*(?:Juvinall| // |EN 13906).*$|^ *\d* \| .*$|'[^']*'|\"[^\"]*\""
+    of_parser = r"--from|(?m:^ошибка: (?:Invalid value|Missing|No such|Got|Option|Argument) .*$)"
+    return re.sub(no_text, " ", re.sub(of_parser, " ", html.unescape(text)))
+
+
+@pytest.mark.parametrize("part", ["law", "steps", *slow(*sorted(WALK.keys() - {"law", "steps"}))])
+def test_nothing_that_is_shown_is_english(part, known, noting, afmcalc, undrawn):
+    """All texts looked up are in the catalogue; what is shown has no English words and no untranslated text."""
+    sentences = [text for text in known if PROSE.search(text) and "{" not in text and len(text) > 17]
+    wrong = []
+    for command in WALK[part]:
+        noting.asked.clear()
+        run = afmcalc(*command)
+        assert run.code in (0, 1, 2, 3), run.err
+        asked = [(PROSE, UNIT)[context == "unit"].search(text) and text for context, text in noting.asked]
+        english = [text for text in {*filter(None, asked)} - known if not text.startswith(("\b", "Juvinall"))]
+        shown = shown_by(run)
+        english += [line for line in shown.splitlines() if ENGLISH.search(line)]
+        english += [text for text in sentences if text in shown]
+        wrong += [(command, text) for text in english]
+    assert not wrong
+
+
+def test_a_spec_is_utf_8_on_a_stream_that_has_not_all_letters(afmcalc):
+    assert afmcalc("init", "-", encoding="ascii").out == afmcalc("init", "-").out

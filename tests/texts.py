@@ -1,4 +1,4 @@
-"""English texts that people read, as far as they can be listed; the rest is noted while shown (test_russian_shown)."""
+"""English texts that people read, as far as they can be listed; the rest is noted while shown."""
 
 import ast
 import os
@@ -17,27 +17,25 @@ Key = tuple[str, str]  # Context and text
 
 FAILURES = (ENOENT, EACCES, EPERM, EISDIR, ENOTDIR, ENOSPC, EROFS, ENAMETOOLONG, ELOOP, EBADF, EIO, EPIPE)
 """Why files cannot be read or written, as the system says it."""
-SAYING = [
-    "say", "say_many", "filled", "translate", "deferred", "heard", "wrong", "AfmcalcError", "FileError", "CalculationError",
-]  # fmt: skip
+SAYING = ["say", "filled", "translate", "deferred", "heard", "wrong", "AfmcalcError", "FileError", "CalculationError"]
 
 
 @cache
 def texts() -> set[Key]:
-    """Context and text of every literal and every entry of a table that is worded."""
+    """Context and text of every literal and every table entry that has words."""
     sources = (_literals(), _tables(), _pages(), _fields(), _equations(), _terms(), _papers(), _examples())
     return {key for source in sources for key in source if worded(key[1])}
 
 
 def worded(text: str) -> bool:
-    """True if a text has words, units or decimal points of its own beside its fields."""
+    """True if a text has words, units or decimal points besides its fields."""
     bare = "".join(part for part, *_ in string.Formatter().parse(text)) if "{" in text else text
     bare = re.sub(r"\w+_\w+|\b(sin|cos|tan|ln|zC|pi)\b|\b[FSM]\d+\b", "", bare)
     return re.search(r"[A-Za-z]{2}|\d\.\d|N·m|N/mm", bare) is not None
 
 
 def _literals() -> Iterator[Key]:
-    """First arguments of what says something, wherever it is called."""
+    """First arguments of all calls of the functions in ``SAYING``."""
     for _, node in calls(*SAYING):
         if node.args:
             second = node.args[1] if called(node) == "translate" and len(node.args) > 1 else None
@@ -79,7 +77,7 @@ def _pages() -> Iterator[Key]:
 
 
 def _fields() -> Iterator[Key]:
-    """The texts of schemas about tables and keys, and the words that a value may be."""
+    """Descriptions of tables and keys in the schemas, and words that a value may be."""
     from afmcalc.analysis.registry import ANALYSES, schema
 
     for each in map(schema, (None, *ANALYSES)):
@@ -88,7 +86,7 @@ def _fields() -> Iterator[Key]:
 
 
 def below(part: Any, key: str) -> Iterator[Any]:
-    """Everything at a key anywhere in a part of a schema."""
+    """Yield every value of a key anywhere in a part of a schema."""
     if isinstance(part, dict):
         if key in part:
             yield part[key]
@@ -112,7 +110,7 @@ def _equations() -> Iterator[Key]:
 
 
 def _terms() -> Iterator[Key]:
-    """Meanings of what has a unit: else it is not shown; and how cases are called."""
+    """Meanings of quantities with a unit (others are not shown), and the names of cases."""
     from afmcalc.equations.terms import CASES, TERMS
 
     meanings = (each.meaning for each in TERMS.values() if each.unit)

@@ -34,7 +34,7 @@ drive = afmcalc.load("example:drive")
 assert_type(drive.heat().energy.max, float | None)
 assert_type(drive.effects().accuracy_factor, float)
 
-# what there is not, type checkers refuse too
+# type checkers also refuse names that do not exist
 with suppress(AttributeError):
     clutch.acuracy()  # type: ignore[attr-defined]
 with suppress(AttributeError):

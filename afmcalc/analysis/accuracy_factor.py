@@ -1,4 +1,4 @@
-"""Accuracy of the clutch: K_т, its worst cases, its limits, what it is sensitive to, and sweeps of it."""
+"""Accuracy of the clutch: the accuracy factor K_т, its worst case, limits and sensitivities, and sweeps of it."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -14,7 +14,7 @@ from .clutch_findings import clutch_findings
 from .sweep import Axis, replaced, series
 
 _ROUNDING = 1e-8
-"""Smallest elasticity that is more than rounding."""
+"""Largest magnitude of an elasticity that counts as a rounding error."""
 
 
 class AccuracySweep(Asking, Series):
@@ -53,7 +53,7 @@ class AccuracyResult(Asking, Answer):
 def accuracy(
     clutch: Clutch, sweeps: Sequence[Axis] = (), columns: Sequence[str] = ()
 ) -> tuple[AccuracyResult, list[Finding]]:
-    """Calculate the accuracy of a clutch, and over the grid of ``sweeps``, there with ``columns`` of quantities."""
+    """Calculate the accuracy of a clutch; over the grid of ``sweeps`` also the quantities in ``columns``."""
     spec = clutch.spec
     kind = with_columns(AccuracySweep, clutch, columns)
     swept = series(kind, spec, sweeps, asked_by(kind, clutch), open_at=columns)
@@ -66,13 +66,13 @@ def accuracy(
 
 
 def _is_of_path(clutch: Quantities) -> bool:
-    """True if K_т of unlike materials is T(f_max)/T(f_min), whose slopes F11 has."""
+    """True for unlike materials whose accuracy factor K_т is T(f_max)/T(f_min), the ratio that F11 differentiates."""
     name = "accuracy_factor_by_ratios"
     return name in clutch and bool(abs(clutch[name] / clutch["accuracy_factor"] - 1) <= 1e-9)
 
 
 def _shown(slopes: Mapping[str, Elasticity]) -> Iterator[tuple[str, float]]:
-    """Elasticities to show; a mean friction without effect on K_т is left out."""
+    """Yield key path and elasticity of K_т; rounding errors become 0, a mean friction without effect is left out."""
     for path, (slope, _) in slopes.items():
         if abs(slope) > _ROUNDING:
             yield path, slope
@@ -83,12 +83,12 @@ def _shown(slopes: Mapping[str, Elasticity]) -> Iterator[tuple[str, float]]:
 def _findings(
     clutch: Quantities, slopes: Mapping[str, Elasticity], swept: list[AccuracySweep] | None
 ) -> Iterator[Finding]:
-    """Say where K_т has a kink, and where breakaway peaks of swept points exceed the sustained torque."""
+    """Yield findings on a kink of K_т at a key's value, and on swept points with a breakaway peak above the torque."""
     if kinks := [path for path, slope in slopes.items() if slope.kink]:
         path = "control_unit.gain_slope"
         slope, constant = (float(clutch.get(name, 0.0)) for name in ("gain_slope", "constant_torque_slope"))
         if path in kinks and abs(slope - constant) <= 1e-9 * constant:
-            # pockets hold the torque just so: beside it K_т grows on either side
+            # pockets keep the torque constant: K_т grows with a smaller and with a larger slope of the gain
             yield finding("elasticity-one-sided", "info", value=slope, limit=constant, path=path)
         else:
             yield finding("elasticity-one-sided/key", "info", path=kinks[0], paths=", ".join(kinks))

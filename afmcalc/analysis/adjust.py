@@ -14,7 +14,7 @@ from .asking import Asking, answer, asked
 from .clutch_findings import clutch_findings
 
 METHODS: dict[Method, str] = {"min-friction": "by_min", "mean-friction": "by_mean"}
-"""Method → case in which the clutch is set by it for its nominal torque."""
+"""Adjustment method → case in which the clutch is set by this method for its nominal torque."""
 
 
 class MethodResult(Asking):
@@ -45,13 +45,13 @@ class AdjustResult(Asking, Answer):
 
 def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     """Set the clutch by both methods for its nominal torque and compare the scatter bands."""
-    nominal = float(clutch["nominal_torque"])
+    nominal = clutch["nominal_torque"]
     clutches: dict[Method, Quantities] = {method: clutch.at(case) for method, case in METHODS.items()}
     results = {method: _method(clutch, one) for method, one in clutches.items()}
     at_min, at_mean = results.values()
-    # the torque does not wander at all where friction does not, or pockets hold it
-    wanders = at_min.scatter > 1e-12 * float(clutches["min-friction"]["torque_max"])
-    ratio = float(clutch["scatter_ratio"]) if wanders else None
+    # the torque does not scatter if the friction is constant, or if curved pockets keep the torque constant
+    wanders = at_min.scatter > 1e-12 * clutches["min-friction"]["torque_max"]
+    ratio = clutch["scatter_ratio"] if wanders else None
     narrower: Literal["min-friction", "mean-friction", "equal"] = "equal"
     if ratio is None and at_mean.scatter > 1e-12 * nominal:
         narrower = "min-friction"
@@ -66,9 +66,9 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
         findings.append(
             finding(
                 "narrower-below-nominal" if results[narrower].holds_machine else "narrower-below-nominal/machine",
-                # a warning where the clutch has that setting
+                # the finding is a warning if the spec sets the clutch by this method
                 "warning" if narrower == clutch.spec.adjustment.method else "info",
-                value=float(clutches[narrower]["torque_min"]), limit=nominal, path="adjustment.method",
+                value=clutches[narrower]["torque_min"], limit=nominal, path="adjustment.method",
                 method=translate(narrower), machine=result.machine_torque,
             )
         )  # fmt: skip
@@ -76,29 +76,29 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
 
 
 def _re_made(clutch: Clutch, first: Quantities, second: Quantities) -> Iterator[Finding]:
-    """Say what the clutches compared have that the clutch as made has not."""
+    """Yield findings on a control-spring force and pockets in the spec, which each method replaces by its own."""
     control, unit = clutch.spec.control_spring, clutch.spec.control_unit
     if control is not None and control.force is not None:
-        forces = {"at_min": float(first["control_force"]), "at_mean": float(second["control_force"])}
+        forces = {"at_min": first["control_force"], "at_mean": second["control_force"]}
         yield finding("control-spring-re-set", "info", value=control.force, path="control_spring.force", **forces)
     if unit is not None and unit.pocket is not None:
-        slopes = {"at_min": float(first["gain_slope"]), "at_mean": float(second["gain_slope"])}
-        value = float(clutch["gain_slope"])
+        slopes = {"at_min": first["gain_slope"], "at_mean": second["gain_slope"]}
+        value = clutch["gain_slope"]
         yield finding("pockets-re-cut", "info", value=value, path="control_unit.pocket", **slopes)
 
 
 def _method(own: Quantities, clutch: Quantities) -> MethodResult:
-    lowest = float(clutch["torque_min"]) * (1 + 1e-12)
-    nominal, machine = float(own["nominal_torque"]), float(own["machine_torque"])
+    lowest = clutch["torque_min"] * (1 + 1e-12)
+    nominal, machine = own["nominal_torque"], own["machine_torque"]
     return answer(MethodResult, clutch, holds_nominal=lowest >= nominal, holds_machine=lowest >= machine)
 
 
 def _threshold(clutch: Quantities) -> float | None:
-    """z of S19 (12); None where it does not apply, or one method is narrower whatever the number of pairs."""
+    """Number of pairs above which min-friction has the narrower scatter band, S19 (12); None without such a number."""
     if "pairs_threshold" not in clutch:
         return None
     margin, gain = clutch["margin"], clutch["gain"]
     if not (margin - 1) * gain > 0 or margin * clutch["friction_min"] >= clutch["friction_mean"]:
         return None
-    threshold = float(clutch["pairs_threshold"])
+    threshold = clutch["pairs_threshold"]
     return threshold if math.isfinite(threshold) else None

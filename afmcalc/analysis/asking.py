@@ -1,15 +1,15 @@
-"""An analysis is a list of quantities: the fields of its result ask a clutch for them, each by its own name."""
+"""Results whose fields are filled with quantities of the clutch; cache of the analyses of a clutch."""
 
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
-from typing import Any, NamedTuple, TypeVar, get_args
+from typing import Any, ClassVar, NamedTuple, TypeVar, get_args
 
 from pydantic import Field, create_model
 
 from ..engines import Clutch, build
 from ..engines.quantities import Quantities
-from ..equations.terms import term_of
+from ..equations.terms import DETAILS, term_of
 from ..errors import AfmcalcError
 from ..findings import Finding
 from ..result import Result, Shown, Triple, shown_as
@@ -17,15 +17,29 @@ from .registry import ANALYSES, StressRule
 
 R = TypeVar("R", bound=Result)
 ENDS = ("f_min", "f_mean", "f_max")
-"""Cases of a ``Triple``."""
+"""Cases in which the three numbers of a ``Triple`` are calculated."""
 
 
 class Asking(Result):
-    """Base of a result with fields that are ``asked``."""
+    """Base class of results with ``asked`` fields, whose values are quantities of the clutch."""
+
+    details_of: ClassVar[str] = ""
+    """Command whose detail quantities (``DETAILS`` in ``equations.terms``) are the extra fields for ``--details``."""
+    details_are: ClassVar[type] = float
+    """Type of the extra fields; ``Triple`` also allows one number, for a quantity that does not depend on friction."""
+
+    @classmethod
+    @cache
+    def detailed(cls) -> Any:
+        """Return the class with an optional field for each detail quantity; without any, the class itself."""
+        names = [name for name, command in DETAILS.items() if command == cls.details_of]
+        kind = cls.details_are | float | None
+        fields: dict[str, Any] = {name: (kind, asked(optional=True, details=True)) for name in names}
+        return create_model(cls.__name__, __base__=cls, __doc__=cls.__doc__, **fields) if names else cls
 
     @classmethod
     def __pydantic_init_subclass__(cls, **options: Any) -> None:
-        """Give each field that is ``asked`` symbol, unit and meaning of its quantity."""
+        """Give each ``asked`` field the symbol, unit and meaning of its quantity."""
         for name, field in cls.model_fields.items():
             if (shown := shown_as(field)).asked:
                 term = term_of(shown.quantity or name)
@@ -36,13 +50,13 @@ class Asking(Result):
 
 
 def asked(quantity: str = "", description: str = "", *, optional: bool = False, **shown: Any) -> Any:
-    """Declare a field that has the value of a quantity: unit, symbol and meaning are those of ``equations.terms``.
+    """Declare a field for the value of a quantity; unit, symbol and meaning come from ``equations.terms``.
 
     Args:
-        quantity: name of the quantity, where it is not that of the field.
-        description: what it is, where the result has other words for it than the terms.
-        optional: leave the field null (and out of tables) where the quantity does not follow from what is given.
-        shown: the rest, as ``Shown``; a ``symbol`` where the result has another one than the terms.
+        quantity: name of the quantity, if it is not the name of the field.
+        description: meaning, if its words are to differ from those in ``equations.terms``.
+        optional: leave the field null (and out of tables) if the quantity cannot be calculated from the spec.
+        shown: further arguments of ``Shown``, such as a ``symbol`` that differs from ``equations.terms``.
     """
     about = Shown(asked=True, quantity=quantity, **shown)
     if optional:
@@ -53,51 +67,56 @@ def asked(quantity: str = "", description: str = "", *, optional: bool = False, 
 class _Question(NamedTuple):
     field: str
     names: tuple[str, ...]
-    """One, or three of a ``Triple``."""
+    """Names of the quantities: one name, or the three names for a ``Triple``."""
     optional: bool
+    alone: str = ""
+    """Name to use instead of the three names if the quantity does not depend on friction; else empty."""
 
 
 @cache
 def _questions(kind: type[Result]) -> list[_Question]:
-    """Questions that the fields of a result ask."""
+    """Names of the quantities that fill the ``asked`` fields of a result, one ``_Question`` for each field."""
     questions = []
     for field, info in kind.model_fields.items():
         if (shown := shown_as(info)).asked:
-            over_range = Triple in (info.annotation, *get_args(info.annotation))
+            types = (info.annotation, *get_args(info.annotation))
+            over_range, alone = Triple in types, shown.quantity if Triple in types and float in types else ""
             names = tuple(f"{shown.quantity}_at_{case}" for case in ENDS) if over_range else (shown.quantity,)
-            questions.append(_Question(field, names, optional=not info.is_required()))
+            questions.append(_Question(field, names, not info.is_required(), alone))
     return questions
 
 
 def answer(kind: type[R], clutch: Quantities, **values: Any) -> R:
-    """Return a result whose fields that are ``asked`` have the quantities of a clutch, or of a case of it.
+    """Return a result with its ``asked`` fields filled with the quantities of a clutch, or of a case of it.
 
     Args:
-        kind: class of the result. A ``Triple`` is asked in the cases f_min, f_mean and f_max; an optional field is null
-            where the clutch has no such quantity (``clutch.missing(name)`` says why).
-        clutch: the quantities.
-        values: the fields that are not asked, and those of the others that are something else here.
+        kind: class of the result. A ``Triple`` takes values of the cases f_min, f_mean and f_max; an optional field is
+            null if the clutch has no such quantity (``clutch.missing(name)`` says why).
+        clutch: clutch, or case of a clutch, whose quantities fill the fields.
+        values: values of the fields that are not ``asked``, and values that replace those of ``asked`` fields.
     """
-    questions = [question for question in _questions(kind) if question.field not in values]
-    known = clutch.known([name for question in questions for name in question.names])
-    for field, names, optional in questions:
+    detailed = kind.detailed()
+    questions = [question for question in _questions(detailed) if question.field not in values]
+    known = clutch.known([name for question in questions for name in (question.alone, *question.names) if name])
+    for field, asked_names, optional, alone in questions:
+        names = (alone,) if alone in known else asked_names
         if optional and names[0] not in known:
             continue
         own = [known[name] if name in known else clutch[name] for name in names]  # clutch[…] says what is missing
         values[field] = Triple(min=own[0], mean=own[1], max=own[2]) if len(own) > 1 else own[0]
-    return kind(**values)
+    return detailed(**values)
 
 
 def asked_by(kind: type[Result], clutch: Quantities) -> dict[str, str]:
-    """Return what the fields of a result, of a sweep say, ask of a clutch: field → quantity, of those that it has."""
+    """Return field → quantity for those ``asked`` fields of a result whose quantities the clutch has."""
     names = {question.field: question.names[0] for question in _questions(kind)}
     return {field: name for field, name in names.items() if name in clutch}
 
 
 def with_columns(kind: type[R], clutch: Quantities, names: Iterable[str]) -> type[R]:
-    """Return the class of a sweep with a column for each of some quantities, such as ``torque_at_f_max``.
+    """Return the class of a sweep with a further column for each quantity in ``names``, such as ``torque_at_f_max``.
 
-    Raises AfmcalcError: the clutch has no such quantity, or one that is no number.
+    Raises AfmcalcError if the clutch lacks one of the quantities, or if a quantity is not a number.
     """
     wanted = [name for name in names if name not in kind.model_fields]
     for name in wanted:
@@ -112,13 +131,13 @@ def with_columns(kind: type[R], clutch: Quantities, names: Iterable[str]) -> typ
 
 
 class Answers:
-    """Cache of the analyses of one clutch, each run when it is first asked for.
+    """Cache of the analyses of one clutch; each analysis runs when its result is first needed.
 
-    Where the clutch notes its steps (``explain``), analyses that are not explained run on a copy that notes none.
+    If the clutch notes its steps (``explain``), analyses that are not explained run on a copy that notes no steps.
     """
 
     def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress", quiet: "Answers | None" = None) -> None:
-        """Begin with no analysis run; ``model`` is the rule of the life, ``quiet`` the answers of that copy."""
+        """Start an empty cache; ``model``: rule for the damaging stress; ``quiet``: existing cache of the copy."""
         self.clutch, self.model = clutch, model
         self._quiet = quiet or (self if clutch.steps is None else Answers(build(clutch.spec), model=model))
         self._options = {"model": model, "answers": self}
@@ -135,11 +154,11 @@ class Answers:
         return self._answers[name]
 
     def of(self, kind: type[R]) -> R:
-        """Return the result of that class."""
+        """Return the result of the class ``kind``; its analysis runs now if it has not run yet."""
         name = next(each.name for each in ANALYSES.values() if each.result == kind.__name__)
         return self.ask(name)[0]
 
     @property
     def quiet(self) -> Clutch:
-        """The clutch without notes of its steps."""
+        """The clutch or, if it notes its steps, its copy that notes no steps."""
         return self._quiet.clutch

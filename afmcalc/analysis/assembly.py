@@ -1,13 +1,14 @@
 """Data of the drawing of the whole clutch: parts at rest and at f_max, main dimensions, part list, assumed sizes.
 
-Parts lie as the layout places them. Where the spec leaves open what the layout needs, defaults are filled in and told.
+Parts lie where the layout places them. Keys of the spec that the layout needs and that have no value get defaults,
+which are listed as assumed.
 """
 
 from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 from ..engines import Clutch, build
-from ..engines.rings import FACE_GAP, TOUCHES, PartName, Ring, Sizes, SpringSize, overlaps, parts_of, sizes_of
+from ..engines.rings import FACE_GAP, TOUCHES, PartName, Sizes, SpringSize, overlaps, parts_of, sizes_of
 from ..errors import CalculationError
 from ..messages import translate
 from ..spec.edit import value_at, with_values
@@ -26,16 +27,16 @@ class MainDimension(NamedTuple):
     symbol: str
     about: str
     low: float
-    """Place along the axis; of a diameter the radius below the axis, less than 0."""
+    """Start of a length along the axis, m; of a diameter the negative radius, m."""
     high: float
     at: float
-    """Radius that a length is measured at, place along the axis of a diameter."""
+    """Place of the dimension line, m: for a length its radius, for a diameter its place along the axis."""
     assumed: bool
-    """True if it rests on a key that was filled in."""
+    """True if the dimension depends on a key that was filled in."""
 
 
 class Box(NamedTuple):
-    """Half of the section through a ring, m."""
+    """Half of the section through a ring, m: its ends along the axis, and its inner and outer radius."""
 
     left: float
     right: float
@@ -43,7 +44,7 @@ class Box(NamedTuple):
     outer: float
 
     def common(self, others: Iterable["Box"]) -> Iterator["Box"]:
-        """Yield what it has in common with others, where that is more than rounding makes."""
+        """Yield the overlaps with other boxes, except overlaps that are rounding errors."""
         for other in others:
             left, inner = max(self.left, other.left), max(self.inner, other.inner)
             right, outer = min(self.right, other.right), min(self.outer, other.outer)
@@ -52,21 +53,21 @@ class Box(NamedTuple):
 
 
 class DrawnPart(NamedTuple):
-    """A part, and its row of the part list."""
+    """A part of the clutch as drawn, and its row of the part list."""
 
     name: PartName
     number: int
     row: LayoutPart
     boxes: list[Box]
     pockets: list[Box]
-    """Areas that the pockets take away where a ball is."""
+    """Areas where a ball overlaps the part: there the pocket is cut out of the part."""
     moved: list[Box]
-    """Where it is at f_max; empty of what does not move."""
+    """Boxes of the part at f_max; empty if the part does not move."""
     assumed: bool
-    """True if its size rests on a key that was filled in."""
+    """True if the size of the part depends on a key that was filled in."""
     pieces: int
     turns: float
-    """Turns of a spring, or packs of discs against each other; 0 of what is no spring."""
+    """Number of turns of a coil spring, or of packs of disc springs in series; 0 if the part is no spring."""
 
 
 class ClutchSection(NamedTuple):
@@ -75,24 +76,24 @@ class ClutchSection(NamedTuple):
     name: str | None
     parts: dict[PartName, DrawnPart]
     bypass_pairs: int
-    """Pairs that bypass the control unit; 0 of a clutch without one."""
+    """Number of friction pairs that bypass the control unit; 0 without a control unit."""
     travel: float
     measures: dict[str, MainDimension]
     overlaps: list[tuple[PartName, PartName, float]]
-    """Parts that are in each other's way, and by how much at most."""
+    """Two parts that collide in the layout, and their largest overlap, m."""
     assumed: dict[str, float]
-    """Key of the spec → what was filled in for the drawing, SI."""
+    """Key of the spec → value filled in for the drawing, SI."""
 
 
 _MOST = 500
-"""Pairs, and balls, that are drawn, one by one."""
+"""Largest number of friction pairs, and of balls, that is drawn."""
 
 
 def section(answers: Answers) -> ClutchSection:
-    """Lay out a clutch for its drawing, whatever its spec leaves open.
+    """Lay out a clutch for its drawing, with defaults for the keys that its spec leaves open.
 
     Raises:
-        CalculationError: more pairs or balls than a drawing shows.
+        CalculationError: more pairs or balls than a drawing shows, or a bore as wide as the housing.
     """
     for key in ("friction_group.pairs", "control_unit.balls"):
         if (value_at(answers.clutch.spec, key) or 0) > _MOST:
@@ -101,7 +102,7 @@ def section(answers: Answers) -> ClutchSection:
             )
     clutch, sizes, assumed = _completed(answers)
     spec, laid_out, travel = clutch.spec, parts_of(sizes), float(sizes.travel)
-    boxes = {part.name: [_box(ring) for ring in part.boxes if ring.extends] for part in laid_out}
+    boxes = {part.name: [Box(*map(float, ring[:4])) for ring in part.boxes if ring.extends] for part in laid_out}
     if len(boxes["housing"]) < 2:
         size = sizes.outer_radius + sizes.wall
         raise CalculationError(
@@ -123,13 +124,17 @@ def section(answers: Answers) -> ClutchSection:
     return ClutchSection(
         spec.name, parts, int(clutch.bypass_pairs) if spec.kind.controlled else 0, travel,
         {each.key: each for each in _measures(sizes, boxes, assumed)},
-        [(one, other, float(missing)) for one, other, missing in overlaps(laid_out) if missing > TOUCHES],
+        [*_collisions(answers.clutch)],
         assumed,
     )  # fmt: skip
 
 
-def _box(ring: Ring) -> Box:
-    return Box(float(ring.left), float(ring.right), float(ring.inner), float(ring.outer))
+def _collisions(clutch: Clutch) -> Iterator[tuple[PartName, PartName, float]]:
+    """Yield the collisions that ``layout`` reports; no collisions without [envelope]: thicknesses are then assumed."""
+    if clutch.spec.envelope is not None:
+        for one, other, missing in overlaps(parts_of(sizes_of(clutch))):
+            if missing > TOUCHES:
+                yield one, other, float(missing)
 
 
 _BODY = ("friction_group", "envelope")
@@ -138,7 +143,7 @@ _KEYS: dict[PartName, tuple[str, ...]] = {
     "balls": ("control_unit",), "closing spring": ("closing_spring",), "control spring": ("control_spring",),
     "ball sleeve": _SLEEVE, "thrust sleeve": _SLEEVE, "stop ring": _SLEEVE, "thrust disc": _SLEEVE,
 }  # fmt: skip
-"""Blocks of the spec that the size of a part rests on."""
+"""Part → blocks of the spec that determine its size; the size of all other parts is determined by ``_BODY``."""
 
 
 def _rests_on(assumed: dict[str, float], *paths: str) -> bool:
@@ -146,12 +151,15 @@ def _rests_on(assumed: dict[str, float], *paths: str) -> bool:
 
 
 def _completed(answers: Answers) -> tuple[Clutch, Sizes, dict[str, float]]:
-    """Return a clutch with all that a layout needs, its sizes, and the keys filled in, most in shares of R_cp."""
+    """Return a clutch with all keys for a layout, its sizes, and path → value of the keys filled in.
+
+    The values filled in are mostly shares of the mean friction radius.
+    """
     clutch = answers.clutch
     radius, travels, assumed = float(clutch.mean_radius), clutch.spec.kind.travels, dict[str, float]()
 
     def fill(block: str, empty: Any = None, **values: float) -> Any:
-        """Fill in the keys of a block that have no value, and return it."""
+        """Return a block of the spec, its missing keys filled in; a missing block is first set to ``empty``."""
         nonlocal clutch
         spec = clutch.spec
         if value_at(spec, block) is None:
@@ -168,7 +176,7 @@ def _completed(answers: Answers) -> tuple[Clutch, Sizes, dict[str, float]]:
         unit = fill("control_unit", balls=6, ball_circle_radius=0.5 * radius, face_gap=FACE_GAP)
         circle, ball = unit.ball_circle_radius, unit.ball_diameter
         if ball is None:
-            if clutch.gain > 0:  # as synthesized; of a circle of our own too
+            if clutch.gain > 0:  # by synthesis, also if the ball circle was filled in
                 asked = ANALYSES["pocket"].applies(answers.clutch)
                 ball = (answers.ask("pocket") if asked else pocket(clutch))[0].ball_diameter
             else:
@@ -185,7 +193,7 @@ def _completed(answers: Answers) -> tuple[Clutch, Sizes, dict[str, float]]:
     for name in ("closing", "control")[: 1 + travels]:
         if getattr(sizes, name).length > 0:
             continue
-        part: Any = clutch.spec.spring_parts.get(name)  # if any, coils on a circle that is not told
+        part: Any = clutch.spec.spring_parts.get(name)  # coil springs whose circle the spec does not give, or None
         inner = 2 * (max(reach, sizes.hub_radius) + sizes.wall) + 0.04 * radius
         outer = inner + (0.16 * radius if part is None else 2 * (part.coil_diameter + part.wire_diameter))
         room = fill(
@@ -201,11 +209,11 @@ def _completed(answers: Answers) -> tuple[Clutch, Sizes, dict[str, float]]:
 _SHARES: dict[PartName, tuple[float, float]] = {
     "thrust sleeve": (1, 1), "closing spring": (0, 1), "control spring": (1, 0),
 }  # fmt: skip
-"""Shares of the sleeve's travel that the left and the right end of a part move by."""
+"""Part → shares of the sleeve's travel by which its left and its right end move."""
 
 
 def _moved(clutch: Clutch, name: PartName, boxes: list[Box], travel: float) -> Iterator[Box]:
-    """Yield where a part is at f_max; a ball stays in the sleeve that seats it, else goes half as far."""
+    """Yield the boxes of a part at f_max if it moves; a ball moves by half the sleeve's travel, or stays seated."""
     left, right = _SHARES.get(name, (0.0, 0.0))
     if name == "balls":
         left = right = 1 - 1 / wall_of(clutch, FACE_GAP).sleeves
@@ -214,7 +222,7 @@ def _moved(clutch: Clutch, name: PartName, boxes: list[Box], travel: float) -> I
 
 
 def _pieces(spec: Spec, name: PartName) -> tuple[int, float]:
-    """Return how many there are of a part, and the turns of a spring."""
+    """Return number of pieces of a part, and number of coil-spring turns or disc-spring packs, 0 for other parts."""
     spring, _, kind = name.partition(" ")
     part = spec.spring_parts.get(spring)
     if part is not None:
@@ -224,7 +232,7 @@ def _pieces(spec: Spec, name: PartName) -> tuple[int, float]:
 
 
 def _measures(sizes: Sizes, boxes: dict[PartName, list[Box]], assumed: dict[str, float]) -> Iterator[MainDimension]:
-    """Yield the main dimensions of what there is."""
+    """Yield the main dimensions of the parts that the clutch has."""
 
     def measure(key: str, symbol: str, about: str, low: Any, high: Any, at: float, *paths: str) -> MainDimension:
         return MainDimension(key, symbol, about, float(low), float(high), at, _rests_on(assumed, *paths))

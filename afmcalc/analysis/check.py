@@ -1,4 +1,4 @@
-"""Check of a clutch: all that it is held against, one verdict, and what a designer should know."""
+"""Check of a clutch: a row for each check and requirement, one verdict, and findings for the designer."""
 
 import math
 from collections.abc import Collection, Iterator, Mapping
@@ -13,7 +13,7 @@ from ..errors import SpecError
 from ..findings import Finding, Level, finding
 from ..messages import deferred, percent, say, translate
 from ..result import Answer, Result, described, quantity
-from .asking import Answers
+from .asking import Answers, Asking, answer, asked
 from .clutch_findings import clutch_findings
 from .drive_result import SimulateResult
 from .fatigue import UNLIMITED
@@ -31,9 +31,9 @@ class CheckRow(Result):
 
     code: str = described("code of its finding", details=True)
     name: str = described("check")
-    symbol: str = described("condition")
+    symbol: str = described("condition", details=True)
     value: float | None = described("value", unit_in="shown_unit")
-    limit: float | None = described("limit", unit_in="shown_unit")
+    limit: float | None = described("limit", unit_in="shown_unit", digits=5)
     unit: str = described("unit", is_unit=True, unit_in="shown_unit")
     least: bool = described("whether the limit is the least", details=True)
     utilisation: float | None = quantity("1", "η", "utilisation, 1 at the limit")
@@ -44,21 +44,21 @@ class CheckRow(Result):
 
     @property
     def shown_unit(self) -> str:
-        """Unit: what is held against a limit is a temperature, not a difference of two."""
+        """Unit to show; ``K abs`` for kelvin, since value and limit are temperatures, not differences."""
         return "K abs" if self.unit == "K" else self.unit
 
     @property
     def is_requirement(self) -> bool:
-        """True if [requirements] asks it, or the plate of a machine."""
+        """True if the row judges a requirement, of [requirements] or of the rating plate in [machine]."""
         return self.code == "requirement-missed"
 
     @property
     def grade(self) -> Grade:
-        """Verdict on the row."""
+        """Grade of the row; a failed row has the grade of its level, error or warning."""
         return "not judged" if self.passed is None else "pass" if self.passed else _GRADES[self.level]
 
     def words(self, name: str) -> str | None:
-        """Tell the grade; and of a life that passes without a number that it has no limit."""
+        """Words for the verdict, and "unlimited" for a life that passes without a number; None: the value is shown."""
         if name == "value" and self.value is None and self.passed:
             return translate(UNLIMITED)
         return translate(self.grade) if name == "passed" else None
@@ -72,30 +72,35 @@ class Verdict(Result):
     not_judged: list[str] = described("not yet judged")
 
 
-class CheckResult(Answer):
+class CheckResult(Asking, Answer):
     """The verdict on a clutch, and every check."""
 
     findings_first: ClassVar[bool] = True
 
     passed: bool = described("whether the check passed")
-    errors: int = described("findings that must be put right")
-    warnings: int = described("findings to think about")
-    notes: int = described("findings worth knowing")
+    errors: int = described("findings that must be put right", details=True)
+    warnings: int = described("findings to think about", details=True)
+    notes: int = described("findings worth knowing", details=True)
+    torque_min: float | None = asked(optional=True)
+    torque_max: float | None = asked(optional=True)
+    running_torque: float | None = asked(description="rated torque at the clutch", optional=True)
+    trip_ratio_min: float | None = asked(optional=True)
+    trip_ratio_max: float | None = asked(optional=True)
     verdict: Verdict = described("verdict")
     checks: list[CheckRow] = described("requirements and checks")
 
     def words(self, name: str) -> str | None:
-        """Leave out of the table what the verdict tells in a sentence above it."""
+        """Empty text for fields that the sentence above the table contains, to hide them; None for other fields."""
         return "" if name in ("passed", "verdict") else None
 
     @property
     def requirements(self) -> list[CheckRow]:
-        """The rows of requirements."""
+        """Rows that judge requirements."""
         return [row for row in self.checks if row.is_requirement]
 
     @property
     def grade(self) -> Grade:
-        """Grade of the verdict."""
+        """Grade of the clutch; it is also a warning if some checks are not yet judged."""
         if self.errors or not self.passed:
             return "fail"
         return "warning" if self.warnings or self.verdict.not_judged else "pass"
@@ -108,9 +113,9 @@ def check(
 
     Args:
         clutch: the clutch.
-        strict: whether warnings fail it too.
-        answers: what was asked of it already.
-        without: parts that are not calculated, because they take long: what they judge is named as not judged.
+        strict: True if warnings also make the clutch fail.
+        answers: cache of the analyses of this clutch; None: an empty cache.
+        without: analyses to skip because they take long; their checks are listed as not judged.
     """
     answers = answers or Answers(clutch)
     rows, failed, open_parts = _judged(answers, without)
@@ -121,24 +126,49 @@ def check(
     sentence = _sentence(rows, findings, not_judged)
     verdict = Verdict(passed=None if passed and open_parts else passed, sentence=sentence, not_judged=not_judged)
     counts = {"errors": levels.count("error"), "warnings": levels.count("warning"), "notes": levels.count("info")}
-    return CheckResult(passed=passed, **counts, verdict=verdict, checks=rows), findings
+    return answer(CheckResult, answers.quiet, passed=passed, **counts, verdict=verdict, checks=rows), findings
+
+
+_NEAR = 0.9
+"""Utilisation above which ``brief`` keeps a passed check."""
+_NEAREST = 3
+"""Number of passed checks that ``brief`` keeps at any utilisation."""
+_ON_LIMIT = 1 - 1e-9
+"""Utilisation from which a passed check counts as set exactly on its limit and is therefore not shown."""
+
+
+def brief(result: CheckResult, findings: list[Finding]) -> tuple[CheckResult, list[Finding]]:
+    """Return a check shortened for people: checks that fail or are near their limits; each error and warning once."""
+    graver = [each for each in findings if each.level != "info" and each.code != "requirement-missed"]
+    worst = next((each for each in graver if each.message in result.verdict.sentence), None)
+    told = {(each.code, each.path) for each in graver}
+    failed = [row for row in result.checks if not row.passed and (row.code, row.path) not in told]
+    passed = [row for row in result.checks if row.passed and row.utilisation]
+    passed = [row for row in passed if row.is_requirement or (row.utilisation or 0.0) < _ON_LIMIT]
+    passed.sort(key=lambda row: -(row.utilisation or 0.0))
+    near = [row for place, row in enumerate(passed) if place < _NEAREST or (row.utilisation or 0.0) > _NEAR]
+    counts = say("{checks} checks, {notes} notes in all: -v tells them.", checks=len(result.checks), notes=result.notes)
+    code = f" [{', '.join(filter(None, (worst.code, worst.path)))}]" if worst else ""
+    verdict = result.verdict.model_copy(update={"sentence": f"{counts}\n{result.verdict.sentence}{code}"})
+    shown = result.model_copy(update={"checks": [*failed, *near], "verdict": verdict})
+    return shown, [each for each in graver if each is not worst]
 
 
 def check_at_once(answers: Answers) -> tuple[CheckResult, list[Finding]]:
-    """Return the verdict but for what has to be simulated or sampled."""
+    """Check a clutch without the analyses that simulate or sample; their checks are listed as not judged."""
     return check(answers.clutch, answers=answers, without=simulating(answers.clutch))
 
 
 def simulating(clutch: Clutch) -> set[str]:
-    """Return the parts that simulate the event of a clutch, or sample it."""
+    """Names of the analyses in a check that take long: simulation and heat of an event, tolerance."""
     of_event = {"simulate", "heat"} if clutch.spec.drive.event is not None else set()
     return of_event | ({"tolerance"} if clutch.spec.tolerance is not None else set())
 
 
 def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
-    """Verdict on what is no spec, each of its problems a finding."""
+    """Failed verdict on an invalid spec, with a finding for each of its problems."""
     problems = [
-        finding("bad-spec", "error", path=problem.path or None, where=error.where(problem), problem=str(problem))
+        finding("bad-spec", "error", path=problem.path or None, where=problem.where, problem=str(problem))
         for problem in error.problems
     ]
     verdict = Verdict(passed=False, sentence=_sentence([], problems, []), not_judged=[])
@@ -147,14 +177,14 @@ def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
 
 
 def _remarks(answers: Answers, without: Collection[str]) -> list[Finding]:
-    """Return the findings of every analysis that a check takes in and that applies to the clutch."""
+    """Findings on the law and on unusual values, and those of each ``judged`` analysis that applies and may run."""
     clutch, own = answers.clutch, answers.quiet
     findings = [*clutch_findings(own), *unusual(own)]
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         findings.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
     if "simulate" in without and clutch.spec.drive.dynamic_factor is None:
-        without = {*without, "life"}  # it takes the factor of the event
+        without = {*without, "life"}  # life needs the dynamic factor of the event
     for analysis in ANALYSES.values():
         if analysis.judged and analysis.applies(clutch) and analysis.name not in without:
             findings += answers.ask(analysis.name)[1]
@@ -165,7 +195,7 @@ def _remarks(answers: Answers, without: Collection[str]) -> list[Finding]:
 
 
 def _judged(answers: Answers, without: Collection[str]) -> tuple[list[CheckRow], list[Finding], list[str]]:
-    """Return a row for each check that applies, a finding for each that fails, and the names of parts left out."""
+    """Return a row for each check that applies, a finding for each failed check, and the names of skipped checks."""
     spec = answers.clutch.spec
     rows, findings, left_out = list[CheckRow](), list[Finding](), dict[str, None]()
     known, needed = dict[Part | None, Known](), dict[Part | None, list[Check]]()
@@ -195,7 +225,7 @@ _SLIP_ENDS = deferred("an end of the slip: drive.cut_off, or a longer drive.even
 
 
 def lacks(clutch: Clutch, check: Check) -> str:
-    """Say what a check that is not known needs: quantities that are not given, or a part."""
+    """Text on what a check without a value needs: missing quantities of the clutch, else a block of the spec."""
     missing = clutch.missing(check.value) if check.needs is None or check.value in clutch.laws.laws else ()
     return ", ".join(missing) or translate(_BLOCKS.get(check.needs, f"`{check.needs}`"))
 
@@ -204,11 +234,11 @@ _BLOCKS: Mapping[Part | None, str] = {
     "simulate": deferred("[drive] with an event"), "heat": deferred("[drive] with an event and [heat]"),
     "tolerance": deferred("[tolerance]"), "effects": deferred("heat.lining"),
 }  # fmt: skip
-"""Part → what a spec must have that it can be calculated."""
+"""Analysis → text that names the blocks of the spec that it needs."""
 
 
 def told(answers: Answers, part: Part | None) -> Known:
-    """Return what a part tells of a clutch, by name."""
+    """Name → value that the analysis ``part`` gives to checks (None: the clutch itself); empty if it does not apply."""
     clutch = answers.quiet
     own: Quantities = by_rule(clutch, answers.model)
     if part is None:
@@ -235,7 +265,7 @@ def told(answers: Answers, part: Part | None) -> Known:
 
 
 def _row(check: Check, known: Known, ambient: float) -> Iterator[CheckRow]:
-    """Yield the row of a check; of what is not known only that of a requirement."""
+    """Yield the row of a check; a check without value or effective limit has no row, unless it is a requirement."""
     value, limit = check.value_of(known), check.limit_of(known)
     passed = None if value is None or limit is None else bool(check.passes(value, limit))
     idle = passed is None or (passed and (math.isinf(limit) or not limit))
@@ -245,12 +275,12 @@ def _row(check: Check, known: Known, ambient: float) -> Iterator[CheckRow]:
     if value is not None and limit is not None:
         used = check.utilisation(value, limit, ambient if check.unit == "K abs" else 0.0)
     if passed and check.value in (known.get("open") or ()):
-        passed = None  # where a slip has not ended it may be more
+        passed = None  # the slip has not ended, so the value may still grow
     yield _told(check, translate(check.name), value, limit, used, passed)
 
 
 def _told(check: Check, name: str, value: Any, limit: Any, used: Any, passed: bool | None) -> CheckRow:
-    """Row of a check with its numbers; one that is not finite is left out."""
+    """Row of a check with its value, limit and utilisation; a number that is not finite becomes None."""
     value, limit, used = (each if each is not None and math.isfinite(each) else None for each in (value, limit, used))
     return CheckRow(
         code=check.code.partition("/")[0], name=name, symbol=translate(check.symbol), value=value, limit=limit,
@@ -260,7 +290,7 @@ def _told(check: Check, name: str, value: Any, limit: Any, used: Any, passed: bo
 
 
 def _spring_rows(answers: Answers, without: Collection[str]) -> Iterator[CheckRow]:
-    """Yield what the springs that are named as parts hold, at the travel of the event where that is known."""
+    """Yield rows for the checks of the spring parts, at the largest travel of the event if the event is simulated."""
     clutch, travel = answers.quiet, 0.0
     if not clutch.spec.spring_parts:
         return
@@ -276,11 +306,11 @@ def _spring_rows(answers: Answers, without: Collection[str]) -> Iterator[CheckRo
             yield _told(rule, name, each.value, each.limit, used, used <= 1 + 1e-9)
 
 
-# the sentence
+# the sentence of the verdict
 
 
 def _sentence(rows: list[CheckRow], findings: list[Finding], not_judged: list[str]) -> str:
-    """Name a missed requirement, else the worst error, else the worst warning, else what is nearest to its limit."""
+    """Sentence on the worst finding: a missed requirement, else an error, else a warning; else ``_passed``."""
     beyond = sorted((row for row in rows if row.passed is False), key=lambda row: row.utilisation or math.inf)
     used = {(row.code, row.path): row.utilisation or math.inf for row in beyond}
 
@@ -305,11 +335,11 @@ def _sentence(rows: list[CheckRow], findings: list[Finding], not_judged: list[st
 
 
 def _passed(rows: list[CheckRow], *, so_far: bool) -> str:
-    """Say what is nearest to its limit, of what is not on it by what was set."""
+    """Sentence on a clutch that passes, with the check nearest to its limit; checks set on their limit do not count."""
     shares = {
         row.utilisation: row for row in rows if row.utilisation is not None and row.passed and row.level != "info"
     }
-    nearest = max((share for share in shares if share < 1 - 1e-9), default=0.0)
+    nearest = max((share for share in shares if share < _ON_LIMIT), default=0.0)
     required = any(row.is_requirement for row in rows)
     if not nearest and so_far:
         return say("What is judged so far passes.")

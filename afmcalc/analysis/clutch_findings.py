@@ -1,16 +1,16 @@
-"""Findings of every analysis of a clutch: the limits of its law, its setting, its springs."""
+"""Findings that all analyses of a clutch share: findings on the limits of its law, its setting and its springs."""
 
 from collections.abc import Iterator
 
 from ..engines import Clutch
 from ..engines.checks import failures_of
-from ..findings import Finding, finding
+from ..findings import Finding, Level, finding
 from ..messages import translate
-from ..spec.models import Friction
+from ..spec.models import Friction, Spec
 
 
 def clutch_findings(clutch: Clutch) -> list[Finding]:
-    """Return the checks of the law that fail, and remarks on the law, on the setting, and on springs named as parts."""
+    """Return the findings on a clutch: failed checks of its law, and remarks on setting, materials and spring parts."""
     spec = clutch.spec
     found = [*spec.label.findings, *failures_of(spec, clutch, "torque"), *_remarks(clutch)]
     found += material_findings(spec.friction)
@@ -22,15 +22,15 @@ def clutch_findings(clutch: Clutch) -> list[Finding]:
 
 
 def _remarks(clutch: Clutch) -> Iterator[Finding]:
-    """Falling torque, hysteresis, springs that are not straight, a force that does not give the torque wished."""
+    """Yield findings on a torque that falls with friction, the sleeve, the nominal torque, and the service factor."""
     spec = clutch.spec
     if spec.friction.unlike:
-        most, at = float(clutch["torque_max"]), float(clutch["friction_of_torque_max"])
-        if (factor := float(clutch["torque_at_f_max"]) / most) < 1:
+        most, at = clutch["torque_max"], clutch["friction_of_torque_max"]
+        if (factor := clutch["torque_at_f_max"] / most) < 1:
             yield finding("torque-falls", "info", value=factor, limit=1.0, most=most, at=at)
     if spec.kind.travels:
         yield from _of_sleeve(clutch)
-    nominal, wished = float(clutch["nominal_torque"]), spec.adjustment.nominal_torque
+    nominal, wished = clutch["nominal_torque"], spec.adjustment.nominal_torque
     if wished is not None and abs(nominal - wished) > 1e-4 * wished:
         path = "adjustment.nominal_torque"
         yield finding("nominal-torque-missed", "warning", value=nominal, limit=wished, path=path)
@@ -39,28 +39,28 @@ def _remarks(clutch: Clutch) -> Iterator[Finding]:
 
 
 def _of_sleeve(clutch: Clutch) -> Iterator[Finding]:
-    """Curved springs, the key's hysteresis, a pocket in which the torque falls."""
+    """Yield findings on disc springs, pockets in which the torque falls, and hysteresis by feather-key friction."""
     discs = [name for name in ("closing_spring", "control_spring") if getattr(clutch.spec, name).disc is not None]
     if discs:
         yield finding("curved-springs", "info", path=f"{discs[0]}.disc")
     if clutch["net_gain"] == 0:
         return
     if "gain_slope" in clutch and 0 < clutch["friction_leaving"] < clutch["friction_max"]:
-        slope, best, jumping = (float(clutch[f"{of}_slope"]) for of in ("gain", "constant_torque", "jumping"))
+        slope, best, jumping = (clutch[f"{of}_slope"] for of in ("gain", "constant_torque", "jumping"))
         if slope > best * (1 + 1e-9):
             code, path = "torque-jumps" if slope > jumping else "torque-falls-with-travel", "control_unit.gain_slope"
-            most, falls = float(clutch["torque_at_leaving"]), float(clutch["torque_at_f_max"])
+            most, falls = clutch["torque_at_leaving"], clutch["torque_at_f_max"]
             yield finding(code, "warning", value=slope, limit=best, path=path, jumping=jumping, most=most, falls=falls)
     if clutch["key_friction"]:
         names, key = ("torque_returning_min", "nominal_torque", "machine_torque"), "control_unit.key_friction"
-        returning, nominal, machine = (float(clutch[name]) for name in names)
-        yield finding("hysteresis", "info", value=float(clutch["hysteresis_ratio"]), limit=1.0, path=key)
+        returning, nominal, machine = (clutch[name] for name in names)
+        yield finding("hysteresis", "info", value=clutch["hysteresis_ratio"], limit=1.0, path=key)
         if machine * (1 - 1e-12) <= returning < nominal * (1 - 1e-12):
             yield finding("returning-covered", "info", value=returning, limit=nominal, path=key, machine=machine)
 
 
 def material_findings(friction: Friction) -> Iterator[Finding]:
-    """Materials echoed with their source, as what they are read, and what counts where it may be one of several."""
+    """Yield findings on the catalogue row of each material, and on the friction range if a material has several."""
     for block, of_group in friction.blocks.items():
         path, rows = f"{block}.material", of_group.materials
         for name, row in rows.items():
@@ -72,3 +72,17 @@ def material_findings(friction: Friction) -> Iterator[Finding]:
         if len(rows) > 1:
             low, _, high = of_group.range
             yield finding("lining-unknown", "info", path=path, names=", ".join(rows), low=low, high=high)
+
+
+def speed_findings(spec: Spec) -> Iterator[Finding]:
+    """Yield a finding on the speed before the event if it is taken from the rating plate of the motor."""
+    if spec.drive.speed is None and spec.speed is not None:
+        yield finding("speed-from-plate", "info", value=float(spec.speed), path="drive.speed")
+
+
+def carried_by_motor(value: float, motor: float, at: str, carries: str, heat: float, off: float | None) -> Finding:
+    """Finding that the motor can carry the slip torque: for ever if ``off`` is None, else until it is switched off."""
+    code = "motor-never-stops" if off is None else "motor-stops-at-cut-off"
+    level: Level = "error" if off is None else "info"
+    path = "drive.cut_off"
+    return finding(code, level, value=value, limit=motor, path=path, at=at, carries=carries, heat=heat, off=off)

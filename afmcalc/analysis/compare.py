@@ -1,4 +1,4 @@
-"""Clutches side by side: several specs, or all variants one spec can be built as."""
+"""Clutches side by side: several specs, or all variants as which one spec can be built."""
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -10,7 +10,7 @@ from ..errors import AfmcalcError, SpecError
 from ..findings import Finding, finding
 from ..messages import deferred, named, translate
 from ..result import Answer, Triple, described
-from ..spec.edit import as_variant, with_key, with_nominal_torque
+from ..spec.edit import candidate, with_key
 from ..variants import VARIANTS
 from .asking import Asking, answer, asked
 from .check import CheckRow, check
@@ -44,13 +44,13 @@ class CompareResult(Answer):
     """Clutches side by side."""
 
     of_several: ClassVar[bool] = True
-    clutches: list[ComparedClutch] = described("clutches compared", across=True, by="basis")
+    clutches: list[ComparedClutch] = described("clutches compared", across=True)
 
 
 def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[CompareResult, list[Finding]]:
-    """Set the main quantities of several clutches side by side, or one clutch as every variant.
+    """Set the main quantities of several clutches side by side, or of one clutch built as every variant.
 
-    Raises AfmcalcError: the variants of several clutches.
+    Raises AfmcalcError if ``variants`` is true and there are several clutches.
     """
     if variants:
         if len(clutches) > 1:
@@ -69,15 +69,15 @@ def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[Comp
 
 
 def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
-    """Set all variants that a spec can be built as side by side, at equal spring force and at equal nominal torque."""
+    """Compare all variants as which a spec can be built, each at equal spring force and at equal nominal torque."""
     rows, remarks, missing = [], [], []
     for variant in VARIANTS:
         by_force = by_torque = clutch
         if variant != clutch.spec.variant:
             try:
-                spec = as_variant(clutch.spec, variant)
-                by_torque = build(with_nominal_torque(spec, float(clutch["nominal_torque"])))
-                by_force = build(with_key(spec, "closing_spring.force", float(clutch["closing_force"])))
+                spec = candidate(clutch.spec, {"variant": variant})
+                by_torque = build(with_key(spec, "adjustment.nominal_torque", clutch["nominal_torque"]))
+                by_force = build(with_key(spec, "closing_spring.force", clutch["closing_force"]))
             except SpecError as error:
                 lacks = "; ".join(map(str, error.problems))
                 missing.append(finding("variant-not-possible", "info", variant=translate(variant), lacks=lacks))
@@ -92,11 +92,11 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
 
 
 def _joined(remarks: Iterable[tuple[str, Finding]]) -> list[Finding]:
-    """Findings of several clutches, each once, headed by the names of the clutches that have it."""
+    """Findings of several clutches, each finding once, headed by the names of the clutches that have it."""
     names = dict[object, list[str]]()
     firsts = dict[object, Finding]()
     for name, remark in remarks:
-        alike = remark.level, remark.code, remark.path, remark.message  # rounding alone may set two numbers apart
+        alike = remark.level, remark.code, remark.path, remark.message  # value and limit may differ by rounding
         firsts.setdefault(alike, remark)
         names.setdefault(alike, []).append(name)
     return [
@@ -106,7 +106,7 @@ def _joined(remarks: Iterable[tuple[str, Finding]]) -> list[Finding]:
 
 
 def change(now: object, before: object) -> float | None:
-    """Return how far a number has moved, as a share of what it was; None where that says nothing.
+    """Return the relative change from ``before`` to ``now``; None if either is not a number, or ``before`` is 0.
 
     >>> change(3.0, 2.0), change(2, 0.0), change("a", "b")
     (0.5, None, None)
@@ -119,7 +119,7 @@ def change(now: object, before: object) -> float | None:
 def _row(
     clutch: Clutch, basis: str | None, name: str | None, called: str
 ) -> tuple[ComparedClutch, list[tuple[str, Finding]]]:
-    """Row of a clutch; and what it tells itself, and what else is counted, each with what the clutch is called."""
+    """Row of a clutch, and pairs (``called``, finding): findings on its law, and errors and warnings of its check."""
     judged, findings = check(clutch)
     counted = (remark for remark in findings if remark.level != "info")
     travels = clutch.spec.kind.travels

@@ -1,4 +1,4 @@
-"""Which clutch is needed: the grid of a spec's [search], held to every check, and what no other candidate beats."""
+"""Design of a clutch: the grid of a spec's [search], every check, and the Pareto front of the clutches that pass."""
 
 import math
 from collections import Counter
@@ -11,8 +11,7 @@ from pydantic import ConfigDict, PrivateAttr, SerializeAsAny, create_model
 
 from ..drive.cases import simulate_clutches
 from ..engines import Clutch, build
-from ..engines.checks import CHECKS, REQUIRED
-from ..engines.parts import spring_demands
+from ..engines.checks import CHECKS, REQUIRED, Check
 from ..engines.selection import NAMES
 from ..equations.terms import TERMS, term_of
 from ..errors import AfmcalcError, CalculationError
@@ -21,17 +20,16 @@ from ..messages import deferred, did_you_mean, measured, say, translate
 from ..progress import tell, unwatched
 from ..result import Answer, Result, described, quantity, shown_as
 from ..spec import Spec
-from ..spec.edit import as_written, value_at, with_values
+from ..spec.edit import as_written, candidate, value_at, with_values
 from ..spec.keys import keys
 from ..spec.search import SPRINGS
 from ..units import ENGINEER
+from .asking import Answers
 from .check import check, simulating
 from .design_grid import (
     Nearest,
     Part,
-    Row,
     Survey,
-    candidate,
     equal_to,
     holding,
     name_of,
@@ -40,22 +38,25 @@ from .design_grid import (
     wired,
 )
 from .solve import is_quantity
-from .spring_search import label_of, ranked, springs
+from .spring_search import bounded_demands, label_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
-_TOLD = ("closing_force", "control_force", "accuracy_factor", "torque_max", "travel_max", "ball_diameter_standard")
-"""Quantities that a row tells beside what is searched and what is small."""
+_TOLD = (
+    "closing_force", "control_force", "accuracy_factor", "torque_max", "trip_ratio_min", "trip_ratio_max", "travel_max",
+    "ball_diameter_standard",
+)  # fmt: skip
+"""Quantities that a row shows besides the searched keys and the objectives."""
 _STACKS = 5
-"""Springs of each kind that are tried."""
+"""Number of parts that are tried for each spring."""
 _FIRST = 10
-"""Clutches of a front that are shown beside the compromise."""
-_TOGETHER = 20
-"""Candidates whose events are simulated together."""
+"""Number of clutches of a front that are shown, besides the compromise."""
+_TOGETHER = 50
+"""Number of candidates whose events are simulated together; ``drive.cases`` caches six events for each candidate."""
 _NO_SPRING = "no-spring"
 
 
 def _in_words(code: str) -> str:
-    """Say what a check is called, by its code or the key of its requirement."""
+    """Return the name of a check in words; ``code`` is the code of the check, or the key of its requirement."""
     return translate(_NAMES.get(code, code))
 
 
@@ -66,10 +67,11 @@ _NAMES = {
     "parts-collide": deferred("parts that collide"),
     _NO_SPRING: deferred("springs to be had"),
 }
+_UNITS = {name_of(check): check.unit for check in CHECKS}
 
 
 def _small(objective: str) -> str:
-    """Say what an objective is."""
+    """Return the name of an objective in words."""
     meaning = translate(term_of(objective.removeprefix("-")).meaning)
     return say("{quantity} (large)", quantity=meaning) if objective.startswith("-") else meaning
 
@@ -89,11 +91,11 @@ class DesignRow(Result):
 
     @property
     def changes(self) -> dict[str, Any]:
-        """Path → value in the spec of this clutch."""
+        """Path → value of the keys that the design sets in the spec of this clutch."""
         return self._changes
 
     def objective(self, name: str) -> float:
-        """Value of an objective; what a variant does not have costs nothing."""
+        """Value of an objective; 0 if the clutch has no such quantity."""
         return float(getattr(self, name.removeprefix("-"), None) or 0.0)
 
 
@@ -115,64 +117,83 @@ class DesignResult(Answer):
     """The front of a design: points of the grid."""
 
     candidates: int = described("candidates searched")
-    feasible: int = described("candidates that pass; events, heat and springs are judged for the front alone")
+    feasible: int = described(
+        "candidates not excluded; only those that come to the front are asked for events, heat and springs"
+    )
     objectives: list[str] = described("what is small on the front", in_words=_small)
     compromise: int | None = described("compromise: its number (least sum of the normalised objectives)", optional=True)
     excluded: dict[str, int] = described(
         "candidates excluded by each check", ranked=True, keys_are="check", in_words=_in_words
     )
     front: list[SerializeAsAny[DesignRow]] = described("the front", folds=True)
-    binding: Binding | None = described("what excludes the nearest candidate", optional=True)
+    binding: list[Binding] = described("what excludes the nearest candidate")
 
 
 @np.errstate(all="ignore")
-def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
-    """Search the grid of a spec: the front, or what excludes the nearest candidate.
+def design(spec: Spec, sort: str | None = None) -> tuple[DesignResult, list[Finding]]:
+    """Search the grid of a spec; return the front or, if it is empty, the checks that exclude the nearest candidate.
 
-    Raises SpecError: no [search], or too many candidates; AfmcalcError: an objective that no clutch has.
+    Raises SpecError if there is no [search], or if it has too many candidates; AfmcalcError if an objective is no
+    quantity of any candidate, or if ``sort`` is not a number in the rows of the front.
     """
     objectives = list(spec.objectives or _DEFAULT)
     parts = parts_of_search(spec)
     _check_objectives(parts, objectives)
     survey = Survey(parts, objectives)
     judge = _Judge(spec, survey)
+    if sort is not None:
+        _check_sort(sort, spec, _columns(survey, objectives, judge))
     places = judge.front()
     excluded = {code: count for code, count in (survey.excluded + judge.excluded).items() if count}
     front = _numbered(survey, objectives, places, judge)
-    missed = None if front else _binding(spec, survey, judge)
+    missed = [] if front else _binding(spec, survey, judge)
     result = DesignResult(
         candidates=survey.candidates, feasible=survey.feasible - len(judge.failed), objectives=objectives,
         compromise=next((row.number for row in front if row.mark), None), excluded=excluded, front=front,
         binding=missed,
     )  # fmt: skip
-    told = [_none(result, missed)] if missed else []
+    told = [_ordinary(result.compromise or 1, places, judge)] if front else [_none(result)]
     if equals := equal_to(survey.costs, places):
         told.append(finding("front-equals", "info", value=equals))
     return result, [*spec.label.findings, *told]
 
 
 def _check_objectives(parts: Sequence[Part], objectives: Sequence[str]) -> None:
-    """Refuse an objective that no variant has, or that is no number."""
+    """Raise AfmcalcError for an objective that no variant has, or that is no number."""
     clutches = [wired(with_values(part.base, part.values(np.arange(1)))) for part in parts]
-    for name in objectives:
-        asked = name.removeprefix("-")
-        if not (any(asked in own for own in clutches) and is_quantity(asked)):
-            hint = did_you_mean(asked, {known for own in clutches for known in own.names()})
-            raise AfmcalcError("objectives: no quantity {name!r} of these clutches{hint}", name=asked, hint=hint)
+    for name in (objective.removeprefix("-") for objective in objectives):
+        if not any(name in own for own in clutches):
+            try:
+                clutches[0][name]
+            except LookupError as error:
+                raise AfmcalcError("objectives: {why}", why=error.args[0]) from None
+        if not is_quantity(name):
+            raise AfmcalcError("objectives: {name} is no number", name=name)
+
+
+def _check_sort(sort: str, spec: Spec, columns: Mapping[str, Any]) -> None:
+    """Raise AfmcalcError, before the long calculation, if ``sort`` is not a number in the rows."""
+    numbers = ["number", "pairs", *(name for name, (_, field) in columns.items() if shown_as(field).unit)]
+    numbers += [name for name, row in REQUIRED.items() if row.needs and getattr(spec.requirements, name, None)]
+    if sort not in numbers:
+        raise AfmcalcError(
+            "--sort {name}: no such quantity{hint}; one of {known}",
+            name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
+        )  # fmt: skip
 
 
 class _Judge:
-    """Asks of the members of the front, one by one, what is no array: springs, the event, a whole check."""
+    """Judge of the candidates on the front, one by one: springs, events, the whole check, all impossible by arrays."""
 
     def __init__(self, spec: Spec, survey: Survey) -> None:
         """Judge the feasible candidates of a survey."""
         self.spec, self.survey, self.failed = spec, survey, set[int]()
         self.passed: dict[int, tuple[Spec, dict[str, float], int]] = {}
         self.excluded = Counter[str]()
-        self._ranks: list[tuple[int, float, int, Finding]] = []
+        self._ranks: list[tuple[int, float, int, list[Finding]]] = []
 
     def front(self) -> list[int]:
-        """Return the feasible candidates that pass and that none that passes beats; events are asked last."""
+        """Return the passing candidates that no other passing candidate dominates; events are simulated last."""
         alive, waiting = np.arange(self.survey.feasible), dict[int, tuple[Clutch, Iterator[Clutch]]]()
         while True:
             members = [int(member) for member in alive[unbeaten(self.survey.costs[alive])]]
@@ -200,16 +221,17 @@ class _Judge:
         tell(say("checking the front"), len(self.passed), len(self.passed) + len(asked))
 
     def _judge(self, member: int) -> Iterator[Clutch]:
-        """Judge a candidate with the best of the springs that are tried; yield each clutch before its event."""
+        """Judge a candidate with each choice of springs until it passes; yield a clutch before simulating its event."""
         missed: list[Finding] = []
         for tried in self._with_springs(candidate(self.spec, self.survey.changes(member))):
             clutch = build(tried)
-            slow, unasked = simulating(clutch), _unasked(tried)
-            values, warnings, failed = judgement(clutch, slow)
+            answers, slow, required = Answers(clutch), simulating(clutch), tried.requirements
+            unasked = set() if required and required.exceedance is not None else {"tolerance"}
+            values, warnings, failed = judgement(answers, slow)
             if slow - unasked and not failed:
                 if clutch.spec.drive.event is not None:
                     yield clutch
-                values, warnings, failed = judgement(clutch, slow & unasked)
+                values, warnings, failed = judgement(answers, slow & unasked)
             if not failed:
                 self.passed[member] = tried, values, warnings
                 return
@@ -217,29 +239,29 @@ class _Judge:
         missed = missed or [Finding("error", _NO_SPRING, "")]
         self.failed.add(member)
         self.excluded.update({_counted(one) for one in missed})
-        self._ranks.append((len(missed), sum(map(_beyond, missed)), member, max(missed, key=_beyond)))
+        self._ranks.append((len(missed), sum(map(_beyond, missed)), member, missed))
 
-    def nearest(self) -> Finding | None:
-        """Return what the candidate misses by the most that misses the least; of springs what the nearest misses."""
+    def nearest(self) -> list[Finding]:
+        """Return the findings on the candidate that fails the fewest checks, or on its nearest springs if none fit."""
         if not self._ranks:
-            return None
+            return []
         _, _, member, missed = min(self._ranks, key=lambda rank: rank[:3])
-        if missed.code != _NO_SPRING:
-            return missed
-        found = springs(build(candidate(self.spec, self.survey.changes(member))), kind=self.kind)[1]
-        return next(each for each in found if each.code == _NO_SPRING)
+        if missed[0].code == _NO_SPRING:
+            found = springs(build(candidate(self.spec, self.survey.changes(member))), kind=self.kind)[1]
+            missed = [each for each in found if each.code == _NO_SPRING]
+        return sorted(missed, key=_beyond, reverse=True)
 
     @property
     def kind(self) -> Any:
-        """Kind of springs that is searched; None: none is."""
+        """Kind of springs that is searched, disc or coil; None if no springs are searched."""
         return (self.spec.search or {}).get(SPRINGS, (None,))[0]
 
     def _with_springs(self, plain: Spec) -> Iterator[Spec]:
-        """Yield a spec with springs of the kind that is searched, the shortest first; as it is where none is."""
+        """Yield the spec with each choice of springs, the best first; unchanged if no springs are searched."""
         if self.kind is None:
             yield plain
             return
-        demands = spring_demands(build(plain))
+        demands = bounded_demands(build(plain))
         for options in product(*(ranked(demand, self.kind, _STACKS) for demand in demands)):
             springs = {}
             for demand, option in zip(demands, options, strict=True):
@@ -248,14 +270,9 @@ class _Judge:
             yield as_written(plain.model_copy(update=springs))
 
 
-def _unasked(spec: Spec) -> set[str]:
-    """Return what is sampled though no requirement asks for it."""
-    return set() if spec.requirements is not None and spec.requirements.exceedance is not None else {"tolerance"}
-
-
-def judgement(clutch: Clutch, without: Collection[str]) -> tuple[dict[str, float], int, list[Finding]]:
-    """Return what a clutch has of its requirements, how many warnings, and what fails it, ``without`` some parts."""
-    result, findings = check(clutch, without=without)
+def judgement(answers: Answers, without: Collection[str]) -> tuple[dict[str, float], int, list[Finding]]:
+    """Return the values of requirements by analyses, the number of warnings, and the findings that exclude a clutch."""
+    result, findings = check(answers.clutch, answers=answers, without=without)
     rows = {row.path: row for row in result.checks if row.is_requirement and row.needs}
     unknown = {path for path, row in rows.items() if row.passed is None}
     failed = [
@@ -268,12 +285,12 @@ def judgement(clutch: Clutch, without: Collection[str]) -> tuple[dict[str, float
 
 
 def _counted(missed: Finding) -> str:
-    """Return what a finding is counted as: the key of its requirement, or its code."""
+    """Return the name under which a finding is counted: the key of its requirement, or its code."""
     return (missed.path or "").removeprefix("requirements.") if missed.code.startswith("requirement-") else missed.code
 
 
 def _beyond(missed: Finding) -> float:
-    """Excess of a finding over its limit, as a share of that."""
+    """Excess of the value of a finding over its limit, relative to the limit; 1 if the finding has no limit."""
     if not missed.limit or missed.value is None:
         return 1.0
     return abs(missed.value - missed.limit) / abs(missed.limit)
@@ -283,7 +300,7 @@ def _beyond(missed: Finding) -> float:
 
 
 def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judge: _Judge) -> list[DesignRow]:
-    """Return the rows of the front by their objectives, the compromise marked."""
+    """Return the rows of the front, numbered, with the compromise marked."""
     costs = survey.costs[places]
     best = _compromise(costs)
     columns = _columns(survey, objectives, judge)
@@ -307,7 +324,7 @@ def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judg
 
 
 def _compromise(costs: Any) -> int | None:
-    """Return the row with the least sum of the objectives, each over its range; of fewer than three rows none."""
+    """Return the row with the least sum of normalised objectives; None for fewer than three rows or two objectives."""
     if len(costs) < 3 or costs.shape[1] < 2:
         return None
     low, span = costs.min(axis=0), np.ptp(costs, axis=0)
@@ -316,11 +333,11 @@ def _compromise(costs: Any) -> int | None:
 
 
 _SAME = 1e-8
-"""Share of its values by which an objective that only rounding changes may vary."""
+"""Range of an objective, relative to its largest magnitude, up to which it counts as a rounding error."""
 
 
 def _columns(survey: Survey, objectives: Sequence[str], judge: _Judge) -> dict[str, Any]:
-    """Return the fields of a row: what is searched, what is small, what is told beside, what was simulated."""
+    """Return the fields of a row: searched keys, objectives, the quantities of ``_TOLD``, requirements, springs."""
     told: dict[str, tuple[type, str, str | None, str]] = {}
     for path in dict.fromkeys(path for part in survey.parts for path in (*part.names, *part.axes)):
         name, key = _column(path), keys()[path]
@@ -345,7 +362,7 @@ def _columns(survey: Survey, objectives: Sequence[str], judge: _Judge) -> dict[s
 
 
 def _column(path: str) -> str:
-    """Name of the column of a key: the quantity that it gives, else its path."""
+    """Name of the column for a key: the name of the quantity that the key gives, else the path of the key."""
     block, _, name = path.rpartition(".")
     if name == "material":
         return f"{block.partition('.')[2]}_material".removeprefix("_")
@@ -353,12 +370,12 @@ def _column(path: str) -> str:
 
 
 def _known(value: Any) -> Any:
-    """Return a value of a row: None of a number that is not finite."""
+    """Return a value as stored in a row; None for a number that is not finite."""
     return value if isinstance(value, str) else np.asarray(value).item() if np.all(np.isfinite(value)) else None
 
 
 def _changes(spec: Spec, changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the values that make a spec this clutch: those searched with the ball, and the springs."""
+    """Return key → value of a candidate: the searched keys, its ball, and its springs."""
     made = {path: _known(value) for path, value in changes.items()}
     for name, part in spec.spring_parts.items():
         own = getattr(spec, f"{name}_spring")
@@ -369,9 +386,9 @@ def _changes(spec: Spec, changes: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow, Spec]:
-    """Return a clutch of a front by its number, or as the compromise, and its spec.
+    """Return the row of a clutch, chosen by its number or as the compromise, and its spec.
 
-    Raises CalculationError: no such number, or a front without a compromise.
+    Raises CalculationError if no row has the number, or if the front has no compromise.
     """
     number = result.compromise if pick == "compromise" else pick
     for row in result.front:
@@ -387,58 +404,76 @@ def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow
 
 
 def shown(result: DesignResult, sort: str | None = None, *, whole: bool = False) -> DesignResult:
-    """Return the result with its front by a quantity: the first rows and the compromise, or all; their numbers stay.
-
-    Raises AfmcalcError: to be sorted by what is no number of a row.
-    """
+    """Return the result with its front sorted: the first rows and the compromise, or all rows, with their numbers."""
     ordered = result.front
-    if sort is not None and ordered:
-        numbers = [name for name, field in type(ordered[0]).model_fields.items() if shown_as(field).unit] + ["number"]
-        if sort not in numbers:
-            raise AfmcalcError(
-                "--sort {name}: no such quantity{hint}; one of {known}",
-                name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
-            )  # fmt: skip
+    if sort is not None:
         ordered = sorted(ordered, key=lambda row: row.objective(sort))
     if not whole:
         ordered = [row for place, row in enumerate(ordered) if place < _FIRST or row.mark]
     return result.model_copy(update={"front": ordered})
 
 
-# nothing
+def _ordinary(number: int, places: Sequence[int], judge: _Judge) -> Finding:
+    """Return the finding on the torque at which an ordinary clutch in place of the clutch of a row would trip."""
+    own = wired(judge.passed[places[number - 1]][0])
+    least, ordinary, largest = (own[f"trip_ratio_{name}"] for name in ("min", "ordinary", "max"))
+    return finding("ordinary-trips-at", "info", value=ordinary, limit=largest, least=least, number=number)
+
+
+# no candidate passes
 
 _SCALES = [float(f"{scale:.3g}") for scale in np.geomspace(0.25, 4.0, 201)]
 
 
-def _binding(spec: Spec, survey: Survey, judge: _Judge) -> Binding:
-    """Return what excludes the nearest candidate: a check asked of all, or one asked one by one."""
-    if (missed := judge.nearest()) is not None:
-        name, value, limit, message, path = _counted(missed), missed.value, missed.limit, missed.message, missed.path
-        unit = (keys()[f"requirements.{name}"].unit if name in REQUIRED else None) or "1"
-        key = None
+def _binding(spec: Spec, survey: Survey, judge: _Judge) -> list[Binding]:
+    """Return the checks that exclude the nearest candidate of those judged one by one, else of the whole grid."""
+    would_do = None
+    if failed := judge.nearest():
+        missed = [_of_finding(each) for each in failed]
     else:
         assert survey.nearest is not None
-        row, key = survey.nearest.row, _key_that_would_do(spec, survey.nearest)
-        name, value, limit, message = name_of(row.check), _known(row.value), _known(row.limit), _missed(row)
-        path, unit = row.check.path, row.check.unit
-    told: dict[str, Any] = {"check": name, "value": value, "limit": limit, "message": message, "unit": unit}
-    if key is not None:
-        told |= key
-    elif path == f"requirements.{name}" and value is not None:  # what is asked would have to give way
+        missed = [
+            _constraint(
+                name_of(check), check.path, check.unit, _known(value), _known(limit), _missed(check, value, limit)
+            )
+            for check, value, limit in survey.nearest.missed
+        ]
+        would_do = _key_that_would_do(spec, survey.nearest)
+    if would_do is not None:
+        return [each.model_copy(update=would_do if each is missed[0] else _NO_KEY) for each in missed]
+    # easing requirements to the candidate's values helps only if every missed check is a requirement
+    return missed if all(each.key for each in missed) else [each.model_copy(update=_NO_KEY) for each in missed]
+
+
+_NO_KEY: dict[str, Any] = {"key": None, "sign": None, "would_do": None, "key_unit": "1"}
+
+
+def _of_finding(missed: Finding) -> Binding:
+    name = _counted(missed)
+    unit = keys()[f"requirements.{name}"].unit if name in REQUIRED else _UNITS.get(name)
+    return _constraint(name, missed.path, unit or "1", missed.value, missed.limit, missed.message)
+
+
+def _constraint(
+    name: str, path: str | None, unit: str, value: float | None, limit: float | None, message: str
+) -> Binding:
+    """Return a missed check; a requirement also gets the limit that the candidate's value would meet."""
+    eased = _NO_KEY
+    if path == f"requirements.{name}" and value is not None:
         least = REQUIRED[name].least
-        told |= {"key": path, "sign": "≤" if least else "≥", "would_do": _five_digits(value, least), "key_unit": unit}
-    return Binding(**{"key_unit": "1"} | told)
+        would_do = _five_digits(value, least)
+        eased = {"key": path, "sign": "≤" if least else "≥", "would_do": would_do, "key_unit": unit}
+    return Binding(check=name, message=message, value=value, limit=limit, unit=unit, **eased)
 
 
 def _five_digits(value: float, down: bool) -> float:  # noqa: FBT001
-    """Number rounded to five digits, down or up, so that what is printed will do."""
+    """Value rounded down or up to five digits, so that the printed number still passes the check."""
     step = 10.0 ** (math.floor(math.log10(abs(value))) - 4) if value else 1.0
     return float(f"{(math.floor if down else math.ceil)(value / step) * step:.5g}")
 
 
-def _missed(row: Row) -> str:
-    """Say what a candidate has of a check, and what it is to have."""
-    check, value, limit = row
+def _missed(check: Check, value: float, limit: float) -> str:
+    """Sentence on a missed check: the value that the candidate has, and the limit."""
     first, _, second = check.value.partition("/")
     if second:
         return say(
@@ -451,12 +486,12 @@ def _missed(row: Row) -> str:
 
 
 def _key_that_would_do(spec: Spec, near: Nearest) -> dict[str, Any] | None:
-    """Return the key, and its value nearest to the candidate's, with which all checks hold, as fields of a binding.
+    """Return a key and its value nearest to the candidate's with which all checks pass, as fields of a ``Binding``.
 
-    It is one that is searched, else that of the check, or the circle of the balls.
+    The key is a searched key, else the key of the worst check or the radius of the ball circle.
     """
     base = candidate(spec, near.changes)
-    own = "" if near.row.check.requirement else near.row.check.path
+    own = "" if (worst := near.missed[0].check).requirement else worst.path
     fixed = {path: value_at(base, path) for path in (own, _BALL_CIRCLE) if path in keys()}
     for prefix, paths in (("search.", near.changes), ("", fixed)):
         found = []
@@ -481,10 +516,15 @@ def _key_that_would_do(spec: Spec, near: Nearest) -> dict[str, Any] | None:
 _BALL_CIRCLE = "control_unit.ball_circle_radius"
 
 
-def _none(result: DesignResult, missed: Binding) -> Finding:
-    """Say that nothing holds every check, what is nearest, and what would do."""
-    told: dict[str, Any] = {"candidates": result.candidates, "missed": missed.message}
-    if missed.key is None or missed.would_do is None:
-        return finding("no-candidate", "error", value=0.0, **told)
-    would = measured(missed.would_do, ENGINEER.get(missed.key_unit, missed.key_unit), 5)
-    return finding("no-candidate/key", "error", value=0.0, key=missed.key, sign=missed.sign, would=would, **told)
+def _none(result: DesignResult) -> Finding:
+    """Return the finding that no candidate passes: checks that the nearest fails, and values with which it passes."""
+    missed = "; ".join(each.message for each in result.binding)
+    would_do = ", ".join(
+        f"{each.key} {each.sign} {measured(each.would_do, ENGINEER.get(each.key_unit, each.key_unit), 5)}"
+        for each in result.binding
+        if each.would_do is not None
+    )
+    told: dict[str, Any] = {"value": 0.0, "candidates": result.candidates, "missed": missed}
+    if would_do:
+        return finding("no-candidate/key", "error", would_do=would_do, **told)
+    return finding("no-candidate", "error", **told)

@@ -1,4 +1,4 @@
-"""The grid of a search: its candidates, each check as a mask over them, and the front of those that hold all."""
+"""Grid of a search: its candidates, a mask for each check, and the Pareto front of the candidates that pass all."""
 
 import math
 from collections import Counter
@@ -18,22 +18,20 @@ from ..equations.arrays import next_listed
 from ..errors import SpecError
 from ..messages import deferred, say
 from ..progress import tell
-from ..spec import Spec, make_spec, resolved
-from ..spec.edit import value_at, with_values, without_replaced
-from ..spec.keys import keys
-from ..spec.read import put
-from ..spec.rules import given_in
+from ..spec import Spec
+from ..spec.edit import candidate, value_at, with_values
+from ..spec.keys import is_whole, keys
 from ..spec.search import MOST, SPRINGS
-from ..variants import foreign_keys, variants_of
+from ..variants import VARIANTS, variants_of
 
 Numbers = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 _DIGITS = 11
-"""Digits of an objective that tell two clutches apart."""
+"""Decimal digits to which the mantissas of objectives are rounded before clutches are compared."""
 
 
 class Row(NamedTuple):
-    """A check of many candidates, with their values and limits."""
+    """A check, with values and limits of many candidates: arrays, or one number for all candidates."""
 
     check: Check
     value: Any
@@ -41,12 +39,12 @@ class Row(NamedTuple):
 
     @property
     def holds(self) -> Any:
-        """True if each candidate holds it; on the limit it does."""
+        """Mask of the candidates that pass the check."""
         return self.check.passes(self.value, self.limit)
 
     @property
     def excess(self) -> Any:
-        """Excess of each, as a share of the limit; 0 where it holds."""
+        """Excess of each candidate over the limit, relative to the limit; 0 for candidates that pass."""
         size = np.maximum(np.abs(self.limit), 1e-3)
         beyond = np.nan_to_num(np.abs(self.value - self.limit) / size, nan=1e9, posinf=1e9)
         return np.where(self.holds, 0.0, beyond)
@@ -58,15 +56,15 @@ class Row(NamedTuple):
 
 
 def name_of(check: Check) -> str:
-    """Return what a check is counted as: the key of its requirement, or its code."""
+    """Return the name under which a check is counted: the key of its requirement, or its code."""
     return check.requirement or check.code.partition("/")[0]
 
 
 class Part(NamedTuple):
-    """The candidates that differ in numbers alone."""
+    """Part of the search grid whose candidates have the same variant, material and other names, but other numbers."""
 
     base: Spec
-    """One of them."""
+    """Spec of one candidate."""
     names: dict[str, str]
     """Path → variant, material or other name."""
     axes: dict[str, Numbers]
@@ -77,15 +75,15 @@ class Part(NamedTuple):
         return math.prod(len(values) for values in self.axes.values())
 
     def values(self, numbers: NDArray[np.intp]) -> dict[str, Numbers]:
-        """Path → the values of the candidates of some numbers."""
+        """Path → array of values, one for each candidate in ``numbers``; candidates are counted from 0 in the part."""
         places = np.unravel_index(numbers, tuple(len(values) for values in self.axes.values()) or (1,))
         return {path: values[place] for (path, values), place in zip(self.axes.items(), places, strict=False)}
 
 
 def parts_of_search(spec: Spec) -> list[Part]:
-    """Return the parts of the grid of a search, one for each combination of names.
+    """Return the parts of a search grid, one part for each combination of names, such as variant and material.
 
-    Raises SpecError: no [search], more candidates than are searched, or a combination of which no candidate is a spec.
+    Raises SpecError if there is no [search], if it has too many candidates, or if no candidate of a part is valid.
     """
     if not spec.search:
         raise spec.refused("search", say('required by design: which keys vary, such as "control_unit.gain" = "0:1:21"'))
@@ -95,7 +93,11 @@ def parts_of_search(spec: Spec) -> list[Part]:
     for chosen in product(*names.values()):
         named = dict(zip(names, map(str, chosen), strict=True))
         variant = named.get("variant", spec.variant)
-        taken = {path: values for path, values in axes.items() if path not in names and _takes(variant, path)}
+        taken = {
+            path: values
+            for path, values in axes.items()
+            if path not in names and variant in (variants_of(path) or VARIANTS)
+        }
         walls = [tuple(slope for slope in taken.get(SLOPE, ()) if bool(slope) == curved) for curved in (False, True)]
         parts += [(named, taken | {SLOPE: slopes}) for slopes in walls if slopes] or [(named, taken)]
     count = sum(math.prod(map(len, taken.values())) for _, taken in parts)
@@ -112,26 +114,8 @@ def parts_of_search(spec: Spec) -> list[Part]:
     ]
 
 
-def _takes(variant: str, path: str) -> bool:
-    having = variants_of(path)
-    return not having or variant in having
-
-
-def candidate(spec: Spec, changes: Mapping[str, Any]) -> Spec:
-    """Return the spec of a candidate: with other values of some keys, without what its variant does not have.
-
-    Raises SpecError: there is no such clutch.
-    """
-    data = resolved(without_replaced(spec, changes)) | {"search": None}
-    for path, value in changes.items():
-        put(data, path, value)
-    for path in foreign_keys(given_in(data), data["variant"]):
-        put(data, path, None)
-    return make_spec(data, spec.label.but(changes))
-
-
 def _base(spec: Spec, named: Mapping[str, str], axes: Mapping[str, Sequence[Any]]) -> Spec:
-    """Return the first candidate that is a spec, of those at the ends of the axes."""
+    """Return the first valid spec among the candidates at the ends of all axes; without one, raise SpecError."""
     refused = None
     for ends in product(*(dict.fromkeys((values[0], values[-1])) for values in axes.values())):
         try:
@@ -151,12 +135,12 @@ _IN_ORDER = (
     ("envelope.bore", "envelope.hub_diameter"),
     ("envelope.hub_diameter", "envelope.outer_diameter"),
 )
-"""Keys of which the second is greater."""
+"""Pairs of spec keys; the value of the second key must be greater."""
 _RANGES = ("friction", "friction.driving", "friction.driven")
 
 
 def is_clutch(spec: Spec, own: Quantities) -> Any:
-    """True if each candidate is one that a spec may describe; its numbers may be arrays."""
+    """Mask of the candidates with a valid spec; one boolean if no number is an array."""
     good: Any = True
     for low, high in _IN_ORDER:
         less, more = value_at(spec, low), value_at(spec, high)
@@ -181,27 +165,33 @@ def is_clutch(spec: Spec, own: Quantities) -> Any:
 _WARNINGS = (
     "gain-above-limit", "reduced-gain-above-limit", "feedback-idle", "mean-pressure-in-range", "peak-pressure-in-range",
 )  # fmt: skip
-"""Warnings that exclude a candidate as errors do."""
+"""Codes of the warnings that exclude a candidate, as every error does."""
 COLLIDE = Check("parts-collide", deferred("overlap of two parts"), "", "m", "", TOUCHES, path="envelope")
 
 
 def wired(spec: Spec) -> Quantities:
-    """Return the quantities of a spec, whose numbers may be arrays; a ball not given is one that bears its force."""
+    """Return the quantities of a spec, numbers or arrays; a missing ball is the smallest ball that bears its force."""
     own, unit = build(spec), spec.control_unit
-    if unit is None or unit.ball_diameter is not None or "contact_force" not in own or "path_steepening" in own:
+    if unit is None or unit.ball_diameter is not None or "contact_force" not in own:
         return own
     most: Any = (spec.requirements and spec.requirements.contact_pressure) or math.inf
     if unit.allowable_contact_force is None or unit.contact is not None:
         most = np.minimum(most, own["allowable_pressure"])
     if np.all(np.isinf(most)):
         return own
-    borne = own["contact_force_hertz"] * (most / own["allowable_pressure"]) ** 3
-    radius = np.maximum(own["ball_radius_chosen"] * np.sqrt(own["contact_force"] / borne), own["ball_radius"])
-    return own.at(ball_diameter_standard=next_listed(2 * np.atleast_1d(radius), own["balls_listed"]))
+    chosen: Quantities = own
+    ball = np.atleast_1d(own["ball_diameter_standard"])
+    while True:  # the allowable force grows as the radius squared or more slowly, so that no ball is skipped
+        borne = chosen["contact_force_hertz"] * (most / own["allowable_pressure"]) ** 3
+        radius = chosen["ball_radius_chosen"] * np.sqrt(own["contact_force"] / borne)
+        larger = np.maximum(ball, next_listed(2 * radius, own["balls_listed"]))
+        if np.array_equal(larger, ball, equal_nan=True):
+            return chosen
+        chosen, ball = own.at(ball_diameter_standard=larger), larger
 
 
 def rows_of(spec: Spec, own: Quantities) -> Iterator[Row]:
-    """Yield the checks that can be asked of many clutches at once."""
+    """Yield the rows of all checks that can exclude a candidate and need no simulation or sample."""
     laid = None if spec.envelope is None else _layout(spec, own)
     known = {} if laid is None else {"outer_diameter": 2 * laid[0].boxes[0].outer, "length": length_of(laid)}
     for check in checks_of(spec):
@@ -214,7 +204,7 @@ def rows_of(spec: Spec, own: Quantities) -> Iterator[Row]:
 
 
 def holding(spec: Spec, own: Quantities, shape: tuple[int, ...]) -> Mask:
-    """True if each of many clutches is one, and holds every check."""
+    """Mask of the clutches that have a valid spec and pass every check."""
     good = np.broadcast_to(is_clutch(spec, own), shape).copy()
     for row in rows_of(spec, own):
         good &= row.holds
@@ -222,7 +212,7 @@ def holding(spec: Spec, own: Quantities, shape: tuple[int, ...]) -> Mask:
 
 
 def _layout(spec: Spec, own: Quantities) -> list[SectionPart]:
-    """Lay out the clutches with the balls chosen."""
+    """Lay out clutches whose numbers may be arrays; if the spec gives no balls, with the chosen balls."""
     unit = spec.control_unit
     if unit is not None and unit.ball_diameter is None and "ball_diameter_standard" in own:
         spec = with_values(spec, {"control_unit.ball_diameter": own["ball_diameter_standard"]})
@@ -233,39 +223,38 @@ def _layout(spec: Spec, own: Quantities) -> list[SectionPart]:
 
 
 class Nearest(NamedTuple):
-    """The candidate that misses the fewest checks, by the least."""
+    """Candidate that fails the fewest checks; of several such candidates, the candidate with the least excess."""
 
     rank: tuple[int, float]
-    """Number of checks that it misses, and by how much."""
+    """Number of failed checks, and the sum of their excesses."""
     changes: dict[str, Any]
-    row: Row
-    """Check that it misses by the most."""
+    missed: list[Row]
+    """Failed checks, the largest excess first."""
 
 
 class Survey:
-    """Candidates of the whole grid that hold every check, and what excludes the others."""
+    """Candidates of the whole grid that pass every check, and counts of the checks that exclude the others."""
 
     def __init__(self, parts: Sequence[Part], objectives: Sequence[str]) -> None:
-        """Look through the grid of a search."""
+        """Evaluate the candidates of ``parts`` in blocks; keep the candidates that pass all checks, and objectives."""
         self.parts = parts
         self.candidates = sum(part.size for part in parts)
         self.excluded = Counter[str]()
         self.objectives = objectives
         self.nearest: Nearest | None = None
-        self._places: list[tuple[int, NDArray[np.intp]]] = []
+        self._places: list[tuple[Part, NDArray[np.intp], Numbers]] = []
         costs, done = [np.empty((0, len(objectives)))], 0
-        for place, part in enumerate(self.parts):
+        for part in parts:
             for start in range(0, part.size, BLOCK):
                 numbers = np.arange(start, min(start + BLOCK, part.size))
-                good, cost = self._block(part, numbers)
-                self._places.append((place, numbers[good]))
-                costs.append(cost)
+                costs.append(self._block(part, numbers))
                 done += numbers.size
                 tell(say("searching"), done, self.candidates)
         self.costs = np.concatenate(costs)
         self.feasible = len(self.costs)
 
-    def _block(self, part: Part, numbers: NDArray[np.intp]) -> tuple[Mask, Numbers]:
+    def _block(self, part: Part, numbers: NDArray[np.intp]) -> Numbers:
+        """Keep the passing candidates of one block of the grid; return their objectives, one row per candidate."""
         values = part.values(numbers)
         spec = with_values(part.base, values)
         own = wired(spec)
@@ -283,47 +272,44 @@ class Survey:
         self.excluded.update({name: int(np.sum(mask)) for name, mask in lost.items()})
         if real.any() and not good.any():
             self._near(part, values, rows, np.where(real, misses, len(rows) + 1), excess)
-        columns = [np.broadcast_to(cost(own, name), numbers.shape) for name in self.objectives]
-        return good, np.stack(columns, axis=1)[good] if columns else np.empty((int(good.sum()), 0))
+        chooses = spec.control_unit is not None and spec.control_unit.ball_diameter is None
+        ball = own.get("ball_diameter_standard", math.nan) if chooses else math.nan
+        self._places.append((part, numbers[good], np.broadcast_to(ball, numbers.shape)[good]))
+        return np.stack([np.broadcast_to(cost(own, name), numbers.shape) for name in self.objectives], axis=1)[good]
 
     def _near(self, part: Part, values: dict[str, Numbers], rows: list[Row], misses: Any, excess: Numbers) -> None:
         best = int(np.lexsort((excess, misses))[0])
         rank = int(misses[best]), float(excess[best])
         if self.nearest is None or rank < self.nearest.rank:
             changes = part.names | {path: own[best] for path, own in values.items()}
-            self.nearest = Nearest(rank, changes, max((row.at(best) for row in rows), key=lambda one: one.excess))
+            missed = sorted((row.at(best) for row in rows), key=lambda one: one.excess)
+            # checks of both ends of a material's range, or of the same gap, share a name: the larger excess counts
+            farthest = {(one.check.value, one.check.requirement): one for one in missed if not one.holds}
+            self.nearest = Nearest(rank, changes, sorted(farthest.values(), key=lambda one: -one.excess))
 
     def changes(self, row: int) -> dict[str, Any]:
-        """Path → value of a feasible candidate, numbers as they were typed; with the ball chosen."""
-        for place, numbers in self._places:
+        """Path → value of the candidate in a row of ``costs``, with the ball chosen for it; whole numbers are int."""
+        for part, numbers, balls in self._places:
             if row < len(numbers):
-                part = self.parts[place]
-                values = part.values(numbers[row : row + 1])
-                if value_at(part.base, _BALL) is None and part.base.control_unit is not None:
-                    ball = wired(with_values(part.base, values)).get("ball_diameter_standard", np.nan)
-                    values |= {} if np.isnan(ball).any() else {_BALL: np.ravel(ball)}
-                return part.names | {path: _typed(path, own[0]) for path, own in values.items()}
+                values = {
+                    path: (int if is_whole(path) else float)(own[0])
+                    for path, own in part.values(numbers[row : row + 1]).items()
+                }
+                ball = {} if np.isnan(balls[row]) else {"control_unit.ball_diameter": float(balls[row])}
+                return part.names | values | ball
             row -= len(numbers)
         raise IndexError(row)
 
 
-_BALL = "control_unit.ball_diameter"
-
-
-def _typed(path: str, value: Any) -> float:
-    about = keys()[path].about
-    return int(value) if about is not None and about.whole else float(value)
-
-
 def cost(own: Quantities, name: str) -> Any:
-    """Return an objective such that less is better, with a minus the most; what is not there costs nothing."""
+    """Return the values of an objective, negative for ``-name``; 0 if the clutch lacks it, infinite instead of NaN."""
     quantity = name.removeprefix("-")
     value = np.asarray(own.get(quantity, 0.0), float)
     return np.nan_to_num(-value if name.startswith("-") else value, nan=np.inf)
 
 
 def unbeaten(costs: Numbers) -> list[int]:
-    """Rows that no other beats: in order, each survivor removes what it beats; of equal ones the first stays."""
+    """Pareto front: indices of the rows that no other row dominates, in lexicographic order, equal rows once."""
     costs = _rounded(costs)
     left, kept = np.lexsort(costs.T[::-1]), []
     while left.size:
@@ -334,12 +320,12 @@ def unbeaten(costs: Numbers) -> list[int]:
 
 
 def equal_to(costs: Numbers, kept: Sequence[int]) -> int:
-    """Number of other rows that equal one of those kept."""
+    """Number of rows that are not in ``kept`` but equal a row in ``kept``."""
     rows = [tuple(row) for row in _rounded(costs).tolist()]
     return sum(Counter(rows)[rows[place]] - 1 for place in kept)
 
 
 def _rounded(values: Numbers) -> Numbers:
-    """Values without their last digits, by which clutches differ that are the same."""
+    """Values rounded to ``_DIGITS``, so that equal clutches compare equal in spite of rounding errors."""
     share, exponent = np.frexp(values)
     return np.ldexp(np.round(share, _DIGITS), exponent)

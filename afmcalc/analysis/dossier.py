@@ -13,6 +13,7 @@ from ..spec import Spec
 from .asking import Answers
 from .check import CheckResult
 from .explain.explain import Derivation, derivations, noting, steps_of
+from .explain.mend import steps_to_take
 from .plot_data import Request, gathered
 from .registry import ANALYSES, Analysis, StressRule
 
@@ -27,9 +28,9 @@ class Topic(NamedTuple):
     sources: Sequence[str]
     result: Result
     derivations: list[Derivation]
-    """Derivations, less those that topics before it show."""
+    """Derivations; formulas that earlier topics show are left out."""
     plot: str
-    """Kind of its plot, and what is drawn; empty and None where there is no curve."""
+    """Name of the analysis's plot, or empty; ``figure`` has the data of the plot, None if there is nothing to draw."""
     figure: Any
 
 
@@ -39,9 +40,11 @@ class Dossier(NamedTuple):
     spec: Spec
     check: CheckResult
     findings: list[Finding]
+    steps: list[str]
+    """Sentences on how to clear errors and warnings, the gravest first."""
     topics: list[Topic]
     section: Any = None
-    """The clutch in section; None where it cannot be drawn, or that is not asked for."""
+    """Data of the section drawing; None if the clutch cannot be drawn."""
 
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
@@ -57,15 +60,16 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     ]
     verdict, findings = answers.ask("check")
     findings = [*findings, *(finding for analysis in applying for finding in answers.ask(analysis.name)[1])]
+    findings = list(dict.fromkeys(findings))
     return Dossier(
-        spec=spec, check=verdict, findings=list(dict.fromkeys(findings)),
+        spec=spec, check=verdict, findings=findings, steps=[*steps_to_take(spec, findings)],
         topics=[_topic(analysis, answers, derived.get(analysis.name, [])) for analysis in applying],
         section=_drawn("section", answers),
     )  # fmt: skip
 
 
 def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
-    """Run the analyses that can be explained, and derive their results; each formula is shown where it first stands."""
+    """Answers of a clutch that notes its steps, and analysis → derivations; a formula is shown where first used."""
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
     answers, sections = Answers(noting(spec), model=model), {}
     for each in wanted:
@@ -88,13 +92,13 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
 
 
 def _drawn(plot: str, answers: Answers) -> Any:
-    """Gather a plot; None where there is no curve: friction that does not wander, no limit of life, too many pairs."""
+    """Data of a plot; None if there is nothing to draw: constant friction, unlimited life, too many pairs."""
     with suppress(CalculationError):
         return gathered(plot, Request([answers]))
     return None
 
 
 def _said(template: str, result: Result) -> str:
-    """Fill what a section says with the fields of its result."""
+    """Text of a section: its template filled with the fields of the result."""
     values = {name: translate(each) if isinstance(each, str) else each for name, each in dict(result).items()}
     return filled(template, values)

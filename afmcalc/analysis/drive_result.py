@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from ..spec.models import Drive
 
 NOT_ENDED = "not ended"
-"""Of a slip: the motor keeps it going, or what is simulated is over before it; a finding says which."""
+"""Text for a slip that does not end: the motor keeps it going, or the simulated time is too short (see findings)."""
 
 
 class SimulatePoint(Result):
@@ -22,7 +22,7 @@ class SimulatePoint(Result):
     peak_torque: float = quantity("N*m", "T_peak", "peak torque in the shaft")
     peak_torque_clutch: float = quantity("N*m", "T_peak,c", "peak torque at the clutch")
     dynamic_factor: float = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
-    slip_time: float | None = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
+    slip_time: float | None = quantity("s", "t_s", "time of slip", null=NOT_ENDED, digits=3)
     slip_energy: float | None = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
     key_energy: float | None = quantity(
         "J", "Q_key", "energy lost at the key until the slip ends", optional=True, null=NOT_ENDED
@@ -53,19 +53,13 @@ class SimulateResult(Answer):
     peak_error: Triple = quantity("1", "δ", "change of the peak torque in the shaft against twice the time step")
     dynamic_factor: Triple = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
     peak_over_machine: Triple | None = quantity("1", "T_peak/T_0", "peak torque over the load before it", optional=True)
-    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
+    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED, digits=3)
     slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
-    peak_torque_low: Triple | None = quantity(
-        "N*m", "T_peak,low", "peak torque in the shaft, the lower of two step sizes", optional=True
+    slip_time_spread: OpenTriple | None = quantity(
+        "1", "δ_t", "change of the time of slip against twice the time step", optional=True, null=NOT_ENDED
     )
-    peak_torque_high: Triple | None = quantity(
-        "N*m", "T_peak,high", "peak torque in the shaft, the higher of two step sizes", optional=True
-    )
-    slip_energy_low: OpenTriple | None = quantity(
-        "J", "Q_low", "heat in the pack, the lower of two step sizes", optional=True, null=NOT_ENDED
-    )
-    slip_energy_high: OpenTriple | None = quantity(
-        "J", "Q_high", "heat in the pack, the higher of two step sizes", optional=True, null=NOT_ENDED
+    slip_energy_spread: OpenTriple | None = quantity(
+        "1", "δ_Q", "change of the heat against twice the time step", optional=True, null=NOT_ENDED
     )
     key_energy: OpenTriple | None = quantity(
         "J", "Q_key", "energy lost at the key until the slip ends", optional=True, null=NOT_ENDED
@@ -93,12 +87,12 @@ class SimulateResult(Answer):
 
     @property
     def judged_peak(self) -> float:
-        """Largest peak torque in the shaft, that of the bypass pairs alone with it, N·m."""
+        """Largest peak torque in the shaft, N·m, also if the bypass pairs alone carry."""
         return max(self.peak_torque.min, self.peak_torque.mean, self.peak_torque.max, self.peak_torque_bypass or 0.0)
 
     @property
     def largest_dynamic_factor(self) -> float:
-        """Largest peak torque in the shaft over the sliding torque of its friction."""
+        """Largest ratio of peak shaft torque to sliding torque at one friction, also if bypass pairs alone carry."""
         slipping = max(self.dynamic_factor.min, self.dynamic_factor.mean, self.dynamic_factor.max)
         return max(slipping, (self.peak_torque_bypass or 0.0) / self.sliding_torque.max)
 
@@ -110,7 +104,7 @@ class HeatResult(Answer):
     """Heat and wear of one trip; what the spec does not allow to tell is left out."""
 
     energy_source: EnergySource = quantity("", None, "where time and heat of the slip are from")
-    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
+    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED, digits=3)
     energy: OpenTriple = quantity("J", "Q", "heat of a trip", null=NOT_ENDED)
     specific_work: OpenTriple | None = quantity(
         "J/m^2", "q_A", "work per area of a pair", optional=True, null=NOT_ENDED
@@ -132,9 +126,11 @@ class HeatResult(Answer):
     face_temperature: OpenTriple | None = quantity(
         "K abs", "Θ_s", "largest temperature of the faces during a trip", optional=True, null=NOT_ENDED
     )
-    temperature_limit: float | None = quantity("K abs", "Θ_max", "allowable temperature, for the discs", optional=True)
+    temperature_limit: float | None = quantity(
+        "K abs", "Θ_max", "allowable temperature, for the discs", optional=True, digits=5
+    )
     trips_without_cooling: OpenTriple | None = quantity(
-        "1", "n_Θ", "trips in immediate succession until the limit, no heat given off", optional=True
+        "1", "n_Θ", "trips in immediate succession until the limit, no heat given off", optional=True, digits=3
     )
     trips_per_hour: OpenTriple | None = quantity(
         "1/h", "ν", "trips per hour, mean temperature at the limit", optional=True
@@ -142,17 +138,19 @@ class HeatResult(Answer):
     trips_per_hour_peak: OpenTriple | None = quantity(
         "1/h", "ν_p", "trips per hour, temperature after each trip at the limit", optional=True
     )
-    trips_to_wear_out: OpenTriple | None = quantity("1", "n_w", "trips until the lining is gone", optional=True)
+    trips_to_wear_out: OpenTriple | None = quantity(
+        "1", "n_w", "trips until the lining is gone", optional=True, digits=3
+    )
     setting_loss_per_wear: float | None = quantity(
-        "1/m", "ΔF/(F δ)", "share of the force on the pack lost per wear of a pair", optional=True
+        "1/m", "ΔF/(F δ)", "share of the force on the pack lost per wear of a pair", optional=True, digits=3
     )
     setting_loss_worn: float | None = quantity(
-        "1", "ΔF/F", "share of the force on the pack lost when the lining is gone", optional=True
+        "1", "ΔF/F", "share of the force on the pack lost when the lining is gone", optional=True, digits=3
     )
 
 
 def dynamic_factor(drive: "Drive", event: Callable[[], SimulateResult]) -> float:
-    """Dynamic factor of the unprotected side: as given, else the largest T_peak/T of the event, else 1."""
+    """Dynamic factor of the unprotected side: as in the spec, else the largest T_peak/T of the event, else 1."""
     if drive.dynamic_factor is not None or drive.event is None:
         return 1.0 if drive.dynamic_factor is None else drive.dynamic_factor
     return event().largest_dynamic_factor

@@ -1,10 +1,9 @@
-"""Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude.
+"""Fatigue life of the shaft under the torque of the clutch (S19 (14)–(20)), by the paper's rule or by amplitude.
 
 The papers' rule takes T_min … T_max as one cycle, although a single slip loads the part from 0 to T(f) and back. The
-rules by amplitude take this cycle for each slip, and give the life at the mean damage (Miner; handbook, chapter 4).
+rules by amplitude take each slip, 0 to T(f), as one cycle; life follows from the mean damage (Miner; handbook, 4).
 """
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial, reduce
 from typing import Literal
@@ -31,11 +30,11 @@ from .sweep import Axis, parse_axis, parse_values, replaced, series
 
 Setting = Literal["as-set", Method]
 UNLIMITED = "unlimited"
-"""A life without number."""
+"""Text shown for a life that fatigue does not limit."""
 _NEEDS: dict[StressRule, str] = {"amplitude": "mean_stress_sensitivity", "goodman": "ultimate_strength"}
-"""Rule by which each slip is a cycle → the key of [fatigue] that it needs. The paper's takes the band as one cycle."""
+"""Rule that counts each slip as one cycle → key of [fatigue] that the rule needs."""
 _BLOCK = 1_000
-"""Points of a sweep calculated at a time: each has 256 slips."""
+"""Number of sweep points calculated at a time by the rules that count slips: each point has 256 slips."""
 
 
 class MethodCycles(Result):
@@ -49,9 +48,9 @@ class MethodCycles(Result):
     unlimited: list[Setting] = described("settings whose life fatigue does not limit")
 
     def words(self, name: str) -> str | None:
-        """Say that a life is not limited, whatever number the S-N line gives when it is extrapolated."""
+        """Text of an unlimited life, with its cycles on the extrapolated S-N line; None: the value itself is shown."""
         if name == "unlimited":
-            return ""  # the lives say so
+            return ""  # the setting is shown with each life
         value = getattr(self, name)
         if isinstance(value, float) and name.replace("_", "-") in self.unlimited:
             return say("unlimited ({value:.5g})", value=value)
@@ -87,17 +86,17 @@ class LifeResult(Asking, Answer):
 def life(
     clutch: Clutch, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = (), answers: Answers | None = None
 ) -> tuple[LifeResult, list[Finding]]:
-    """Calculate the cycles to failure: of the band as one cycle (the paper), or of slips from 0 to T(f) and back.
+    """Calculate the cycles to failure; a cycle is the whole band by the paper's rule, and one slip by other rules.
 
-    In a sweep an axis named dT varies the scatter band at fixed T_min. Raises SpecError: no [fatigue] block, or one
-    that lacks what the model needs.
+    In a sweep an axis named dT varies the scatter band at fixed T_min. Raises SpecError if there is no [fatigue] block,
+    or if the block lacks the key that ``model`` needs.
     """
     spec = clutch.spec
     _require(spec, model)
     underrated: list[Finding] = []
     if answers is None and spec.drive.event is not None:
         answers = Answers(build(spec))
-        if spec.drive.dynamic_factor is not None:  # it may be smaller than that of the event
+        if spec.drive.dynamic_factor is not None:  # the given factor may be less than the factor of the event
             underrated = [remark for remark in answers.ask("simulate")[1] if remark.code == "dynamic-factor-exceeded"]
     factor = dynamic_factor(spec.drive, lambda: given(answers).of(SimulateResult))
     own = by_rule(clutch, model).at(dynamic_factor=factor)
@@ -118,16 +117,16 @@ _SIDES = {
     "protected": (), "unprotected": ("unprotected",), "protected_forecast": ("forecast",),
     "unprotected_forecast": ("unprotected", "forecast"),
 }  # fmt: skip
-"""Side, as set and from the mean friction on → its cases."""
+"""Side of the clutch, with its load as set or forecast from the mean friction → cases that make up the load."""
 
 
 def _load(own: Quantities, side: str) -> Quantities:
-    """Load of a side."""
+    """Quantities of the clutch in the cases that make up the load of a side in ``_SIDES``."""
     return reduce(lambda load, case: load.at(case), _SIDES[side], own)
 
 
 def _require(spec: Spec, model: StressRule) -> None:
-    """Refuse a spec without what the model needs."""
+    """Raise SpecError if the spec has no [fatigue] block, or lacks the key that the rule ``model`` needs."""
     if spec.fatigue is None:
         raise spec.refused("fatigue", say("required by life: endurance_limit, polar_section_modulus, …"))
     needed = _NEEDS.get(model)
@@ -136,28 +135,23 @@ def _require(spec: Spec, model: StressRule) -> None:
 
 
 def _by_setting(spec: Spec, own: Quantities, side: str) -> MethodCycles:
-    """Cycles of a side, springs as they are and set by both methods."""
+    """Cycles to failure of a side, with the springs as in the spec and as each adjustment method sets them."""
     made = spec.control_spring is not None and spec.control_spring.force is not None
     numbers, unlimited = dict[str, float | None](), list[Setting]()
     settings: list[tuple[Setting, str]] = [("as-set", ""), *METHODS.items()]
     for setting, case in settings:
         load = _load(own.at("" if setting == spec.adjustment.method and not made else case), side)
-        numbers[setting.replace("-", "_")] = number = _cycles(load)
-        if number is None or _is_unlimited(load):
+        cycles = lives_of(load)
+        numbers[setting.replace("-", "_")] = None if np.isnan(cycles) else float(cycles)
+        if np.isnan(cycles) or _is_unlimited(load):
             unlimited.append(setting)
     return MethodCycles(**numbers, unlimited=unlimited)
-
-
-def _cycles(load: Quantities) -> float | None:
-    """Cycles to failure, 0 where the largest load breaks the part; None where fatigue sets no limit."""
-    number = float(lives_of(load))
-    return number if math.isfinite(number) else None
 
 
 def lives_of(load: Quantities) -> Values:
     """Return the cycles to failure of one clutch or of many, NaN where fatigue sets no limit.
 
-    Raises OverflowError: they are too few for a number; 0 cycles mean a break only.
+    Raises OverflowError if the cycles round to 0 although the shaft does not break: 0 must only mean a break.
     """
     cycles = np.asarray(load["cycles_extrapolated"], float)
     if ((cycles == 0) & ~np.asarray(load["is_broken"], bool)).any():
@@ -166,7 +160,7 @@ def lives_of(load: Quantities) -> Values:
 
 
 def _stress(load: Quantities) -> float | None:
-    """Damaging stress; None where the part breaks at once."""
+    """Damaging stress, Pa; None if the shaft breaks at once."""
     return None if load["is_broken"] else float(load["damaging_stress"])
 
 
@@ -177,10 +171,10 @@ def _is_unlimited(load: Quantities) -> bool:
 
 
 def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: float) -> list[LifeSweep]:
-    """Calculate the life over spec keys, or over the band dT above the T_min of the spec.
+    """Calculate the life over spec keys, or over the scatter band dT above the clutch's T_min.
 
-    ``factor`` is that of the clutch as it is: where neither dT nor the part alone is swept, the event of every point
-    gives its own.
+    ``factor``: dynamic factor of the clutch as it is, for dT and for keys of [fatigue] and [shaft]; over other keys
+    each point has the dynamic factor of its own event.
     """
     if any(axis.name == "dT" for axis in axes):
         if len(axes) > 1:
@@ -218,24 +212,24 @@ _SWEPT = ("protected", "unprotected", "protected_forecast")
 
 
 def _with_band(own: Quantities, load: Quantities, band: Floats, model: StressRule) -> Quantities:
-    """Return the load of a clutch with another scatter band above its own T_min.
+    """Return the load of a clutch with another scatter band above the clutch's T_min.
 
-    Slips keep the course of the torque over friction, stretched; the paper's forecast keeps T_cp, and has nothing to
-    say of a band so narrow that T_max stays below it.
+    For rules that count slips the torques of all slips are stretched alike. The paper's forecast keeps the torque T_cp
+    at the mean friction, and is NaN if the band is so narrow that T_max lies below T_cp.
     """
     least, width = own["torque_min"], own["scatter"]
     if model not in _NEEDS:
         most, low = least + band, load["torque_low"]
         return load.at(torque_low=np.where(most >= low, low, np.nan), torque_high=most)
     torques, most = load["torque_at_slips"] - least, load["torque_high"] - least
-    if width == 0:  # a straight line
+    if width == 0:  # a constant torque cannot be stretched: evenly spread torques replace it
         torques, most, width = spread(0.0, 1.0, 256, ends=False), 1.0, 1.0
     damage = load.at(torque_high=least + torques * (band / width))["counted_damage"]
     return load.at(torque_high=least + most * (band / width), mean_damage=mean_along(damage))
 
 
 def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> list[Axis]:
-    """Read the axes of a sweep; ``band`` takes dT for the scatter band, of which a life can be told."""
+    """Read the axes of a sweep; if ``band``, an axis may also be dT, the scatter band."""
     return [
         band_axis(text, clutch) if band and text.partition("=")[0].strip() == "dT" else parse_axis(text, clutch.spec)
         for text in texts
@@ -243,9 +237,9 @@ def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> l
 
 
 def band_axis(text: str, clutch: Clutch) -> Axis:
-    """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
+    """Read ``dT[=RANGE]``, the axis of the scatter band: by default from half to twice the band of the clutch."""
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
-    band = float(clutch["scatter"])
+    band = clutch["scatter"]
     _, separator, values_given = text.partition("=")
     values = parse_values(text, values_given, "N*m") if separator else np.linspace(0.5 * band, 2 * band, 26)
     if bool((values < 0).any()):
@@ -254,7 +248,7 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
 
 
 def _judged(load: Quantities, model: StressRule, side: str) -> Iterator[Finding]:
-    """Say of a side, springs as they are, that fatigue does not limit its life."""
+    """Yield a finding if fatigue does not limit the life of a side, with the springs as in the spec."""
     if _is_unlimited(load):
         code = "life-not-limited/no-number" if model in _NEEDS else "life-not-limited/extrapolated"
         stress, limit = _stress(load), load["endurance_limit"]

@@ -39,7 +39,7 @@ class LayoutResult(Answer):
 
 
 def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
-    """Lay out a clutch. Raises SpecError: the spec has no envelope."""
+    """Lay out a clutch. Raises SpecError if the spec has no [envelope]."""
     if clutch.spec.envelope is None:
         message = say("required by layout: a table of the space there is and of thicknesses, as in example:envelope")
         raise clutch.spec.refused("envelope", message)
@@ -54,7 +54,7 @@ def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
 
 
 def rows_of(parts: list[SectionPart]) -> Iterator[LayoutPart]:
-    """Yield a row of each part that there is."""
+    """Yield a row for each part that takes up space."""
     for part in parts:
         if rings := [ring for ring in part.boxes if ring.extends]:
             yield LayoutPart(
@@ -66,12 +66,15 @@ def rows_of(parts: list[SectionPart]) -> Iterator[LayoutPart]:
 
 
 def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) -> Iterator[Finding]:
-    """Findings on collisions, exceeded space, and parts that are not laid out."""
+    """Yield findings on collisions, impossible balls, an odd number of pairs, exceeded space, and parts left out."""
     for first, second, missing in overlaps(parts):
         if missing > TOUCHES:
             yield finding(
                 "parts-collide", "error", value=float(missing), first=translate(first), second=translate(second)
             )
+    yield from (each for each in failures_of(clutch.spec, clutch, "pocket") if each.code in _IMPOSSIBLE_BALLS)
+    if clutch.spec.control_unit is not None and (play := clutch["wear_play"]):
+        yield finding("laid-out-worn", "info", value=play, path="heat.lining")
     if clutch.spec.friction_group.pairs % 2:
         yield finding("odd-pairs", "warning", value=clutch.spec.friction_group.pairs, path="friction_group.pairs")
     known = {"outer_diameter": result.outer_diameter, "length": result.length}
@@ -82,6 +85,7 @@ def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) ->
             yield finding("layout-without", "info", path=path, name=translate(name))
 
 
+_IMPOSSIBLE_BALLS = ("balls-overlap", "ball-reaches-axis")
 _SOUGHT: dict[PartName, str] = {
     "closing spring": "closing_spring.disc", "control spring": "control_spring.disc",
     "balls": "control_unit.ball_diameter",

@@ -1,7 +1,7 @@
 """Content of the handbook: its chapters, the texts of every formula, and the numbers of examples.
 
 A chapter is a Markdown file of ``afmcalc/papers/handbook``, in Russian the file of the same name in its folder ``ru``.
-A paragraph in braces is put in by the program: ``{equation direct.torque}``, ``{misprint M1}``, ``{figure F11-1}``,
+A paragraph in braces is replaced by the program: ``{equation direct.torque}``, ``{misprint M1}``, ``{figure F11-1}``,
 ``{list notation}``. In a sentence ``{see direct.torque}`` is the number of a formula, a chapter, a paper or a misprint
 with a link to it, and ``{value default accuracy.accuracy_factor}`` a number that a command gives for an example. Fenced
 lines are steps of a derivation, with ``sh`` command lines; ``{plot torque default}`` is a plot of an example.
@@ -10,7 +10,6 @@ lines are steps of a derivation, with ``sh`` command lines; ``{plot torque defau
 import re
 import tomllib
 from functools import cache
-from importlib.resources import files
 from typing import Any, NamedTuple
 
 from ..engines import build
@@ -18,6 +17,7 @@ from ..engines.quantities import NotedStep
 from ..equations.catalogue import Equation, equation_of, equations
 from ..formula_tree import Tree
 from ..papers.claims import Row, claims
+from ..papers.handbook_text import HANDBOOK, chapter_texts
 from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
@@ -27,9 +27,8 @@ from .explain.formula import FormulaText
 from .plot_data import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
-_FOLDER = files("afmcalc.papers").joinpath("handbook")
-_EXAMPLES = ("default", "unlike-materials", "indirect", "drive", "constant-torque", "tolerance", "machine-clutch")
-"""Examples that the formulas are worked for, the first that has the formula."""
+_EXAMPLES = ("default", "unlike-materials", "indirect", "drive", "constant-torque", "machine-clutch")
+"""Examples whose numbers are put into formulas: for each formula the first example that calculates it."""
 
 
 class Entry(NamedTuple):
@@ -38,37 +37,30 @@ class Entry(NamedTuple):
     equation: Equation
     formula: Tree
     example: str
-    """Example whose numbers are put in; empty where no explained command calculates the formula."""
+    """Example whose numbers are put into the formula; empty if no explained command calculates the formula."""
     worked: Tree
-    """Formula with numbers."""
+    """Formula with the numbers of the example; empty without an example."""
     value: float
     printed: list[Formula]
-    """Its places in the papers."""
+    """Places in the papers where the formula is printed."""
     proofs: list[str]
-    """Tests that prove it, for formulas of the papers."""
+    """Tests that prove the formula, if it is one of the papers."""
     commands: list[str]
-    """Commands that calculate it."""
+    """Commands that calculate the formula."""
 
 
 class Handbook(NamedTuple):
-    """Everything the handbook shows."""
+    """Everything that the handbook shows."""
 
     chapters: dict[int, str]
     """Markdown of every chapter by its number."""
     formulas: dict[str, Entry]
-    """Equation function → what there is to say of it."""
+    """Name of an equation function → its entry."""
     values: dict[str, tuple[Any, str]]
     """Text in ``{value …}`` → the number, SI, and its unit."""
     plots: dict[str, Any]
-    """Text in ``{plot …}`` → what it draws."""
+    """Text in ``{plot …}`` → data of the plot."""
     claims: list[Row]
-
-
-def chapter_texts(language: str) -> dict[int, str]:
-    """Return the Markdown of every chapter by its number."""
-    folder = _FOLDER / "ru" if language == "ru" else _FOLDER
-    names = sorted(entry.name for entry in folder.iterdir() if entry.name.endswith(".md"))
-    return {int(name[:2]): folder.joinpath(name).read_text(encoding="utf-8") for name in names}
 
 
 def handbook(language: str) -> Handbook:
@@ -79,7 +71,7 @@ def handbook(language: str) -> Handbook:
     )
     return Handbook(
         chapters, {name: _entry(equations()[name]) for name in names}, {path: _value(*path.split()) for path in values},
-        {plot: _plot(*plot.split()) for plot in plots}, claims([])[0].rows,
+        {each: gathered(each.split()[0], Request([_answers(each.split()[1])])) for each in plots}, claims([])[0].rows,
     )  # fmt: skip
 
 
@@ -98,14 +90,9 @@ def _value(example: str, path: str) -> tuple[Any, str]:
     return value, unit
 
 
-def _plot(kind: str, example: str) -> Any:
-    """Return what a plot of an example draws."""
-    return gathered(kind, Request([_answers(example)]))
-
-
 @cache
 def _steps() -> dict[str, list[tuple[str, str, NotedStep]]]:
-    """Equation → examples and explained commands that calculate it, with the first step of each."""
+    """Name of an equation → example and explained command that calculate it, and the first such step, for each pair."""
     found: dict[str, dict[tuple[str, str], NotedStep]] = {}
     for example in _EXAMPLES:
         quiet = _answers(example)
@@ -125,19 +112,19 @@ def _entry(equation: Equation) -> Entry:
     text = FormulaText(equation.function, terms, step.values if step else dict.fromkeys(terms, 1.0))
     printed = [entry for entry in register() if entry.function == equation.name]
     return Entry(
-        equation=equation, formula=text.tree(), example=example,
-        worked=text.tree_with_numbers() if step else (), value=float(step.value) if step else 0.0,
+        equation=equation, formula=text.tree, example=example,
+        worked=text.with_numbers() if step else (), value=float(step.value) if step else 0.0,
         printed=printed, proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)),
         commands=commands_of(equation.name),
     )  # fmt: skip
 
 
 def commands_of(name: str) -> list[str]:
-    """Commands that calculate an equation: those whose steps show it for an example, and others by a list."""
+    """Commands that calculate an equation: they note it as a step in an example, or are listed in ``uses.toml``."""
     return sorted({command for _, command, _ in _steps().get(name, [])}.union(_uses().get(name, ())))
 
 
 @cache
 def _uses() -> dict[str, list[str]]:
-    """Equation → commands that calculate it, besides those whose steps show it."""
-    return tomllib.loads(_FOLDER.joinpath("uses.toml").read_text(encoding="utf-8"))
+    """Equation → further commands that calculate it without noting a step, from ``uses.toml``."""
+    return tomllib.loads(HANDBOOK.joinpath("uses.toml").read_text(encoding="utf-8"))

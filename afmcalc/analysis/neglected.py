@@ -1,7 +1,7 @@
 """Effects that the torque law neglects, for one clutch, in numbers (handbook, chapter 13)."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, Literal, NamedTuple
 
@@ -14,26 +14,29 @@ from ..engines.selection import as_set
 from ..equations import effects as law
 from ..equations import pack
 from ..equations.arrays import Floats, Values, zero_of
-from ..errors import CalculationError, Problem, SpecError
+from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import deferred, say, translate
 from ..result import Answer, Result, Triple, described, quantity
 from ..spec.edit import value_at
-from .clutch_findings import clutch_findings
+from ..spec.models import PressureDiscKey
+from ..spec.write import lacking
+from ..variants import foreign_keys
+from .clutch_findings import clutch_findings, speed_findings
 
-EffectName = Literal["spline-friction", "centrifugal", "wear"]
+EffectName = Literal["spline-friction", "centrifugal", "wear", "pressure-disc-key"]
 NOTICEABLE = 0.05
-"""Relative change, of K_т or else of the torque, that is warned of."""
+"""Relative change of the accuracy factor, or else of the torque, above which there is a warning."""
 POINTS = 33
-"""Frictions at which the largest and the smallest torque are looked for."""
+"""Number of friction values at which the largest and the smallest torque are searched."""
 ENDS = ("min", "mean", "max")
 STEEL = 7850.0
 """Density of a ball of bearing steel (ISO 3290-1), kg/m³."""
-STIFFNESS = "closing_spring.stiffness"
+STIFFNESS, _SPEED = "closing_spring.stiffness", "drive.speed"
 _MOST_PAIRS = 1000
 
 Torque = Callable[[Floats, Floats], Floats]
-"""Slip torques at f_1 and f_2, N·m."""
+"""Function that returns the slip torques at the frictions f_1 and f_2, N·m."""
 
 
 class Effect(Result):
@@ -60,14 +63,14 @@ class EffectsResult(Answer):
 
 
 def torque_after_wear(clutch: Clutch, result: EffectsResult) -> float | None:
-    """Least torque of a pack whose lining is gone, N·m: 0 where that takes all of the force; None: not told."""
+    """Least slip torque with the lining worn off, N·m; 0 if no force is left, None if the spec lacks data for wear."""
     if SOURCES["wear"].missing(clutch):
         return None
     return next((effect.torque_least for effect in result.effects if effect.effect == "wear"), 0.0)
 
 
 class EffectCurve(Result):
-    """One effect along the common path of f_1 and f_2."""
+    """Torques with one effect, as f_1 and f_2 rise together."""
 
     effect: EffectName = described("effect")
     low: list[float] = quantity("N*m", "T_low", "smaller slip torque")
@@ -75,7 +78,7 @@ class EffectCurve(Result):
 
 
 class EffectsCurve(Result):
-    """The law's torque along the path, and what each effect makes of it."""
+    """Torques by the law and with each effect, as f_1 and f_2 rise together."""
 
     name: str | None = described("name of the clutch", optional=True)
     friction: list[float] = quantity("1", "f", "coefficient of friction")
@@ -84,66 +87,79 @@ class EffectsCurve(Result):
 
 
 class Bracket(NamedTuple):
-    """Two curves that the torque lies between, or none and the reason why no clutch is left."""
+    """Curves between which the torque lies under an effect, and findings; no curves if the clutch then fails."""
 
     curves: Sequence[Torque]
     remarks: tuple[Finding, ...] = ()
 
     def ends(self, frictions: tuple[Floats, Floats]) -> list[list[float]]:
-        """Smaller and larger torques at pairs of frictions, N·m."""
+        """Smaller and larger torque at each pair of frictions, N·m."""
         return np.sort([curve(*frictions) for curve in self.curves], axis=0).tolist()
 
 
 class EffectSource(NamedTuple):
-    """Definition of an effect: the keys it needs, its own first, its bracket, and its name."""
+    """Definition of an effect: the spec keys that it needs, the ``Bracket`` of its torques, and its name in words."""
 
     needs: tuple[str, ...]
     bracket: Callable[..., Bracket]
-    """Of a clutch and the values of these keys."""
+    """Function that returns the bracket for a clutch and the values of the keys in ``needs``."""
     words: str
+    own: int = 0
+    """Number of keys at the start of ``needs`` that no other effect uses."""
+
+    def is_begun(self, clutch: Clutch) -> bool:
+        """True if the spec has some of the keys that no other effect uses."""
+        return any(_value(clutch, path) is not None for path in self.needs[: self.own])
 
     def missing(self, clutch: Clutch) -> list[str]:
-        """Keys of the spec that are not given; a clutch of its own stiffness needs no key for it."""
-        gone = [path for path in self.needs if value_at(clutch.spec, path) is None]
+        """Keys in ``needs`` that the spec lacks; a stiffness that a spring part gives is not missing."""
+        gone = [path for path in self.needs if _value(clutch, path) is None]
         return [path for path in gone if path != STIFFNESS or following_stiffness(clutch) is None]
 
 
+def _value(clutch: Clutch, path: str) -> Any:
+    """Value of a key that an effect needs; the speed may come from the rating plate of the motor."""
+    return clutch.spec.speed if path == _SPEED else value_at(clutch.spec, path)
+
+
 def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
-    """Put each effect that the spec gives the data of into numbers; springs stay as they are set.
+    """Calculate each effect for which the spec has the data; the springs stay as they are set.
 
     Raises:
-        SpecError: the spec has the data of none.
+        SpecError: the spec has the data of no effect.
     """
     brackets = _brackets(clutch)
     if not brackets:
-        missing = SOURCES["wear"].missing(clutch)
-        hint = say(
-            "the spec has the data of no effect; to begin with wear, give {listed}, as afmcalc init --kind drive has "
-            "them: what the other effects need, afmcalc effects then says",
-            listed=", ".join(missing),
-        )
-        raise SpecError(clutch.spec.label, [Problem(missing[0], None, hint)])
+        listed, paths = _wanting(clutch, {name for name, source in SOURCES.items() if source.is_begun(clutch)})
+        needs = "\n  ".join([say("the data of one effect at least:"), *listed])
+        raise lacking(clutch.spec, "effects", needs, "drive", paths)
     result = EffectsResult(
         accuracy_factor=clutch.accuracy_factor,
         torque=Triple.of(_torque(clutch, *_ends(clutch)).tolist()),
         effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
     )
     remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
-    return result, [*clutch_findings(clutch), *remarks, *_findings(clutch, result)]
+    taken = speed_findings(clutch.spec) if "centrifugal" in brackets else ()
+    return result, [*clutch_findings(clutch), *taken, *remarks, *_findings(clutch, result)]
 
 
 def effects_curve(clutch: Clutch) -> EffectsCurve:
-    """Calculate the torque over friction with every effect that the spec gives the data of.
+    """Calculate the torque over friction with every effect for which the spec has the data.
 
     Raises:
-        CalculationError: it gives the data of none, or the friction does not wander.
+        CalculationError: the spec has the data of no effect, or the friction is constant.
     """
     path, brackets = _path(clutch), _brackets(clutch)
     if not brackets:
         raise CalculationError("plot effects: the spec gives the data of no effect (afmcalc effects says which)")
     if all(friction[0] == friction[-1] for friction in path):
         raise CalculationError("the friction does not wander (min = max): there is no curve over it")
-    courses = {name: bracket.ends(path) for name, bracket in brackets.items() if bracket.curves}
+    courses = {
+        name: (ends[0], ends[-1])
+        for name, bracket in brackets.items()
+        if bracket.curves
+        for ends in [bracket.ends(path)]
+    }
     return EffectsCurve(
         name=clutch.spec.name,
         friction=path[0].tolist(),
@@ -159,33 +175,35 @@ def _torque(clutch: Clutch, driving: Floats, driven: Floats) -> Floats:
 
 def _brackets(clutch: Clutch) -> dict[EffectName, Bracket]:
     return {
-        name: source.bracket(clutch, *(value_at(clutch.spec, path) for path in source.needs))
+        name: source.bracket(clutch, *(_value(clutch, path) for path in source.needs))
         for name, source in SOURCES.items()
         if not source.missing(clutch)
     }
 
 
 def _path(clutch: Clutch) -> tuple[Floats, Floats]:
-    """The common path of f_1 and f_2."""
+    """f_1 and f_2 as they rise together from smallest to largest, ``POINTS`` values each."""
     return clutch.path(np.linspace(0.0, 1.0, POINTS))
 
 
 def _ends(clutch: Clutch) -> tuple[Floats, Floats]:
-    """f_1 and f_2 at f_min, their means and f_max."""
+    """f_1 and f_2, each as an array of its minimum, mean and maximum."""
     first, second = map(np.array, clutch.spec.friction.groups)
     return first, second
 
 
 def _effect(clutch: Clutch, name: EffectName, bracket: Bracket) -> Effect:
-    # largest over smallest torque along the common path of f_1 and f_2
+    # accuracy factor: largest over smallest torque as f_1 and f_2 rise together
     courses = (curve(*_path(clutch)) for curve in bracket.curves)
-    least, most = sorted(float(course.max() / course.min()) for course in courses)
-    low, high = map(Triple.of, bracket.ends(_ends(clutch)))
-    return Effect(effect=name, torque_low=low, torque_high=high, accuracy_factor_low=least, accuracy_factor_high=most)
+    factors = sorted(float(course.max() / course.min()) for course in courses)
+    low, *_, high = map(Triple.of, bracket.ends(_ends(clutch)))
+    return Effect(
+        effect=name, torque_low=low, torque_high=high, accuracy_factor_low=factors[0], accuracy_factor_high=factors[-1]
+    )
 
 
 def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
-    """Warn of an effect on K_т, else of one on the torque; say which effects were not asked."""
+    """Yield a warning for each effect on the accuracy factor, else on the torque; a note on effects without data."""
     for effect in result.effects:
         by_law, low, high = result.accuracy_factor, effect.accuracy_factor_low, effect.accuracy_factor_high
         path, words = SOURCES[effect.effect].needs[0], translate(SOURCES[effect.effect].words)
@@ -210,23 +228,32 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
                 yield finding("worn-below-machine", "warning", value=worn, limit=machine, path=path)
             elif worn < nominal * (1 - 1e-12):
                 yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
-    for source in SOURCES.values():
-        if gone := source.missing(clutch):
-            yield finding(
-                "effect-not-told", "info", path=source.needs[0], name=translate(source.words), listed=", ".join(gone)
-            )
+    listed, paths = _wanting(clutch)
+    if listed:
+        yield finding("effect-not-told", "info", path=paths[0], listed="; ".join(listed))
+
+
+def _wanting(clutch: Clutch, names: Collection[str] = ()) -> tuple[list[str], list[str]]:
+    """Effects (among ``names``, if given) that lack keys of the spec, each with these keys; and all these keys."""
+    gone = {source.words: source.missing(clutch) for name, source in SOURCES.items() if name in (names or SOURCES)}
+    gone = {words: paths for words, paths in gone.items() if paths and not foreign_keys(paths, clutch.spec.variant)}
+    listed = [
+        say("{name} (needs {listed})", name=translate(words), listed=", ".join(paths)) for words, paths in gone.items()
+    ]
+    return listed, [path for paths in gone.values() for path in paths]
 
 
 def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
-    """Discs held in their splines as the pack closes under torque, or as the balls unload a pack closed at rest.
+    """Torques with friction in the splines of the discs: one curve as the pack closes, one as the balls unload it.
 
-    The controlled pairs are next to the spring (F11 fig. 1), an inner disc behind the first pair.
+    The controlled pairs lie next to the spring (F11 fig. 1); from the spring on, the disc behind the first pair is
+    an inner disc.
     """
     bypass, pairs = int(clutch.bypass_pairs), clutch.spec.friction_group.pairs
     most_force = float(clutch.pack_force_at_rest)
 
     def share(friction: Any, radius: Any) -> Any:
-        """Share of the normal force of a pair that the spline of a disc can hold."""
+        """Largest share of a pair's normal force that friction in a disc's splines can carry."""
         return law.spline_share(spline_friction, friction, float(clutch.mean_radius), radius)
 
     most = float(max(share(friction.max, radius) for friction in clutch.spec.friction.groups for radius in radii))
@@ -238,22 +265,22 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
     of_discs = np.resize(radii, pairs - 1)[:, None]
 
     def forces(next_force: Callable[..., Floats], driving: Floats, driven: Floats) -> Floats:
-        """Forces on the pairs over that of the first, from the spring on: the controlled pairs, then the others."""
+        """Ratio of each pair's normal force to that of the first pair, one row per pair, counted from the spring."""
         frictions = np.array([driven] * (pairs - bypass) + [driving] * bypass)
         ratios = next_force(1.0, share(frictions[:-1], of_discs), share(frictions[1:], of_discs))
         return np.cumprod(np.concatenate([np.ones_like(frictions[:1]), ratios]), axis=0)
 
     def counted(chain: Floats, driving: Floats, driven: Floats) -> Quantities:
-        """The clutch whose pairs count by their forces, at frictions."""
+        """Clutch at f_1 and f_2 in which each pair counts with its relative normal force in ``chain``."""
         controlled, others = chain[: pairs - bypass].sum(axis=0), chain[pairs - bypass :].sum(axis=0)
         return with_pairs(clutch, others, controlled).at_friction(driving, driven)
 
     def closing(driving: Floats, driven: Floats) -> Floats:
-        """Torques with every disc held on its way from the spring."""
+        """Torques, N·m, if splines hold back every disc as the spring pushes the discs together."""
         return counted(forces(law.next_force_closing, driving, driven), driving, driven)["torque"]
 
     def opening(driving: Floats, driven: Floats) -> Floats:
-        """Torques with every disc held on its way back, none pressed more than the pack was closed with."""
+        """Torques, N·m, if splines hold back every disc as the balls unload it; at most the force at rest presses."""
         chain = forces(law.next_force_opening, driving, driven)
 
         def pressed(first: Floats) -> Quantities:
@@ -266,19 +293,50 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
 
 
 def _centrifugal(clutch: Clutch, speed: float, balls: int, diameter: float, circle: float) -> Bracket:
-    """Conical pockets, as they are and with the force of balls thrown outward."""
+    """Torques with balls in conical pockets: without the centrifugal thrust of the balls, and with it."""
     tangent = pack.tan_wall_angle(clutch.gain, circle, clutch.mean_radius)
     mass = law.ball_mass(STEEL, diameter / 2, math.pi)
-    return _weaker(clutch, float(law.centrifugal_thrust(balls, mass, speed, circle, tangent)), "drive.speed")
+    return _weaker(clutch, float(law.centrifugal_thrust(balls, mass, speed, circle, tangent)), _SPEED)
 
 
 def _wear(clutch: Clutch, lining: float, *_: float) -> Bracket:
-    """The pack new, and with its lining gone."""
+    """Torques under wear: of the new pack, and of the pack with its lining worn off."""
     return _weaker(clutch, float(lost_by_wear(clutch, lining)), "heat.lining")
 
 
+def _pressure_disc_key(clutch: Clutch, key: PressureDiscKey) -> Bracket:
+    """Torques with friction at the feather key of the pressure disc: as the pack closes, and as it is unloaded.
+
+    The feather key carries the share e of the force on the pack, N (1 ± e) = F_п1 − c_1 x: the torque law then holds
+    at the friction f/(1 ± e). If the feather key locks, the pack keeps the force F_п2 of the control spring.
+    """
+    most = float(clutch.friction_max)
+    share = float(law.key_share(clutch.pairs, clutch.mean_radius, most, key.friction, key.diameter)) / most
+
+    def torque(sign: int, driving: Floats, driven: Floats) -> Floats:
+        """Torques, N·m, with feather-key friction against the spring force (``sign`` 1), or along with it (−1)."""
+        held = 1 + sign * share * driving
+        free = held > _LOCKED
+        bound = clutch.pairs * clutch.mean_radius * driving * float(clutch.pack_force_at_rest)
+        own = driving / np.where(free, held, 1.0)
+        return np.where(free, np.minimum(_torque(clutch, own, own), bound), bound)
+
+    def set_free(driving: Floats, driven: Floats) -> Floats:
+        """Torques, N·m, of a clutch that was set at f_min without friction at the feather key."""
+        slackening = torque(-1, driving, driven)
+        return np.where(driving > float(clutch.friction_min), slackening, _torque(clutch, driving, driven))
+
+    locks = finding("pressure-disc-key-locks", "warning", value=1 / share, limit=most, path=_KEY_FRICTION)
+    return Bracket((partial(torque, 1), partial(torque, -1), set_free), (locks,) if share * most >= 1 else ())
+
+
+_KEY_FRICTION = "control_unit.pressure_disc_key.friction"
+_LOCKED = 1e-9
+"""Value of 1 ± e up to which the feather key counts as locked."""
+
+
 def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
-    """The pack as it is, and with less force on it at rest, N."""
+    """Torques with and without a loss of force on the pack at rest, N; no curves if no force is left."""
     force = float(clutch.pack_force_at_rest)
     if loss >= force:
         return Bracket((), (finding("force-used-up", "error", value=loss, limit=force, path=path),))
@@ -288,7 +346,7 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
 
 
 def with_pairs(clutch: Clutch, bypass: Values, controlled: Values, **values: Values) -> Clutch:
-    """The clutch with pairs that count in part, and other values of some quantities, its springs as they are set."""
+    """Clutch with other numbers of pairs, which need not be whole, and other ``values``; the springs stay as set."""
     own = 0.0 if clutch.spec.kind.travels else bypass
     return as_set(clutch, pairs=bypass + controlled, bypass_pairs=own, **values)
 
@@ -298,12 +356,19 @@ SOURCES: Mapping[EffectName, EffectSource] = {
         tuple(f"friction_group.{key}" for key in ("spline_friction", "inner_spline_radius", "outer_spline_radius")),
         _splines,
         deferred("discs held in their splines"),
+        own=3,
     ),
     "centrifugal": EffectSource(
-        ("drive.speed", "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),
+        (_SPEED, "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),
         _centrifugal,
         deferred("balls thrown against conical pockets"),
     ),
-    "wear": EffectSource(("heat.lining", STIFFNESS), _wear, deferred("wear of the lining")),
+    "wear": EffectSource(("heat.lining", STIFFNESS), _wear, deferred("wear of the lining"), own=1),
+    "pressure-disc-key": EffectSource(
+        ("control_unit.pressure_disc_key",),
+        _pressure_disc_key,
+        deferred("friction at the key of the pressure disc"),
+        own=1,
+    ),
 }
-"""Effect → where it comes from, in the order they are told."""
+"""Definitions of the effects, in the order of the result."""

@@ -1,4 +1,4 @@
-"""Data of each kind of plot: curves over friction or over what is swept, and what is drawn of other answers."""
+"""Data of each kind of plot: curves over friction or over a swept key, or the result of an analysis."""
 
 from collections.abc import Sequence
 from itertools import groupby
@@ -33,13 +33,13 @@ from .tolerance_study import ToleranceResult
 from .trip import OverloadSweep, refuse
 
 POINTS = 201
-"""Points of a curve: enough for a line without corners on paper."""
+"""Number of points of a curve, so that it looks smooth on paper."""
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "search": "SPEC"}
-"""Name of the one argument of a plot, as the help calls it."""
+"""Input of plots that take exactly one argument → name of the argument in the help."""
 
 
 class Request(NamedTuple):
-    """Request for a drawing."""
+    """Request for a plot."""
 
     subjects: Sequence[Any]
     """``Answers`` of clutches, names of the papers' figures, or specs with [search]."""
@@ -48,7 +48,7 @@ class Request(NamedTuple):
 
 
 class ClutchCurve(Asking):
-    """Base of a curve: the clutch that it belongs to."""
+    """Base class of curves, with name and variant of the clutch to which the curve belongs."""
 
     name: str | None = described("name of the clutch", optional=True)
     variant: str = described("variant")
@@ -60,7 +60,7 @@ class ClutchCurve(Asking):
 
 
 class TorqueCurve(ClutchCurve):
-    """Slip torque along the common path of f_1 and f_2."""
+    """Slip torque as f_1 and f_2 rise together, each from its minimum to its maximum."""
 
     friction: list[float] = asked()
     friction_driving: list[float] | None = asked(optional=True)
@@ -79,7 +79,7 @@ class TorqueCurve(ClutchCurve):
 
 
 class AccuracyCurve(ClutchCurve):
-    """Accuracy over one key; where on it the clutch is, and its gain limit, as far as the key has them."""
+    """Accuracy over one key, with the clutch's own value of the key and its gain limit, if it has them."""
 
     series: AccuracySweep = described("accuracy over the key")
     about: str = described("what it is")
@@ -91,7 +91,7 @@ class AccuracyCurve(ClutchCurve):
 
 
 class SettingLife(Result):
-    """The protected side with the spring set by one method."""
+    """Life of the protected side with the spring set by one method."""
 
     method: Method = described("method")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
@@ -99,7 +99,7 @@ class SettingLife(Result):
 
 
 class LifeCurve(ClutchCurve):
-    """Life over the scatter band, and where both settings put the clutch."""
+    """Life over the scatter band, and the band and life of the clutch as each method sets it."""
 
     model: StressRule = described("rule for the damaging stress")
     series: LifeSweep = described("life over the band")
@@ -108,7 +108,7 @@ class LifeCurve(ClutchCurve):
 
 
 class OverloadCurve(ClutchCurve):
-    """The trip over friction (S22), set at f_min, and the accuracy over the reduced gain."""
+    """Torques of the trip over friction (S22), spring set at f_min, and the accuracy over the reduced gain."""
 
     friction: list[float] = asked()
     expected_torque: list[float] = asked(description="expected slip torque")
@@ -124,7 +124,7 @@ class OverloadCurve(ClutchCurve):
 
 
 def torque_curve(clutch: Clutch) -> TorqueCurve:
-    """Calculate the torque from f_min to f_max, as set and by both adjustment methods for the same nominal torque."""
+    """Calculate the torque from f_min to f_max three times: spring as set, set at f_min, and set at mean friction."""
     path = _path(clutch)
     there, (first, *_) = clutch.at(**path), path.values()
     by_min, by_mean = (clutch.at(case).at(**path)["torque"] for case in METHODS.values())
@@ -137,14 +137,14 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
 
 
 def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
-    """Calculate K_т over the gain, or over the key asked for.
+    """Calculate the accuracy factor over the gain, or over the key named in ``sweep``.
 
-    A range that is given is taken as it is; one of our own is refined, and reaches the clutch as it is.
+    A range in ``sweep`` is kept; a default range is refined, and extended to the clutch's present value of the key.
     """
     text = sweep or "C"
     axis = parse_axis(text, clutch.spec)
     key = axis.key
-    # what the clutch has of the key, also where it follows from others
+    # present value of the key, even if the clutch calculates it from other keys
     follows = {"control_unit.gain": clutch["gain"], "closing_spring.force": clutch["closing_force"]}
     value = follows.get(key.path, current_value(clutch.spec, key.path))
     current = None if value is None else float(value) / axis.scale
@@ -163,24 +163,24 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
 def overload_curve(clutch: Clutch) -> OverloadCurve:
     """Calculate the trip from f_min to f_max, and the accuracy over the reduced gain.
 
-    The gain goes from 0 to the recommended limit 5, or as far as the clutch lies beyond it.
+    The reduced gain goes from 0 to its recommended limit 5, or to 1.2 times the clutch's reduced gain, if greater.
 
     Raises:
-        CalculationError: a variant S22 does not treat.
+        CalculationError: S22 does not treat the variant, or unlike materials.
     """
     refuse(clutch)
-    gains = np.linspace(0.0, max(5.0, 1.2 * float(clutch["reduced_gain"])), 401)
-    axis = Axis("zC", find_key("C", clutch.spec), gains, 1 / float(clutch["controlled_pairs"]))
+    gains = np.linspace(0.0, max(5.0, 1.2 * clutch["reduced_gain"]), 401)
+    axis = Axis("zC", find_key("C", clutch.spec), gains, 1 / clutch["controlled_pairs"])
     trip = clutch.at(**_path(clutch))
     return answer(OverloadCurve, trip, **_of(clutch), accuracy=_over(axis, OverloadSweep, clutch))
 
 
 def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
-    """Calculate the life over the scatter band, from half to twice what the clutch has, or as asked for.
+    """Calculate the life over the scatter band: from half to twice the clutch's band, or over the range in ``sweep``.
 
     Raises:
-        AfmcalcError: another key is asked for.
-        CalculationError: there is no band.
+        AfmcalcError: ``sweep`` names another axis than dT.
+        CalculationError: there is no scatter band, as the torque is constant.
     """
     clutch, text = answers.clutch, sweep or "dT"
     name = text.partition("=")[0].strip()
@@ -210,15 +210,15 @@ def _of(clutch: Clutch) -> dict[str, Any]:
 
 
 def _over(axis: Axis, kind: type[S], clutch: Clutch) -> S:
-    """Sweep over one axis what the series asks."""
+    """Sweep over one axis, of class ``kind``: values of the quantities that its fields name."""
     return given(series(kind, clutch.spec, [axis], asked_by(kind, clutch)))[0]
 
 
 def _path(clutch: Clutch) -> dict[str, Floats]:
-    """Frictions by name, those of unlike materials moving together, from their smallest to their largest values.
+    """Name → frictions from smallest to largest value; f_1 and f_2 of unlike materials rise together.
 
     Raises:
-        CalculationError: they do not move.
+        CalculationError: every friction is constant.
     """
     if not any(group.max > group.min for group in clutch.spec.friction.groups):
         raise CalculationError("the friction does not wander (min = max): there is no curve over it")
@@ -229,7 +229,7 @@ def _path(clutch: Clutch) -> dict[str, Floats]:
 
 
 class ToleranceFigure(NamedTuple):
-    """The torque of one clutch over its tolerances."""
+    """Data of the histogram of a clutch's torque under its tolerances."""
 
     name: str | None
     nominal_torque: float
@@ -238,30 +238,30 @@ class ToleranceFigure(NamedTuple):
 
 
 class SimulateFigure(NamedTuple):
-    """An event of the drive, until its peak has passed."""
+    """Data of the plot of an event of the drive, until the peak has passed."""
 
     name: str | None
     kind: str
-    """Of event."""
+    """Kind of the event."""
     load: float
-    """Before it, N·m."""
+    """Load before the event, N·m."""
     result: SimulateResult
     courses: list[list[MomentRow]]
-    """At f_min, mean friction and f_max."""
+    """Moments of the event, in order of time, at each of f_min, mean friction and f_max."""
 
 
 class ParetoFigure(NamedTuple):
-    """The front of a design with two objectives or more."""
+    """Data of the plot of a Pareto front, with two objectives or more."""
 
     name: str | None
     result: DesignResult
 
 
 def plot_of(name: str) -> Plot:
-    """Return the plot of a name.
+    """Return the plot called ``name``.
 
     Raises:
-        AfmcalcError: there is none.
+        AfmcalcError: there is no such plot.
     """
     if name not in PLOTS:
         hint, kinds = did_you_mean(name, PLOTS), ", ".join(PLOTS)
@@ -270,10 +270,10 @@ def plot_of(name: str) -> Plot:
 
 
 def check_request(name: str, request: Request) -> None:
-    """Refuse subjects or options that are not for a plot.
+    """Check that subjects and options fit a plot.
 
     Raises:
-        AfmcalcError: no such plot, or what is refused.
+        AfmcalcError: there is no such plot, it takes one subject and gets several, or it does not take an option.
     """
     plot = plot_of(name)
     if plot.takes in _SINGLE and len(request.subjects) != 1:
@@ -289,10 +289,10 @@ def check_request(name: str, request: Request) -> None:
 
 
 def gathered(name: str, request: Request) -> Any:
-    """Calculate what a plot shows.
+    """Return the data of a plot.
 
     Raises:
-        AfmcalcError: no such plot, subjects or options that are not for it, or an analysis that does not apply.
+        AfmcalcError: there is no such plot, subjects or options do not fit it, or its analysis does not apply.
     """
     check_request(name, request)
     subject = request.subjects[0]
@@ -308,7 +308,7 @@ def gathered(name: str, request: Request) -> Any:
         case "life":
             return _life(request)
         case "pocket":
-            return shop_drawing(subject.clutch, subject.ask("pocket")[0])  # which refuses a clutch without balls
+            return shop_drawing(subject.clutch, subject.ask("pocket")[0])  # raises an error without balls
         case "effects":
             return effects_curve(subject.clutch)
         case "springs":
@@ -319,7 +319,7 @@ def gathered(name: str, request: Request) -> Any:
             return _simulate(subject)
         case "pareto":
             return _pareto(subject)
-        case _:  # the last of PLOTS, "paper"
+        case _:  # "paper", the only name left in PLOTS
             return paper_figure(subject)
 
 

@@ -1,8 +1,8 @@
 """Contours for the shop: two sleeves with pockets in the section at the ball circle.
 
 A pocket is cut to the lowest point of the ball; a groove between the ends of its walls keeps the ball off the floor.
-Coordinates: from the centre of the ball at the stop, along the axis into the first sleeve, and around the circle. The
-first sleeve has the curved wall, if there is one, and the second seats the ball; else both have the same.
+Coordinates: from the centre of the ball at the stop, along the axis into the first sleeve, and around the circle. If
+the wall is curved, the first sleeve has it and the second seats the ball; else both sleeves have the same wall.
 """
 
 import math
@@ -17,12 +17,12 @@ from .pocket_wall import Wall, wall_of
 from .synthesize import SynthesisResult
 
 Points: TypeAlias = list[tuple[float, float]]
-"""(along the axis, around the circle), m."""
+"""Points of a contour: coordinates along the axis and around the circle, m."""
 
 BESIDE = 0.5
-"""Sleeve drawn beside its pocket, as a share of its width; behind it of its depth, where nothing is said."""
+"""Width of sleeve drawn beside a pocket, over half the pocket width; default depth behind it, over the pocket depth."""
 RELIEF, RELIEF_STEP = 0.05, 1e-4
-"""Depth of the groove under a ball, of its diameter, rounded up to whole steps, m."""
+"""Depth of the groove under a ball, relative to the ball diameter; step to which this depth is rounded up, m."""
 
 
 class Contour(NamedTuple):
@@ -39,36 +39,36 @@ class SleeveSizes(NamedTuple):
     outer_diameter: float
     bore: float
     depth: float
-    """B, along the axis."""
+    """Length B along the axis, m."""
     pocket_end: float
-    """Radius at which a pocket ends towards the axis; it is open outwards."""
+    """Radius at which a pocket ends towards the axis; outwards the pocket is open."""
     relief: float
     """Depth of the groove below the lowest point of the ball."""
     groove: float
-    """Its width around the circle."""
+    """Width of the groove around the circle."""
     assumed: frozenset[str]
-    """Sizes that the spec does not tell."""
+    """Names of the sizes that the spec does not give."""
 
 
 class ShopDrawing(NamedTuple):
-    """The pockets of one ball, the sleeves at their stop, and what the sleeves are beside them."""
+    """Shop drawing: the pockets of one ball with the sleeves at their stop, and the sizes of the sleeves."""
 
     name: str
     spec: Spec
     sleeve: SleeveSizes
     masses: tuple[float, ...]
-    """Of the parts with pockets, kg; none where there is no layout."""
+    """Masses of the parts with pockets, kg; empty without a layout."""
     contours: list[Contour]
     extent: tuple[float, float]
-    """Ends of the sleeves from the ball's centre: along the axis, and around the circle, m."""
+    """Distances from the ball's centre to the drawn ends of the sleeves, m: along the axis, and around the circle."""
     synthesis: SynthesisResult
 
 
 def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
-    """Lay out the pockets of a control unit as synthesized.
+    """Lay out the pockets of a control unit that ``synthesize.pocket`` has designed.
 
     Raises:
-        CalculationError: the wall cannot be cut.
+        CalculationError: the wall cannot be cut, or the pockets cut into each other or through a sleeve.
     """
     wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
     if not wall.can_be_cut:
@@ -106,7 +106,7 @@ def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
 
 
 def _sleeve_of(spec: Spec, unit: SynthesisResult, wall: Wall) -> SleeveSizes:
-    """Return the sizes of the sleeves: as given, else as the layout has them, else in proportion to the ball."""
+    """Return the sizes of the sleeves: as given, else as in the layout, else in proportion to the ball."""
     given, room = spec.control_unit, spec.envelope
     assert given is not None
     circle, ball, cut, assumed = unit.ball_circle_radius, unit.ball_diameter, unit.pocket_depth_cut, {"outer_diameter"}
@@ -141,26 +141,26 @@ def _sleeve_of(spec: Spec, unit: SynthesisResult, wall: Wall) -> SleeveSizes:
 
 
 def _floor_half(wall: Wall, depth: float) -> float:
-    """Half the width between the ends of the walls, as deep below the face as the ball reaches."""
+    """Half the width of a pocket at the depth of the ball's lowest point, where the walls end, m."""
     start = wall.at(0.0)
     return start.wall_around - (depth + wall.face_gap / 2 + start.wall_axial) * wall.tangent
 
 
 def _pocket(wall: Wall, depth: float, relief: float) -> Points:
-    """Contour of a pocket: up one wall and down the other, the groove between them, open side at the face."""
+    """Contour of a pocket: one wall down to the floor, the groove, the other wall back; both ends lie at the face."""
     floor, half = depth + wall.face_gap / 2, _floor_half(wall, depth)
     above = [(-place.wall_axial, place.wall_around) for place in wall.points()]
     upper = [(floor + relief, half), (floor, half), *above]
-    # a place on the axis is there once
+    # both halves have the same point on the axis: keep it once
     return [(along, -around) for along, around in reversed(upper)] + upper[abs(half) < 1e-12 :]
 
 
 def _mirrored(points: Points) -> Points:
-    """Contour in the other sleeve, which turns the other way."""
+    """Contour rotated by 180°, as it lies in the opposite sleeve."""
     return [(-along, -around) for along, around in points]
 
 
 def _sleeve(pocket: Points, extent: tuple[float, ...]) -> Points:
-    """A sleeve with its pocket, drawn as far along and around as ``extent`` says."""
+    """Contour of a sleeve with its pocket, drawn to ``extent``: distances along the axis and around the circle."""
     (back, side), face = extent, pocket[0][0]
     return [(back, -side), (face, -side), *pocket, (face, side), (back, side)]

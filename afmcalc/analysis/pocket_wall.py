@@ -1,4 +1,4 @@
-"""The wall of a pocket at the ball circle, for drawings: where the ball is and touches, from the stop to the face."""
+"""Wall of a pocket at the ball circle, for drawings: centre and contact of the ball, from the stop to the face."""
 
 import math
 from typing import NamedTuple
@@ -8,7 +8,7 @@ from ..equations import curved_wall as law
 from ..result import Result, quantity
 
 CHORDS = 32
-"""Chords that a curved wall is drawn by: within 0.01 mm of it for balls up to 60 mm."""
+"""Number of chords for drawing a curved wall: they stay within 0.01 mm of the wall for balls up to 60 mm."""
 
 
 class WallPoint(Result):
@@ -26,33 +26,33 @@ class Wall(NamedTuple):
     """A wall, straight or curved, and the ball that runs on it."""
 
     tangent: float
-    """tan α_0."""
+    """Tangent of the wall angle at the stop, tan α_0."""
     steepening: float
-    """Y'', 1/m."""
+    """Change of the tangent along the axis, Y'', 1/m; 0: a straight wall."""
     face_gap: float
-    """s, m."""
+    """Gap between the sleeves at the stop, s, m."""
     ball_radius: float
-    """r_ш, m."""
+    """Radius of the ball, r_ш, m."""
 
     @property
     def sleeves(self) -> int:
-        """Sleeves that the ball moves in: one with a curved wall, seated in the other; two with straight walls."""
+        """Number of sleeves on whose walls the ball runs: 2 if straight, 1 if curved (the second sleeve seats it)."""
         return 1 if self.steepening > 0 else 2
 
     @property
     def undercut_radius(self) -> float | None:
-        """Smallest radius of a ball that undercuts it, m; None for a straight wall."""
+        """Smallest ball radius at which the wall is undercut, m; None for a straight wall."""
         if self.steepening == 0:
             return None
         return float(law.undercut_radius(self.steepening, math.cos(math.atan(self.tangent))))
 
     @property
     def can_be_cut(self) -> bool:
-        """True if the ball does not undercut it."""
+        """True if the ball does not undercut the wall."""
         return self.undercut_radius is None or self.ball_radius < self.undercut_radius
 
     def at(self, depth: float) -> WallPoint:
-        """The ball at ξ."""
+        """Place of the ball when its centre has moved by ``depth`` (ξ, m) along the axis from the stop."""
         angle = law.wall_angle_at_ball(law.tan_wall_angle_at_ball(self.tangent, self.steepening, depth))
         around = law.path_around(self.tangent, self.steepening, depth)
         return WallPoint(
@@ -62,22 +62,21 @@ class Wall(NamedTuple):
         )  # fmt: skip
 
     def clearance(self, travel: float) -> float:
-        """Least depth of the contact below the face, m: at the largest travel, or at the stop."""
+        """Depth of the contact below the face, m: the smaller of its depths at the stop and at ``travel``."""
         points = (self.at(depth) for depth in (0.0, travel / self.sleeves))
         return min(-point.wall_axial for point in points) - self.face_gap / 2
 
     @property
     def mouth(self) -> float:
-        """ξ at which the ball would touch the edge of the pocket, m."""
+        """Axial path ξ of the ball's centre at which the ball touches the edge of the pocket, m."""
         return float(law.travel_to_mouth(self.ball_radius, self.tangent, self.steepening, self.face_gap))
 
     def points(self) -> list[WallPoint]:
-        """Places from the stop to the mouth, ends of chords."""
+        """Places of the ball from the stop to the mouth of the pocket, at the ends of the chords."""
         end, count = self.mouth, CHORDS if self.steepening else 1
         return [self.at(end * i / count) for i in range(count + 1)]
 
 
 def wall_of(clutch: Clutch, face_gap: float, ball_radius: float = 0.0) -> Wall:
-    """Return the wall of a clutch's pockets, for a ball."""
-    steepening = float(clutch["path_steepening"]) if "path_steepening" in clutch else 0.0
-    return Wall(float(clutch["tan_wall_angle"]), steepening, face_gap, ball_radius)
+    """Return the wall of a clutch's pockets for a ball radius, m, which may be 0 if only the wall's shape matters."""
+    return Wall(clutch["tan_wall_angle"], clutch.get("path_steepening", 0.0), face_gap, ball_radius)

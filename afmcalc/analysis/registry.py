@@ -1,6 +1,6 @@
 """List of analyses, one record each, from which commands, schemas, explanations, plots and reports are built.
 
-An analysis is imported when it is asked for, so that the start-up may read the list.
+The module of an analysis is imported at its first use, so that reading the list is fast.
 """
 
 from collections.abc import Callable, Sequence
@@ -12,25 +12,25 @@ if TYPE_CHECKING:
     from ..engines import Clutch
 
 StressRule = Literal["mean-stress", "amplitude", "goodman"]
-"""Rules for the damaging stress of a life: the paper's, Серенсен–Кинасошвили's, Goodman's."""
+"""Rules for the damaging stress in a life: of the paper, of Серенсен and Кинасошвили, of Goodman."""
 
 SpringOrder = Literal["length", "wear", "mass"]
-"""Quantity that is least in the springs listed first."""
+"""Quantity by which springs are sorted, the smallest first."""
 SpringKind = Literal["any", "disc", "coil"]
 
 Takes = Literal["clutch", "clutches", "names", "search"]
 
 
 class Plot(NamedTuple):
-    """Plot of an analysis: ``figures.NAME`` gathers it, ``render.plot`` lays it out."""
+    """Plot of an analysis: ``plot_data.gathered`` returns its data, ``render.plot`` lays it out."""
 
     name: str
     about: str
     """Description for the help."""
     takes: Takes = "clutches"
-    """Input: one clutch, one or more, words (the papers' figures), or a spec with [search]."""
+    """Input: one clutch, one or more clutches, names (of the papers' figures), or a spec with [search]."""
     options: tuple[str, ...] = ()
-    """Options it heeds; any other that is given is refused."""
+    """Options that the plot takes; any other option is an error."""
     applies: Callable[["Clutch"], bool] = lambda clutch: True
 
 
@@ -43,14 +43,14 @@ class Section(NamedTuple):
     conclusion: dict[str, str]
     """Conclusions by the name that ``Analysis.conclusion`` chooses."""
     sources: Sequence[str] = ()
-    """Keys of the references it rests on."""
+    """Keys of the references on which the calculation rests."""
     sources_indirect: Sequence[str] = ()
-    """Sources for an indirect clutch, where its law is another."""
+    """Keys of the references for an indirect clutch, if its law differs; if empty, ``sources`` holds for it too."""
 
 
 @cache
 def _sections() -> dict[str, Section]:
-    """Sections by analysis."""
+    """Analysis → its section, from sections.toml."""
     import tomllib
     from importlib.resources import files
 
@@ -59,42 +59,42 @@ def _sections() -> dict[str, Section]:
 
 
 class Analysis(NamedTuple):
-    """One analysis; ``home`` is the module, from the package, that holds the function of its name."""
+    """One analysis; its function has the name of the analysis, in the module ``home`` of the package."""
 
     name: str
     home: str
     result: str
-    """Class of its result, in ``home``."""
+    """Name of the class of its result, in the module ``home``."""
     applies: Callable[[Any], bool] = lambda clutch: True
-    """True if a clutch can be asked."""
+    """True if the analysis applies to a clutch."""
     options: tuple[str, ...] = ()
     """Further arguments of the function, which ``Answers`` supplies."""
     explained: bool = False
-    """True if its steps can be shown."""
+    """True if ``explain`` can show its steps."""
     judged: bool = False
-    """True if ``check`` takes in its findings."""
+    """True if ``check`` includes its findings."""
     reported: Callable[["Clutch"], bool] = lambda clutch: True
-    """True if a report includes its section, of a clutch to which it applies."""
+    """True if the report on a clutch to which the analysis applies includes its section."""
     conclusion: Callable[[Any], str] = lambda result: "always"
-    """Name of the conclusion that its section draws from the result."""
+    """Function of the result that names the conclusion of its section."""
     plot: Plot | None = None
     example: str | None = None
-    """Example that is calculated where no SPEC is given, for what the built-in base clutch does not have."""
+    """Example calculated if no SPEC is given; None: the built-in base clutch."""
 
     @property
     def section(self) -> Section | None:
-        """Its section of a report; None where it has none."""
+        """Section of a report on the analysis; None if reports have no such section."""
         return _sections().get(self.name)
 
     @property
     def function(self) -> Callable[..., Any]:
-        """The function that gives result and findings."""
+        """Function of the analysis, which returns result and findings."""
         return getattr(import_module(f"..{self.home}", __package__), self.name)
 
     @property
     def result_class(self) -> Any:
-        """The class of its result."""
-        return getattr(import_module(f"..{self.home}", __package__), self.result)
+        """Class of its result, with the fields of its detail quantities (``Asking.detailed``)."""
+        return getattr(import_module(f"..{self.home}", __package__), self.result).detailed()
 
 
 def _can_be_simulated(clutch: "Clutch") -> bool:
@@ -107,9 +107,7 @@ def _can_be_synthesized(clutch: "Clutch") -> bool:
 
 
 def _heat_is_known(clutch: "Clutch") -> bool:
-    from ..spec.models import missing_of
-
-    return _can_be_simulated(clutch) or not missing_of(clutch.spec.drive)
+    return _can_be_simulated(clutch) or clutch.spec.runs_down
 
 
 def _any_effect(clutch: "Clutch") -> bool:
@@ -204,6 +202,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("pareto", "Pareto front of a design, every clutch with its number", "search"),
         ),
         Analysis("explain", "analysis.explain.explain", "ExplainResult"),
+        Analysis("mend", "analysis.explain.mend", "MendResult"),
         Analysis("papers", "papers.register", "EquationsResult"),
         Analysis(
             "claims", "papers.claims", "ReproduceResult",
@@ -216,7 +215,7 @@ ANALYSES: dict[str, Analysis] = {
         Analysis("check", "analysis.check", "CheckResult", options=("answers",), explained=True),
     )
 }  # fmt: skip
-"""Name → analysis, in the order of the help and of a report. A new one is its file and a row here."""
+"""Name → analysis, in the order of the help and of a report. A new analysis takes a module and a row here."""
 
 _SECTION = Plot("section", "the whole clutch in section and from its end, to scale, with its part list", "clutch")
 
@@ -228,9 +227,9 @@ EXPLAINED = tuple(each.name for each in ANALYSES.values() if each.explained)
 
 
 def schema(command: str | None = None) -> dict[str, Any]:
-    """Return the JSON Schema of a spec (None), of requirements, or of the output of a command.
+    """Return the JSON Schema of the output of a command, or of a spec if ``command`` is None.
 
-    Raises AfmcalcError: no such command.
+    Raises AfmcalcError if there is no such command.
     """
     from dataclasses import fields
 

@@ -1,4 +1,4 @@
-"""Lists that ship with the program, as results: example specs and friction materials."""
+"""Results that list what ships with the program: example specs, friction materials, disc springs, balls."""
 
 import tomllib
 from collections.abc import Mapping, Sequence
@@ -10,6 +10,7 @@ from ..spec.catalogues import Disc, Material, ball_designation, friction_materia
 from ..spec.catalogues import balls as standard_balls
 from ..spec.catalogues import discs as standard_discs
 from ..spec.parse import example_names, example_text
+from ..units import ZEROS
 
 R = TypeVar("R", bound=Result)
 
@@ -48,8 +49,12 @@ class MaterialRow(Result):
     friction_max: float = quantity("1", "f_max", "largest friction")
     pressure_min: float | None = quantity("Pa", "p_max from", "allowable pressure, lower end", optional=True)
     pressure_max: float | None = quantity("Pa", "p_max to", "allowable pressure, upper end", optional=True)
-    temperature_min: float | None = quantity("degC", "t_max from", "allowable temperature, lower end", optional=True)
-    temperature_max: float | None = quantity("degC", "t_max to", "allowable temperature, upper end", optional=True)
+    temperature_min: float | None = quantity(
+        "K abs", "t_max from", "allowable temperature, lower end", optional=True, digits=5
+    )
+    temperature_max: float | None = quantity(
+        "K abs", "t_max to", "allowable temperature, upper end", optional=True, digits=5
+    )
     source: str = described("source")
     also: str = described("read as this one too", code=True, detail=True)
 
@@ -62,14 +67,26 @@ class MaterialsResult(Answer):
 
 
 def materials(listed: Mapping[str, Material] | None = None) -> tuple[MaterialsResult, list[Finding]]:
-    """List the catalogue that ships, or one's own."""
+    """List the friction materials that ship, or the materials of a user's catalogue."""
     entries = (friction_materials() if listed is None else listed).values()
-    rows = [_row(MaterialRow, entry, also=", ".join(entry.also)) for entry in entries]
-    return MaterialsResult(materials=rows, sources=list(dict.fromkeys(entry.citation for entry in entries))), []
+    rows = [
+        _row(
+            MaterialRow, entry, also=", ".join(entry.also), temperature_min=_kelvin(entry.temperature_min),
+            temperature_max=_kelvin(entry.temperature_max),
+        )
+        for entry in entries
+    ]  # fmt: skip
+    return MaterialsResult(
+        materials=rows, sources=list(dict.fromkeys(entry.citation or entry.source for entry in entries))
+    ), []
+
+
+def _kelvin(celsius: float | None) -> float | None:
+    return None if celsius is None else celsius + float(ZEROS["degC"])
 
 
 def _row(kind: type[R], entry: object, **values: Any) -> R:
-    """Row of a list: the attributes of an entry, and other values of some."""
+    """Row of a list, its fields from the attributes of a catalogue entry; ``values`` take precedence."""
     return kind(**{name: getattr(entry, name) for name in kind.model_fields} | values)
 
 
@@ -90,7 +107,7 @@ class DiscsResult(Answer):
 
 
 def discs(listed: Sequence[Disc] | None = None) -> tuple[DiscsResult, list[Finding]]:
-    """List the disc springs that ship, or one's own."""
+    """List the disc springs that ship, or the disc springs of a user's catalogue."""
     return DiscsResult(discs=[_row(DiscRow, disc) for disc in listed or standard_discs()]), []
 
 
@@ -108,6 +125,6 @@ class BallsResult(Answer):
 
 
 def balls(listed: Sequence[float] | None = None) -> tuple[BallsResult, list[Finding]]:
-    """List the ball diameters that ship, or one's own."""
+    """List the ball diameters that ship, or the diameters of a user's catalogue, m."""
     sizes = listed or standard_balls()
     return BallsResult(balls=[BallRow(diameter=size, designation=ball_designation(size)) for size in sizes]), []

@@ -1,5 +1,6 @@
-"""The drive in time: what happens when the clutch trips, what it asks of the parts, and what an ordinary one does."""
+"""Simulation of the drive: the trip of the clutch, the loads on its parts, and a comparison with an ordinary clutch."""
 
+import functools
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
@@ -17,11 +18,11 @@ from ..equations import control_unit
 from ..equations import drive as law
 from ..equations.arrays import Floats, Values
 from ..errors import CalculationError
-from ..findings import Finding, Level, finding
+from ..findings import Finding, finding
 from ..messages import measured, say, translate
 from ..progress import counted
 from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
-from .clutch_findings import clutch_findings
+from .clutch_findings import carried_by_motor, clutch_findings, speed_findings
 from .drive_result import SimulatePoint, SimulateResult, SimulateSweep
 from .neglected import with_pairs
 from .pocket_wall import wall_of
@@ -37,27 +38,30 @@ def _end_symbols() -> tuple[str, str, str]:
 
 
 _NEAR = 1e-3
-"""Relative difference below which a figure of the spec is what the simulation gives."""
+"""Relative difference below which a number of the spec counts as equal to the simulated one."""
 _ROUNDING = 1e-9
 _MOMENTS = 2000
-"""Moments of a history, about."""
+"""Approximate number of moments in a history."""
+_OPEN = ("slip_time", "slip_energy", "key_energy")
+"""Names of the results that a slip without end does not have."""
 
 
 def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result: SimulateResult) -> Iterator[Finding]:
-    """Return the remarks on an event, ``outcomes`` at f_min, mean friction and f_max, and on its ``result``."""
+    """Yield findings on an event: on its ``outcomes`` at f_min, mean friction and f_max, and on its ``result``."""
     yield _inertia(train, outcomes)
+    yield from speed_findings(clutch.spec)
     taken = {"driven_inertia": train.driven_inertia, "hub_inertia": train.hub_inertia}
     for name, inertia in taken.items():
         if inertia and getattr(clutch.spec.drive, name) is None:
             yield finding("inertia-from-layout", "info", value=float(inertia), path=f"drive.{name}")
-    # where the ordinary clutch of equal nominal torque is no like for like comparison
+    # conditions in which the ordinary clutch of equal nominal torque is no like-for-like comparison
     load, carried = train.load, float(min(one.ordinary.pack.sliding for one in outcomes))
     if train.hub_inertia:
         inertia = train.driven_inertia + train.hub_inertia
         yield finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia")
     if carried < load * (1 - _ROUNDING):
         yield finding("ordinary-slips-before-event", "info", value=carried, limit=load, path="adjustment.method")
-    # does the clutch carry the load before the event, the motor drive it?
+    # the clutch must carry the load before the event, and the motor must drive it
     for end, one in zip(_end_symbols(), outcomes, strict=True):
         if (carried := float(one.case.pack.breakaway)) < load * (1 - _ROUNDING):
             path = "drive.load_torque"
@@ -70,21 +74,21 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
     if result.energy_residual > CLOSED:
         yield finding("energy-not-closed", "error", value=result.energy_residual, limit=CLOSED)
     yield from _accuracy(outcomes)
-    # S22's open question, as a number: where between T_муф and T_п does this drive trip?
+    # S22 leaves open where between slip torque T_муф and potential torque T_п a clutch trips: here as a number
     last, unit = outcomes[-1], clutch.spec.control_unit
     if unit is not None and unit.release_lag and last.trip_position is not None:
         expected, path = last.case.pack.breakaway, "control_unit.release_lag"
-        at, share, held = last.trip_torque, last.trip_position, last.potential
+        at, share, held = last.event.trip_torque, last.trip_position, last.potential
         yield finding("release-lag", "info", value=at, limit=expected, path=path, share=share, held=held)
     yield from _judder(clutch, train, outcomes)
 
 
 def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
-    """Finding on the inertia behind the discs: a sudden stop loads the shaft by speed, a slow one by deceleration."""
+    """Finding on the inertia behind the discs: it loads the shaft by its speed or, in a slow stop, by deceleration."""
     path, limit = "drive.driven_inertia", float(outcomes[-1].case.pack.sliding)
     behind, load = train.driven_inertia + train.hub_inertia, min(train.load, limit)
     swing = math.pi * math.sqrt(behind / train.stiffness)
-    # the slip begins as the tool, slowing down with ω_0/t_b, has wound the shaft up from the load
+    # slip begins when the tool, braked with ω_0/t_b, has twisted the shaft from the load torque up to the limit
     wound = math.sqrt(2 * (limit - load) * train.time / (train.stiffness * train.speed))
     if train.kind == "load" or train.time <= wound + swing:
         return finding("inertia-torque", "info", value=train.inertia_torque, limit=limit, path=path)
@@ -93,8 +97,8 @@ def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
 
 
 def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Does the motor stop, and does the slip end within the time that is simulated?"""
-    strongest, path = float(train.engine.torque), "drive.cut_off"
+    """Yield findings on a motor that does not stop, and on slip that does not end within the simulated time."""
+    strongest = float(train.engine.torque)
     for end, one in zip(_end_symbols(), outcomes, strict=True):
         pulled = abs(one.event.last) if one.endless else one.event.pulled
         if not pulled or not (one.endless or pulled <= strongest):
@@ -105,12 +109,8 @@ def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
                 "{pulled:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises",
                 pulled=pulled, sliding=sliding,
             )  # fmt: skip
-        code = "motor-never-stops" if one.endless else "motor-stops-at-cut-off"
-        level: Level = "error" if one.endless else "info"
-        heat, off = one.energy or 0.0, train.cut_off
-        yield finding(
-            code, level, value=pulled, limit=strongest, path=path, at=end, carries=carries, heat=heat, off=off
-        )
+        heat = one.event.heat if one.event.ended else 0.0
+        yield carried_by_motor(pulled, strongest, end, carries, heat, train.cut_off)
     for end, one in zip(_end_symbols(), outcomes, strict=True):
         path, lasted = "drive.event.duration", one.event.time
         if not one.event.stuck and not one.endless:
@@ -120,22 +120,20 @@ def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
 
 
 def _accuracy(outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Say where twice the step gives other figures."""
+    """Yield findings on results that differ too much from a run with twice the time step."""
     for end, one in zip(_end_symbols(), outcomes, strict=True):
         event = one.event
         for error, limit in ((event.peak_error, CLOSE), (event.clutch_error, CLOSE_CLUTCH)):
             if error > limit:
                 yield finding("peak-not-converged", "warning", value=error, limit=limit, at=end)
                 break
-        if not one.ended:
-            continue
-        if event.slip_error > SPREAD:
+        if event.ended and (error := max(event.time_error, event.heat_error)) > SPREAD:
             path = "control_unit" if isinstance(one.case.pack, Sleeve) else "drive.event"
-            yield finding("ill-conditioned", "warning", value=event.slip_error, limit=SPREAD, path=path, at=end)
+            yield finding("ill-conditioned", "warning", value=error, limit=SPREAD, path=path, at=end)
 
 
 def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """True if slow slip is steady (V6), where friction falls most with speed."""
+    """Yield a finding if the damping is too small to keep slow slip steady, where friction falls most with speed."""
     friction = clutch.spec.friction
     ratio, speed = friction.static_ratio or 1.0, friction.stribeck_speed
     if ratio == 1 or speed is None:
@@ -151,24 +149,24 @@ def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterat
 
 
 def contact_forces(clutch: Clutch, outcomes: Sequence[Outcome]) -> list[float] | None:
-    """Largest F_n of every event, N; None without balls whose number and circle are known."""
+    """Largest contact force F_n on a ball in each event, N; None if number or circle of the balls is not known."""
     unit = clutch.spec.control_unit
     if unit is None or unit.balls is None or unit.ball_circle_radius is None or not clutch.gain:
         return None
     if clutch.spec.kind.travels and let_go(outcomes[-1].case) is None:
-        return None  # feedback that the key just holds is simulated without its balls
+        return None  # a clutch with κ = 0 is simulated without balls
     count, radius = unit.balls, unit.ball_circle_radius
     return [float(control_unit.contact_force(each.event.peak_wall, count, radius, 1.0)) for each in outcomes]
 
 
 def let_go(case: Case) -> float | None:
-    """Travel at which the closing spring presses no more, m; None without a sleeve."""
+    """Travel at which the closing spring becomes slack, m; None without a sleeve."""
     pack = case.pack
-    return float(pack.farthest) if isinstance(pack, Sleeve) else None
+    return float(pack.closing_spring.deflection) if isinstance(pack, Sleeve) else None
 
 
 def event_values(clutch: Clutch, result: SimulateResult) -> dict[str, Any]:
-    """Return what an event asks of the parts, the largest over the friction range, and what they bear."""
+    """Return the loads of an event on the parts, the largest over the friction range, and the parts' limits."""
     factor = result.largest_dynamic_factor
     assumed = clutch.spec.drive.dynamic_factor
     known: dict[str, Any] = {"peak_torque": result.judged_peak, "contact_force": None, "travel_max": None}
@@ -193,12 +191,12 @@ def event_values(clutch: Clutch, result: SimulateResult) -> dict[str, Any]:
 
 
 def _largest(ends: Triple) -> tuple[float, str]:
-    """Largest of the values at f_min, mean and f_max, and where it is."""
+    """Largest of the values at f_min, mean friction and f_max, and the symbol of the friction at which it occurs."""
     return max(zip(vars(ends).values(), _end_symbols(), strict=True))
 
 
 def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
-    """Findings on the springs: rules they break where the sleeve swings, and keep where the law has it."""
+    """Findings on limits that a spring exceeds at the travel of the event, though not at that of the torque law."""
     own, rules = clutch.spec, {}
     if not own.spring_parts or not own.kind.travels:
         return
@@ -218,10 +216,10 @@ __all__ = ["SimulateResult", "simulate"]
 def simulate(
     clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = (), *, heated: bool = False
 ) -> tuple[SimulateResult, list[Finding]]:
-    """Simulate the event of the [drive] block at f_min, mean friction and f_max, constant during the event.
+    """Simulate the event of the [drive] block at f_min, mean friction and f_max, each constant during the event.
 
-    And at further pairs of frictions, (f, None) for all pairs alike or (f_1, f_2); of a sweep only the peaks are told.
-    With ``heated`` the result has the heat of the trip.
+    ``friction`` has further values, (f, None) for all friction pairs alike or (f_1, f_2); a sweep returns only peaks.
+    With ``heated`` the result includes the heat of the trip.
 
     Raises:
         SpecError: the spec has no event.
@@ -229,46 +227,36 @@ def simulate(
     train, points = train_of(clutch), pairs_asked(clutch, friction)
     ends = counted(say("simulating the event"), list(zip(*clutch.spec.friction.groups, strict=True)))
     outcomes = [outcome_of(clutch, *end) for end in ends]
-    peaks = [one.event.peak for one in outcomes]
-    # both step sizes, where the sleeve rattles against its stop; a slip that does not end gives heat without end
-    rattles = any(one.rattles for one in outcomes)
-    peaks_by_step = [(one.event.peak, one.event.other.peak) for one in outcomes if rattles]
-    heats_by_step = [tuple(math.inf if heat is None else heat for heat in one.energies) for one in outcomes if rattles]
+    figures, events = [_figures(clutch, one) for one in outcomes], [one.event for one in outcomes]
+    ended = {name: [each[name] for each in figures] for name in figures[0]}
+    peaks = [event.peak for event in events]
+    # heat and time of a slip depend on the time step if the sleeve rattles against its stop
+    rattling = events if any(event.travel_max for event in events) else []
     (peak,) = bypass_peaks(clutch).tolist()
     bypass = None if math.isnan(peak) else peak
     sweep, rising = swept(clutch, sweeps)
-    travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
+    unit = clutch.spec.control_unit
     late = unit is not None and bool(unit.release_lag)
     result = SimulateResult(
-        sliding_torque=_ends(Triple, [float(one.case.pack.sliding) for one in outcomes]),
-        peak_torque=_ends(Triple, peaks),
-        peak_torque_clutch=_ends(Triple, [one.event.peak_clutch for one in outcomes]),
+        **{name: _ends(OpenTriple if name in _OPEN else Triple, values) for name, values in ended.items()},
         peak_torque_bypass=bypass,
-        peak_error=_ends(Triple, [float(one.event.peak_error) for one in outcomes]),
-        dynamic_factor=_ends(Triple, [one.dynamic_factor for one in outcomes]),
+        peak_error=_ends(Triple, [event.peak_error for event in events]),
         peak_over_machine=_ends(Triple, [peak / train.load for peak in peaks]) if train.load else None,
-        slip_time=_ends(OpenTriple, [one.slip_time for one in outcomes]),
-        slip_energy=_ends(OpenTriple, [one.energy for one in outcomes]),
-        peak_torque_low=_ends(Triple, map(min, peaks_by_step)),
-        peak_torque_high=_ends(Triple, map(max, peaks_by_step)),
-        slip_energy_low=_ends(OpenTriple, map(min, heats_by_step)),
-        slip_energy_high=_ends(OpenTriple, map(max, heats_by_step)),
-        key_energy=_ends(OpenTriple, [one.key_energy for one in outcomes] if _has_key(clutch) else ()),
-        travel_max=_ends(Triple, [one.event.travel_max for one in outcomes]) if travels else None,
+        slip_time_spread=_ends(OpenTriple, [event.time_error if event.ended else None for event in rattling]),
+        slip_energy_spread=_ends(OpenTriple, [event.heat_error if event.ended else None for event in rattling]),
         contact_force=_ends(Triple, contact_forces(clutch, outcomes) or ()),
-        peak_torque_conventional=_ends(Triple, [one.ordinary_peak for one in outcomes]),
-        trip_torque=_ends(OpenTriple, [one.trip_torque for one in outcomes]) if late else None,
+        trip_torque=_ends(OpenTriple, [event.trip_torque or None for event in events]) if late else None,
         trip_position=_ends(OpenTriple, [one.trip_position for one in outcomes]) if late else None,
         inertia_torque=train.inertia_torque,
         load_torque=train.load,
-        energy_residual=max(one.event.residual for one in outcomes),
+        energy_residual=max(event.residual for event in events),
         points=[_point(clutch, *pair) for pair in counted(say("simulating the event"), points)] or None,
         sweep=sweep,
     )
     findings = [
         *clutch_findings(clutch),
         *failures_of(clutch.spec, Beside(event_values(clutch, result), clutch), "simulate"),
-        *_springs(clutch, max(one.event.travel_max for one in outcomes)),
+        *_springs(clutch, max(event.travel_max for event in events)),
         *remarks_of(clutch, train, outcomes, result),
         *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
         *rising,
@@ -281,44 +269,46 @@ def simulate(
     return result.model_copy(update={"heat": heat}), list(dict.fromkeys([*findings, *of_heat]))
 
 
-def _has_key(clutch: Clutch) -> bool:
-    """True if the sleeve slides on a key that rubs."""
-    unit = clutch.spec.control_unit
-    return clutch.spec.kind.travels and unit is not None and bool(unit.key_friction)
+def _figures(clutch: Clutch, outcome: Outcome) -> dict[str, float | None]:
+    """Name → result of an event at one friction; results of a slip that does not end are None."""
+    event, unit = outcome.event, clutch.spec.control_unit
+    until_end = {"slip_time": event.slip_time, "slip_energy": event.heat}
+    travel = {"travel_max": event.travel_max} if clutch.spec.kind.travels else {}
+    if travel and unit is not None and unit.key_friction:
+        until_end["key_energy"] = event.key_heat
+    return {
+        "sliding_torque": float(outcome.case.pack.sliding),
+        "peak_torque": event.peak,
+        "peak_torque_clutch": event.peak_clutch,
+        "dynamic_factor": outcome.dynamic_factor,
+        **{name: value if event.ended else None for name, value in until_end.items()},
+        **travel,
+        "peak_torque_conventional": outcome.ordinary_peak,
+    }
 
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:
     if not friction or friction_driven == 0:
         raise CalculationError("--friction 0: without friction there is no torque to simulate")
-    outcome = outcome_of(clutch, friction, friction_driven)
-    return SimulatePoint(
-        **friction_fields(clutch, friction, friction_driven),
-        sliding_torque=float(outcome.case.pack.sliding),
-        peak_torque=outcome.event.peak,
-        peak_torque_clutch=outcome.event.peak_clutch,
-        dynamic_factor=outcome.dynamic_factor,
-        slip_time=outcome.slip_time,
-        slip_energy=outcome.energy,
-        key_energy=outcome.key_energy if _has_key(clutch) else None,
-        travel_max=outcome.event.travel_max if clutch.spec.kind.travels else None,
-        peak_torque_conventional=outcome.ordinary_peak,
-    )
+    own = friction_fields(clutch, friction, friction_driven)
+    return SimulatePoint(**own | _figures(clutch, outcome_of(clutch, friction, friction_driven)))
 
 
 def _ends(kind: type[AtEnds], values: Iterable[float | None]) -> Any:
-    """Values at f_min, mean friction and f_max, one without end as None where there may be one; None of no values."""
-    ends = [None if value == math.inf and kind is OpenTriple else value for value in values]
+    """Values at f_min, mean friction and f_max, as an object of class ``kind``; None if there are no values."""
+    ends = list(values)
     return kind.of(ends) if ends else None
 
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:
-    """Peaks over swept keys, None without any; and a remark where some may yet rise."""
-    asked: list[tuple[Clutch, tuple[Event, Floats]]] = []
+    """Peaks over swept keys, None without axes; and a finding if some peaks may still rise."""
+    asked: list[Event] = []
 
+    @functools.lru_cache(maxsize=1)
     def of(point: Clutch) -> tuple[Event, Floats]:
-        if not asked or asked[-1][0] is not point:
-            asked.append((point, _peaks_at_ends(point)))
-        return asked[-1][1]
+        found = _peaks_at_ends(point)
+        asked.append(found[0])
+        return found
 
     outputs: dict[str, Callable[[Clutch], Values]] = {
         "peak_torque_max": lambda point: of(point)[0].peak[2],
@@ -330,31 +320,31 @@ def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] |
     if clutch.bypass_pairs and clutch.spec.kind.controlled:
         outputs["peak_torque_bypass"] = bypass_peaks
     rows = series(SimulateSweep, clutch.spec, sweeps, outputs, open_at=("peak_torque_bypass",))
-    count = sum(int(np.count_nonzero(~event.passed)) for _, (event, _) in asked)
+    count = sum(int(np.count_nonzero(~event.passed)) for event in asked)
     return rows, [finding("sweep-not-settled", "warning", value=count, path="drive.cut_off")] if count else []
 
 
 def _peaks_at_ends(clutch: Clutch) -> tuple[Event, Floats]:
-    """Peaks and sliding torque at f_min, mean friction and f_max, a row each."""
+    """Peaks and sliding torque, each with three rows: at f_min, mean friction and f_max."""
     case = case_of(clutch, *at_ends(clutch))
     event = case.peaks()
     return event, np.broadcast_to(case.pack.sliding, event.peak.shape)
 
 
 def at_ends(clutch: Clutch) -> tuple[Floats, Floats]:
-    """f_1 and f_2 at f_min, mean friction and f_max, a row each."""
+    """Frictions f_1 and f_2, each with three rows: minimum, mean and maximum."""
     first, second = (np.stack(np.broadcast_arrays(*friction)) for friction in clutch.spec.friction.groups)
     return first.reshape(3, -1), second.reshape(3, -1)
 
 
 def dynamic_factors(clutch: Clutch) -> Floats:
-    """Largest T_peak/T over f_min, mean friction and f_max, of every clutch of a sweep."""
+    """Largest ratio T_peak/T over f_min, mean friction and f_max, for every clutch of a sweep."""
     event, sliding = _peaks_at_ends(clutch)
     return np.fmax(np.max(event.peak / sliding, axis=0), bypass_peaks(clutch) / sliding[2])
 
 
 def largest_peaks(clutch: Clutch) -> Floats:
-    """Peak torque in the shaft where the clutch carries most, the bypass pairs with it, of every clutch, N·m."""
+    """Peak shaft torque at the friction with the largest slip torque, or of bypass pairs alone, if larger, N·m."""
     frictions = at_ends(clutch)
     torque, *ends = np.broadcast_arrays(clutch.at_friction(*frictions)["torque"], *frictions)
     largest = (np.take_along_axis(each, torque.argmax(axis=0)[None], axis=0)[0] for each in ends)
@@ -362,17 +352,17 @@ def largest_peaks(clutch: Clutch) -> Floats:
 
 
 def bypass_peaks(clutch: Clutch) -> Floats:
-    """Return the peaks in the shaft if the bypass pairs alone carry, at f_max where they carry most, N·m.
+    """Return the peak torques in the shaft if the bypass pairs alone carry, at f_max where they carry most, N·m.
 
-    By the law breakaway is at most what they carry with the spring not yet released (handbook, chapter 3); that they
-    go on carrying it in slip is the worst there may be. NaN where the slipping clutch carries more than they do.
+    By the law the breakaway torque is at most what the bypass pairs carry under the full spring force (handbook,
+    chapter 3); the worst case is that they still carry it in slip. NaN if the slipping clutch carries more.
     """
     first, second = (part.max for part in clutch.spec.friction.groups)
     there = clutch.at_friction(first, second)
     more = np.atleast_1d(there["breakaway_torque"] > there["torque"] * (1 + 1e-9))
     if not more.any():
         return np.full(more.shape, np.nan)
-    # the load before the event stays that of the clutch as it is
+    # the load before the event stays the load of the whole clutch
     alone = with_pairs(clutch, clutch["bypass_pairs"], 0.0, running_torque=train_of(clutch).load)
     return np.where(more, case_of(alone, first, second).peaks().peak, np.nan)
 
@@ -399,9 +389,9 @@ class HistoryResult(Answer):
 
 
 def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = False) -> HistoryResult:
-    """Simulate events at pairs of friction, else at f_min, mean and f_max, and keep their course.
+    """Return the course of events at pairs of frictions or, without pairs, at f_min, mean friction and f_max.
 
-    With ``short`` only until the peak has passed.
+    With ``short`` the course ends when the peak has passed.
 
     Raises:
         SpecError: the spec has no event.
@@ -411,7 +401,7 @@ def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = Fals
     rows = []
     for pair in counted(say("simulating the event"), pairs_asked(clutch, friction) or ends):
         case = case_of(clutch, *pair)
-        moments = case.history().rows
+        moments = case.run(full=True).rows
         if short:
             window = float(peak_time(case.train, case.pack.sliding))
             moments = tuple(moment for moment in moments if moment.time <= window)
@@ -423,7 +413,7 @@ def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = Fals
 
 
 def _thinned(rows: Sequence[Row]) -> Iterator[Row]:
-    """Some thousand moments: the first, the last, that of the peak, those where slip begins or ends, and others."""
+    """Yield a few thousand moments: first, last, peak, beginnings and ends of slip, and others at equal intervals."""
     peak, every = max(rows, key=lambda row: abs(row.torque_shaft)), -(-len(rows) // _MOMENTS)
     for number, row in enumerate(rows):
         turned = bool(row.slip) != bool(rows[number - 1].slip)

@@ -1,4 +1,4 @@
-"""From a wanted value of a quantity back to one key of the spec: sampled over its range, roots by SciPy."""
+"""Values of one key of the spec that give a quantity a wanted value: its range is sampled, crossings are refined."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -22,35 +22,36 @@ from ..result import Answer, Result, described
 from ..spec.edit import replaced, respecified, value_at
 from ..spec.fields import Key
 from ..spec.keys import is_whole, keys, path_of
-from ..spec.quantity import asked_unit, parse_quantity
+from ..spec.quantity import Quantity, asked_unit
 from ..units import ENGINEER
 from .asking import Answers, Asking, answer, asked
 from .check import lacks, simulating, told
 from .clutch_findings import clutch_findings
 from .simulate import dynamic_factors, largest_peaks
 from .sweep import feasible, find_key
+from .tolerance_study import exceedance
 
 Function = Callable[[Floats], Floats]
 SAMPLES, ROWS = 400, 40
-"""Values looked at: of a quantity, and of what is calculated for one clutch at a time."""
+"""Number of samples of the key: with arrays, and if clutches are calculated one at a time."""
 REACH, REACH_OF_EVENTS = 100.0, 5.0
-"""Ratio to the present value up to which they go where the key has no bound, and where each simulates an event."""
+"""Ratio of the outermost samples to the present value: of a key without bounds, and if samples simulate an event."""
 _SAME, _TOUCH = 1e-12, 1e-8
-"""Relative difference that rounding can make; by which an extreme may miss the wanted value."""
-_STEPS, _STEPS_OF_ROWS = (33,) * 8, (9,)
-"""Values from one side of the wanted value to the other, again and again."""
+"""Relative tolerances: for equality apart from rounding, and for an extreme that only touches the wanted value."""
+_STEPS, _STEPS_OF_ROWS = (33,) * 8, (9, 9)
+"""Numbers of points in the successive refinements of a crossing: with arrays, and clutch by clutch."""
 _JUMP, _JUMP_OF_ROWS = 1e-6, 0.05
-"""Change between the last two of them, over the wanted value, above which a target jumps."""
+"""Change of the target over the last interval, relative to the wanted value, above which a crossing is a jump."""
 SEVERAL = {"balls_listed", *(name for name in TERMS if "_slips" in name)}
-"""Quantities that are several numbers: of a list, or one for each slip."""
+"""Quantities that are lists of numbers (one number for each slip, or a catalogue) and therefore no targets."""
 
 
 class Root(Result):
     """A value of the key, and what it gives."""
 
-    value: float = described("value", unit_in="unit")
+    value: float = described("value", unit_in="unit", digits=5)
     unit: str = described("unit", is_unit=True)
-    reached: float = described("value reached", unit_in="target_unit")
+    reached: float = described("value reached", unit_in="target_unit", digits=5)
     target_unit: str = described("unit", is_unit=True)
 
 
@@ -62,11 +63,11 @@ class SolveResult(Asking, Answer):
     parameter: str = described("parameter solved for")
     path: str = described("spec path")
     unit: str = described("SI unit of the parameter", is_unit=True)
-    value: float = described("value found, the nearest to the present one", unit_in="unit")
+    value: float = described("value found, the nearest to the present one", unit_in="unit", digits=5)
     target: str = described("wanted quantity")
     target_unit: str = described("SI unit of the target", is_unit=True)
-    wanted: float = described("wanted value", unit_in="shown_unit")
-    reached: float = described("value reached", unit_in="shown_unit")
+    wanted: float = described("wanted value", unit_in="shown_unit", digits=5)
+    reached: float = described("value reached", unit_in="shown_unit", digits=5)
     low: float = described("smallest value looked at", unit_in="unit", details=True)
     high: float = described("largest value looked at", unit_in="unit", details=True)
     roots: list[Root] = described("values found")
@@ -79,12 +80,12 @@ class SolveResult(Asking, Answer):
 
     @property
     def shown_unit(self) -> str:
-        """Unit of the target: a temperature is shown by another scale than a difference of two."""
+        """Unit to show; ``K abs`` for a temperature, whose scale is not that of a temperature difference."""
         return unit_of(self.target)
 
 
 def is_quantity(name: str) -> bool:
-    """True if a name is that of a quantity that is one number, or of such a quantity in a case."""
+    """True if a name is a quantity that is one number, with or without a case, such as ``torque_at_f_max``."""
     inner, _, case = name.rpartition("_at_")
     if name in TERMS:
         return TERMS[name].unit != "" and name not in SEVERAL
@@ -92,31 +93,31 @@ def is_quantity(name: str) -> bool:
 
 
 def unit_of(target: str) -> str:
-    """Return the SI unit of a target; that of a temperature says that it is one."""
+    """Return the SI unit of a target; ``K abs`` for a temperature."""
     return (keys()[f"requirements.{target}"].unit or "1") if target in REQUIRED else term_of(target).unit
 
 
 def quantity_at(path: str) -> str:
-    """Return the quantity that a key gives, as set: closing_force of closing_spring.force."""
+    """Return the name of the quantity that a key sets: closing_force for closing_spring.force."""
     block, _, key = path.rpartition(".")
     return NAMES.get(block, {}).get(key, key).removesuffix("_made").removesuffix("_wanted")
 
 
 @cache
 def targets() -> dict[str, str]:
-    """Names and symbols of targets → their names; of quantities with the same symbol the one of the shortest name."""
+    """Name or symbol → name of a target; a symbol of several quantities means the quantity with the shortest name."""
     names = sorted(filter(is_quantity, TERMS), key=len, reverse=True)
     called = {keys()[f"requirements.{name}"].symbol or name: name for name in REQUIRED}
-    called |= {TERMS[name].symbol: name for name in names}
+    called |= {TERMS[name].symbol: name for name in names} | {"K": "accuracy_factor"}
     return (
         {latin(symbol): name for symbol, name in called.items()} | called | {name: name for name in (*names, *REQUIRED)}
     )
 
 
 def parse_target(text: str) -> tuple[str, float, list[Finding]]:
-    """Read ``NAME=VALUE``, the value in SI or with a unit; a number that is rarely meant in SI is asked after.
+    """Read ``NAME=VALUE``; return name, SI value, and findings on a number without unit that is hardly meant in SI.
 
-    Raises AfmcalcError: no such target, or no such value.
+    Raises AfmcalcError if there is no such target, or if the value cannot be read.
     """
     given, _, value = (part.strip() for part in text.partition("="))
     path = path_of(given)
@@ -132,8 +133,9 @@ def parse_target(text: str) -> tuple[str, float, list[Finding]]:
     number: float | str = value
     with suppress(ValueError):
         number = float(value)
+    about = (name in REQUIRED and keys()[f"requirements.{name}"].about) or Quantity(unit_of(name))
     try:
-        wanted, question = parse_quantity(number, unit_of(name)), asked_unit(number, unit_of(name), name)
+        wanted, question = about.read(number), asked_unit(number, unit_of(name), name)
     except ValueError as error:
         raise AfmcalcError("{text:.80}: {why}", text=text, why=error) from None
     return name, wanted, [question] if question else []
@@ -142,12 +144,12 @@ def parse_target(text: str) -> tuple[str, float, list[Finding]]:
 def solve(
     clutch: Clutch, name: str, target: str, wanted: float, *, beyond_limit: bool = False
 ) -> tuple[SolveResult, Clutch, list[Finding]]:
-    """Find every value of a key at which a target is as wanted; the clutch has the one nearest to the present value.
+    """Find every value of a key that gives a target its wanted value; return also the clutch with the nearest value.
 
-    The key is given by path, name or symbol, the target as ``parse_target`` returns it; ``beyond_limit`` goes past the
-    gain limit of the variant. Without a root the result has the value that comes nearest, and the last finding,
-    ``not-attainable``, says so. Raises CalculationError: the target does not depend on the key, or no value of it gives
-    a number; AfmcalcError: no such key, or a target that the clutch does not have.
+    The key is given by path, name or symbol, the target as ``parse_target`` returns it; with ``beyond_limit`` the key
+    may exceed the gain limit of the variant. Without a root the result has the key value that comes nearest, and the
+    last finding is ``not-attainable``. Raises CalculationError if the target does not depend on the key, or if no
+    value of the key gives a number; AfmcalcError if there is no such key, or if the clutch does not have the target.
     """
     key = find_key(name, clutch.spec, "--for")
     values, arrays = _function(clutch, key.path, target)
@@ -175,13 +177,14 @@ def solve(
         )  # fmt: skip
     nearest = float(at[np.argmin(np.abs(value - wanted))])
     if not roots and abs(values(np.array([nearest]))[0] - wanted) <= _TOUCH * abs(wanted):
-        roots = [nearest]  # of a step between two samples, or an extreme that just reaches it
+        roots = [nearest]  # at a step between two samples, or at an extreme that only touches the wanted value
     found = roots or [nearest]
-    judged = partial(_rows, clutch, key.path, target) if not arrays and target in REQUIRED else values
+    value_of = partial(_judged_value, target=target)
+    judged = partial(_rows, clutch, key.path, value_of) if not arrays and target in REQUIRED else values
     reached = dict(zip(found, judged(np.array(found)).tolist(), strict=True))
 
     def distance(root: float) -> tuple[bool, float]:
-        """Of whole numbers those that meet a requirement come first, then the nearest."""
+        """Sort key: roots that are whole numbers and miss a requirement last, then distance from the present value."""
         gap = reached[root] - wanted
         return whole and target in REQUIRED and (gap < 0 if REQUIRED[target].least else gap > 0), abs(root - now)
 
@@ -210,7 +213,7 @@ def _shown(unit: str | None) -> Callable[[float], str]:
 
 
 def _present(clutch: Clutch, key: Key) -> float:
-    """Value of a key, or of the quantity that it gives; 0 of one that may be left out for it."""
+    """Value of a key, else of the quantity that it sets, else 0; raises AfmcalcError if the key cannot be set to it."""
     value = value_at(clutch.spec, key.path)
     if value is None:
         value = clutch.get(quantity_at(key.path), 0.0)
@@ -224,12 +227,12 @@ def _present(clutch: Clutch, key: Key) -> float:
 
 
 def _asked(target: str) -> str:
-    """Return the quantity that is asked: of a requirement the one it judges."""
+    """Return the quantity of a target; for a requirement the quantity that it judges."""
     return REQUIRED[target].value if target in REQUIRED else target
 
 
 def _judged_value(clutch: Clutch, target: str) -> float:
-    """Value that a requirement judges; infinite where nothing limits it, or it may be more."""
+    """Value that a requirement judges; infinite if the value is unlimited, or if the slip has not ended."""
     check = after_event(clutch.spec, REQUIRED[target])
     known = told(Answers(clutch), check.needs)
     if (value := check.value_of(known)) is None:
@@ -239,9 +242,9 @@ def _judged_value(clutch: Clutch, target: str) -> float:
 
 
 def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
-    """Return the function from values of a key to a target, and True if that is a quantity, quick to calculate.
+    """Return the function from values of a key to a target, and True if it is fast: arrays without simulation.
 
-    Raises AfmcalcError: a target that the clutch does not have.
+    Raises AfmcalcError if the clutch does not have the target.
     """
     output: Output = _asked(target)
     if takes_factor_of_event(clutch.spec, str(output)):
@@ -250,7 +253,7 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
     arrays = not (target in REQUIRED and (REQUIRED[target].needs or output not in clutch))
     if arrays:
         try:
-            with suppress(ArithmeticError):  # there may be a number at other values of the key
+            with suppress(ArithmeticError):  # other values of the key may give a number
                 clutch[str(output)]
         except LookupError as error:
             raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
@@ -258,17 +261,18 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
         output = largest_peaks
     else:
         _judged_value(clutch, target)
-        return _kept(partial(_rows, clutch, path, target)), False
+        judged = exceedance if target == "exceedance" else partial(_judged_value, target=target)
+        return _kept(partial(_rows, clutch, path, judged)), False
     return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: output})[target]), arrays
 
 
 def _unprotected(name: str, clutch: Clutch) -> Values:
-    """Quantity of the unprotected side of every clutch, with the dynamic factor of its event."""
+    """Values of a quantity of the unprotected side; each clutch has the dynamic factor of its own event."""
     return cast("Values", clutch.at(dynamic_factor=dynamic_factors(clutch))[name])
 
 
 def _kept(function: Function) -> Function:
-    """Return the function that calculates each value once."""
+    """Return a function with a cache, so that each value is calculated once."""
     known: dict[float, float] = {}
 
     def values(at: Floats) -> Floats:
@@ -279,17 +283,17 @@ def _kept(function: Function) -> Function:
     return values
 
 
-def _rows(clutch: Clutch, path: str, target: str, at: Floats) -> Floats:
-    """Values that a requirement judges, of one clutch at a time."""
+def _rows(clutch: Clutch, path: str, value_of: Callable[[Clutch], float], at: Floats) -> Floats:
+    """Values that a requirement judges, one clutch at a time; NaN if a clutch cannot be built or has no value."""
     value = np.full(at.shape, math.nan)
     for i in counted(say("solving"), range(at.size)):
         with suppress(AfmcalcError), unwatched():
-            value[i] = _judged_value(build(respecified(clutch.spec, {path: at[i]})), target)
+            value[i] = value_of(build(respecified(clutch.spec, {path: at[i]})))
     return value
 
 
 def _samples(clutch: Clutch, key: Key, now: float, count: int, reach: float) -> Floats:
-    """Values to look at, where there is a clutch: logarithmic over decades, of a whole key one by one."""
+    """Values of a key of the spec for which the clutch is valid: spaced evenly, over a wide range logarithmically."""
     assert key.about is not None
     (low, high), scale = key.about.limits, now or 1.0
     reach = reach if now else reach**3
@@ -308,7 +312,7 @@ def _samples(clutch: Clutch, key: Key, now: float, count: int, reach: float) -> 
 
 
 def _within_gain_limit(clutch: Clutch, path: str, at: Floats) -> Floats:
-    """Keep what is within the gain limit, and add where it is reached."""
+    """Samples within the gain limit, and the values of the key at which the limit is reached."""
 
     def excess(at: Floats) -> Floats:
         gains = evaluate(clutch.spec, {path: at}, {"gain": "gain", "gain_limit": "gain_limit"})
@@ -323,7 +327,7 @@ def _within_gain_limit(clutch: Clutch, path: str, at: Floats) -> Floats:
 
 @np.errstate(all="ignore")
 def _rounding(function: Function, wanted: float, at: Floats) -> float:
-    """Return what rounding can make of a value; of a difference that is to be 0, what the last digits of the key do."""
+    """Return how far rounding moves the target; if it is to be 0, how far the last digits of the key move it."""
     moved = function(np.clip(at * (1 + _SAME / 10), at[0], at[-1])) - function(at) if wanted == 0 else np.zeros(1)
     return max(_SAME * abs(wanted), 4 * float(np.max(np.abs(moved), where=np.isfinite(moved), initial=0.0)))
 
@@ -331,9 +335,10 @@ def _rounding(function: Function, wanted: float, at: Floats) -> float:
 def _roots(
     function: Function, wanted: float, at: Floats, rounding: float, steps: Sequence[int]
 ) -> tuple[list[float], Floats]:
-    """Return where a function has the wanted value, and the values with those on both sides of where it jumps over it.
+    """Return the arguments at which a function has the wanted value, and ``at`` with both ends of each crossing added.
 
-    Without ``steps``, of a whole key, those on either side count; of a range over which it keeps it, both ends.
+    Without ``steps`` (the key is a whole number) both neighbours of a crossing are roots; else both ends of a stretch
+    on which the function equals the wanted value.
     """
     gap = function(at) - wanted
     side = np.where(np.abs(gap) <= rounding, 0.0, np.sign(gap))
@@ -348,14 +353,14 @@ def _roots(
         place = np.maximum((np.sign(gap) != first).argmax(axis=0), 1)
         ends, gap = (np.take_along_axis(each, np.stack([place - 1, place]), axis=0) for each in (inner, gap))
     size = abs(wanted) or float(np.nanmedian(np.abs(function(at))))
-    good = np.abs(gap[1] - gap[0]) <= (_JUMP if len(steps) > 1 else _JUMP_OF_ROWS) * size
+    good = np.abs(gap[1] - gap[0]) <= (_JUMP if steps == _STEPS else _JUMP_OF_ROWS) * size
     low, high = ends[:, good]
     roots |= {*(low + (high - low) * gap[0, good] / (gap[0, good] - gap[1, good])).tolist()}
     return sorted(roots), np.unique([*at, *ends.ravel()])
 
 
 def _with_extremes(function: Function, wanted: float, at: Floats) -> Floats:
-    """Add values around each extreme that may reach the wanted value, and around the one nearest to it."""
+    """Samples with more values around each extreme that may reach the wanted value, and around the nearest sample."""
     for _ in range(5):
         gap = function(at) - wanted
         size, side = np.abs(gap), np.sign(gap)

@@ -1,4 +1,4 @@
-"""Springs one can buy or wind: disc stacks and coil springs that give the forces of a clutch."""
+"""Springs to buy or wind: stacks of disc springs and coil springs that give the forces of a clutch."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -28,16 +28,16 @@ from .registry import SpringKind, SpringOrder
 Kind = Literal["disc", "coil"]
 Part = DiscStack | CoilSprings
 SETTING = 0.05
-"""Share of the force that the nut is to set more or less."""
+"""Share of the spring force by which turning the nut is to raise or lower the force."""
 TOP = 10
 TOLERANCE = 0.1
-"""Relative deviation of a stiffness that is allowed."""
+"""Relative deviation that is allowed to a stiffness."""
 MOST_PARALLEL = 6
-"""Discs laid into each other; more than three are for friction, not for force."""
+"""Largest number of disc springs nested in parallel; more than three add friction rather than force."""
 MOST_SERIES = 10_000
-"""Packs against each other."""
+"""Largest number of packs in series."""
 COUNTS = (1, 3, 4, 6, 8, 9, 12, 16, 20, 24)
-"""Coil springs around the shaft."""
+"""Numbers of coil springs to try: one spring around the shaft, or several on a circle."""
 WIRES = tuple(
     diameter * 1e-3
     for diameter in (
@@ -46,17 +46,17 @@ WIRES = tuple(
 )  # fmt: skip
 """Wire diameters, R'20 of ISO 497, m."""
 TURNS = (2.0, 25.0)
-"""Active turns."""
+"""Smallest and largest number of active turns."""
 _FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
-"""Active turns to choose from where any stiffness will do."""
+"""Numbers of active turns to try if any stiffness will do."""
 _STEPS = 24
-"""Mean coil diameters that are tried of a wire."""
+"""Number of mean coil diameters to try for each wire diameter."""
 _SIZES = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
-"""Dimensions of a disc."""
+"""Dimensions of a disc spring."""
 _SLACK = 1e-9
-"""Share by which a part may be beyond a limit by rounding."""
+"""Relative excess over a limit that counts as a rounding error."""
 _BORNE = ("deflection", "stress", "fatigue")
-"""Topics of the checks that give the utilisation of a part."""
+"""Topics of those checks that give the utilisation of a spring part."""
 _CURVE_POINTS = 121
 
 
@@ -111,7 +111,7 @@ class SpringOption(Result):
 
     @property
     def made(self) -> DiscStack | CoilSprings:
-        """The part as a spec says it."""
+        """The spring part as a block of the spec."""
         return self._made
 
 
@@ -135,7 +135,7 @@ class SpringsResult(Answer):
 
 
 class SpringCurve(Result):
-    """Force over deflection of one spring, and where on it the clutch works."""
+    """Force of one spring over its deflection, and the deflections at which the spring works in the clutch."""
 
     spring: SpringName = described("spring")
     part: str = described("part")
@@ -156,19 +156,19 @@ class SpringsCurve(Result):
 
 
 class Table(NamedTuple):
-    """Parts of one kind as columns, a row each, and what each row misses."""
+    """Spring parts of one kind: columns of their sizes and of their deviations from the demand, a row for each part."""
 
     parts: Part
     values: dict[str, Any]
     misses: dict[str, Floats]
-    """Quantity → relative deviation from the demand; 0: met."""
+    """Quantity → relative deviations of the parts from the demand; 0 where a part meets it."""
 
     def worst(self) -> Floats:
-        """Largest deviation of each row."""
+        """Largest deviation of each part."""
         return np.max(list(self.misses.values()), axis=0)
 
     def part(self, row: int) -> Part:
-        """Return one row; a disc as thick as made has no flats."""
+        """Return the part in a row; the reduced thickness of a disc spring without flats is None."""
         sizes = {name: column[row].item() for name, column in vars(self.parts).items()}
         if isinstance(self.parts, DiscStack) and sizes["reduced_thickness"] == sizes["thickness"]:
             sizes["reduced_thickness"] = None
@@ -176,7 +176,7 @@ class Table(NamedTuple):
 
 
 _BY: Mapping[SpringOrder, str] = {"length": "length", "wear": "stiffness", "mass": "mass"}
-"""Order of the parts → the quantity that is least."""
+"""Order of the spring parts → quantity by which they are sorted, the smallest first."""
 
 
 def springs(
@@ -186,16 +186,16 @@ def springs(
     kind: SpringKind = "any",
     tolerance: float = TOLERANCE,
 ) -> tuple[SpringsResult, list[Finding]]:
-    """Find parts that give the force as set and the stiffness of every spring of a clutch, within the room there is.
+    """Find parts that give the set force and the stiffness of every spring of a clutch and fit in its room.
 
-    Where there is none, the nearest and what it misses; and the parts that the spec names. Small is by default the
-    length where a stiffness is wanted, which may be off by ``tolerance``, relative, else the loss of force by wear.
+    The result also has the parts that the spec names and, if no part fits, the nearest part. By default parts are
+    sorted by length if a stiffness is wanted (it may deviate by the share ``tolerance``), else by force lost by wear.
     """
     fields: dict[str, Any] = {}
     nearest: list[SpringOption] = []
     remarks: list[Finding] = []
     number = count(1)
-    demands, named = spring_demands(clutch), clutch.spec.spring_parts
+    demands, named = bounded_demands(clutch), clutch.spec.spring_parts
     for demand in demands:
         tables = _tables(demand, kind, tolerance)
         found = _fitting(demand, tables, sort, families=True)
@@ -214,8 +214,10 @@ def springs(
             nearest.append(option_of(demand, table.part(row)))
             misses = {name: float(by[row]) for name, by in table.misses.items() if by[row] > _SLACK}
             remarks.append(_none(demand, table.part(row), misses))
+    for demand in spring_demands(clutch):
         if None in (demand.room.inner_diameter, demand.room.outer_diameter, demand.room.length):
-            remarks.append(finding("room-not-given", "info", path=f"{demand.name}_spring.room"))
+            path = f"{demand.name}_spring.room"
+            remarks.append(finding("room-not-given", "info", limit=_width(clutch), path=path))
         if demand.stiffness is None:
             remarks.append(finding("any-stiffness", "info", path=f"{demand.name}_spring.stiffness"))
     in_use = [
@@ -230,22 +232,30 @@ def springs(
     return result, [*clutch_findings(clutch), *remarks]
 
 
+def bounded_demands(clutch: Clutch) -> list[SpringDemand]:
+    """Return the demand on each spring; a room without diameter or length has the outer diameter of the clutch."""
+
+    def bounded(room: Room) -> Room:
+        width = {"outer_diameter": _width(clutch), "length": _width(clutch)}
+        return room.model_copy(update={name: value for name, value in width.items() if getattr(room, name) is None})
+
+    return [demand._replace(room=bounded(demand.room)) for demand in spring_demands(clutch)]
+
+
+def _width(clutch: Clutch) -> float:
+    """Outer diameter of the friction faces, m; if it is not given, the diameter in the drawing."""
+    return float(clutch.get("outer_diameter") or 2.4 * clutch.mean_radius)
+
+
 def ranked(demand: SpringDemand, kind: SpringKind = "any", top: int | None = None) -> list[SpringOption]:
-    """Return the parts that do, in the order they are told in; discs that the room does not have are not tried."""
-    least, most = demand.room.inner_diameter or 0.0, demand.room.outer_diameter or math.inf
-    listed = tuple(
-        disc
-        for disc in demand.catalogue or discs()
-        if disc.inner_diameter >= least * (1 - 2 * _SLACK) and disc.outer_diameter <= most * (1 + 2 * _SLACK)
-    )
-    within = demand._replace(catalogue=listed or demand.catalogue)
-    found = _fitting(demand, _tables(within, kind, TOLERANCE), None, families=False)
+    """Return at most ``top`` parts that fit, in the order of ``springs``."""
+    found = _fitting(demand, _tables(demand, kind, TOLERANCE), None, families=False)
     return [option_of(demand, table.part(row)) for table, row in found[:top]]
 
 
 @np.errstate(all="ignore")
 def _tables(demand: SpringDemand, kind: SpringKind, tolerance: float) -> list[Table]:
-    """Return all parts of a kind, each with what it misses."""
+    """Return a table for each kind of spring parts: all parts of the kind and their deviations from the demand."""
     tables = []
     for columns in ([] if kind == "coil" else [stacks(demand)]) + ([] if kind == "disc" else [coils(demand)]):
         values = values_of_part(demand, columns)
@@ -261,7 +271,7 @@ def _tables(demand: SpringDemand, kind: SpringKind, tolerance: float) -> list[Ta
 def _fitting(
     demand: SpringDemand, tables: list[Table], sort: SpringOrder | None, *, families: bool
 ) -> list[tuple[Table, int]]:
-    """Return the rows that miss nothing, sorted; with ``families`` the best of every pack, of every wire and count."""
+    """Return the rows that meet the demand, sorted; with ``families`` only the best of each disc stack or coil wire."""
     by, found = _BY[sort or ("length" if demand.stiffness else "wear")], list[tuple[float, Table, int]]()
     for table in tables:
         small = np.broadcast_to(table.values[by], table.worst().shape)
@@ -276,9 +286,10 @@ def _fitting(
 
 
 def stacks(demand: SpringDemand) -> Part:
-    """Return the stacks of every size as columns: n laid into each other, as many packs as may be of use.
+    """Return disc stacks as columns: all sizes, all numbers of discs in parallel, useful numbers of packs in series.
 
-    These are as few as the travel allows, as many as the length does, or those that the stiffness asks for.
+    Useful numbers of packs are the smallest that the travel allows and those with nearly the wanted stiffness or, if
+    no stiffness is wanted, the largest that fits.
     """
     listed = [disc for disc in demand.catalogue or discs() for _ in range(MOST_PARALLEL)]
     sizes: dict[str, Any] = {name: np.array([getattr(disc, name) for disc in listed], float) for name in _SIZES}
@@ -307,7 +318,7 @@ def stacks(demand: SpringDemand) -> Part:
 
 
 def coils(demand: SpringDemand) -> Part:
-    """Return coil springs around the shaft, or several on a circle, as columns: every wire, their turns in quarters."""
+    """Return coil springs as columns: one around the shaft or several on a circle, all wires, turns in quarters."""
     number, wire, coil = _coil_sizes(demand.room)
     if demand.stiffness is None:
         number, wire, coil = (np.repeat(column, len(_FREE_TURNS)) for column in (number, wire, coil))
@@ -318,7 +329,7 @@ def coils(demand: SpringDemand) -> Part:
     good = (turns >= TURNS[0]) & (turns <= TURNS[1])
     number, wire, coil, turns = (column[good] for column in (number, wire, coil, turns))
     rate = number * law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns)
-    # as short as the gaps between its turns allow when it is pressed most, in tenths of a millimetre
+    # shortest free length, in tenths of a millimetre, that leaves gaps between the turns at the largest force
     shortest = law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns)
     free = np.ceil((shortest + demand.force / rate + demand.compresses) * 1e4) / 1e4
     sizes = {"wire_diameter": wire, "coil_diameter": coil, "turns": turns, "free_length": free, "count": number}
@@ -327,7 +338,7 @@ def coils(demand: SpringDemand) -> Part:
 
 @cache
 def _coil_sizes(room: Room) -> tuple[Any, Any, Any]:
-    """Return number, wire and mean diameter of the coils that a room has across."""
+    """Return number, wire diameter and mean diameter of the coil springs that fit between the diameters of a room."""
     rows = [
         (number, wire, coil) for number, wire in product(COUNTS, WIRES) for coil in coil_diameters(room, number, wire)
     ]
@@ -336,7 +347,7 @@ def _coil_sizes(room: Room) -> tuple[Any, Any, Any]:
 
 
 def coil_diameters(room: Room, number: int, wire: float) -> list[float]:
-    """Return mean coil diameters that fit, in steps of whole millimetres at least."""
+    """Return the mean coil diameters that fit, m, in steps of whole millimetres."""
     inner, outer = room.inner_diameter or 0.0, room.outer_diameter
     low, high = INDEX[0] * wire, INDEX[1] * wire
     if number == 1:
@@ -353,7 +364,7 @@ def coil_diameters(room: Room, number: int, wire: float) -> list[float]:
 
 
 def option_of(demand: SpringDemand, part: Part) -> SpringOption:
-    """Return what a part gives as set and in service, and what it bears."""
+    """Return a part as a ``SpringOption``, with its forces, lengths and stresses as set and in service."""
     spring, known = characteristic(part), values_of_part(demand, part)
     deflection, low, high = (known[name] for name in ("deflection", "deflection_least", "deflection_most"))
     force, stiffness = float(spring.force(deflection)), known["stiffness"]
@@ -385,7 +396,7 @@ def option_of(demand: SpringDemand, part: Part) -> SpringOption:
 
 
 def label_of(part: Part, catalogue: tuple[Disc, ...] | None = None) -> str:
-    """Return what a part is called: a disc by its standard, or its catalogue, if it is of one."""
+    """Return the name of a part; a disc spring has the name in its catalogue or its standard, if it is listed there."""
     if isinstance(part, CoilSprings):
         return say("coil {wire:g} × {coil:g}", wire=part.wire_diameter * 1e3, coil=part.coil_diameter * 1e3)
     sizes = tuple(getattr(part, size) for size in _SIZES)
@@ -402,13 +413,13 @@ def _titles(listed: tuple[Disc, ...]) -> dict[tuple[float | None, ...], str]:
 
 
 def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tuple[dict[str, Any], Spec]:
-    """Return the keys that the springs picked change, None for none, and the spec with them.
+    """Return key → value of the spec for the picked springs (None removes a key), and the changed spec.
 
-    Raises AfmcalcError: no such number, or two of one spring.
+    Raises AfmcalcError if no option has a number, or if two numbers are options for the same spring.
     """
     changes: dict[str, Any] = {}
     blocks = {"closing_spring": result.closing, "control_spring": result.control or []}
-    rooms = {f"{demand.name}_spring": demand.room for demand in spring_demands(clutch)}
+    rooms = {f"{demand.name}_spring": demand.room for demand in bounded_demands(clutch)}
     numbered = {option.number: (block, option) for block, options in blocks.items() for option in options}
     for number in numbers:
         if number not in numbered:
@@ -419,17 +430,17 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> tup
         part = option.made.model_dump(exclude_none=True)
         changes |= {f"{block}.force": option.force, f"{block}.stiffness": option.stiffness}
         changes |= {f"{block}.disc": None, f"{block}.coil": None, f"{block}.{option.kind}": part}
-        if (option.count or 1) > 1:  # the circle that they stand on
+        if (option.count or 1) > 1:  # circle on which the springs stand
             across = {"inner_diameter", "outer_diameter"}
             given = rooms[block].model_dump(include=across)
             changes |= {f"{block}.room.{name}": value for name, value in given.items()}
     if "control_spring.force" in changes and clutch.spec.closing_spring.force is None:
-        changes.setdefault("closing_spring.force", float(clutch.closing_force))
+        changes.setdefault("closing_spring.force", clutch.closing_force)
     return changes, respecified(clutch.spec, changes)
 
 
 def _none(demand: SpringDemand, part: Part, missed: Mapping[str, float]) -> Finding:
-    """Say that no part does, and what the nearest misses."""
+    """Return the finding that no part fits, with the demands that the nearest part misses."""
     misses = ", ".join(
         say("{name} by {by:.1%}", name=translate(name), by=by)
         if by < 1
@@ -442,12 +453,12 @@ def _none(demand: SpringDemand, part: Part, missed: Mapping[str, float]) -> Find
 
 
 def springs_curve(clutch: Clutch) -> SpringsCurve:
-    """Return the characteristic of the parts that a spec names, else of the best that is found.
+    """Return the force over deflection of each spring: of the part that the spec names, else of the best that fits.
 
-    Raises CalculationError: there is no part.
+    Raises CalculationError if no part fits.
     """
     curves = []
-    for demand in spring_demands(clutch):
+    for demand in bounded_demands(clutch):
         part = clutch.spec.spring_parts.get(demand.name)
         if part is None:
             best = ranked(demand)

@@ -1,4 +1,4 @@
-"""A sweep: its axes as written on the command line, and the answers over their grid in one array expression."""
+"""Sweep of keys: axes as written on the command line, and quantities over their grid, calculated with arrays."""
 
 import math
 import re
@@ -21,45 +21,44 @@ from ..spec.fields import Key
 from ..spec.keys import ALIASES, elsewhere, is_whole, keys, names, path_of
 from ..spec.models import FrictionRange
 from ..spec.quantity import asked_unit, parse_quantity
-from ..spec.removed import instead_of
 from ..variants import variants_of
 
 MOST_POINTS = 200_000
-"""Points of a sweep: its answers take 0.3 GB then."""
+"""Largest number of points of a sweep; the results of so many points take 0.3 GB."""
 _MOST_COUNTED = 200
-"""Whole numbers that are swept where no range is given."""
+"""Largest number of values of a key with whole numbers, if no range is given."""
 _RANGE = re.compile(r"\.\.|…|\d\s*(?:-|–|to)\s*\d")
-"""Ranges as other programs write them."""
+"""Pattern of ranges that are not written as start:stop:count, such as 1..5, 1–5 or 1 to 5."""
 
 
 class Axis(NamedTuple):
     """One swept key with its values, SI."""
 
     name: str
-    """Symbol or path, as the user called it."""
+    """Symbol or path of the key, as the user wrote it."""
     key: Key
     values: Floats
-    """Values of the parameter as called."""
+    """Values of ``name``: for the name zC they are values of zC, not of C."""
     scale: float = 1.0
-    """Factor from a value to the spec key (zC → C)."""
+    """Factor that converts a value of ``name`` to the value of the spec key (zC → C)."""
     question: Finding | None = None
-    """The first value without a unit that may be meant in another than SI."""
+    """Finding on the first value without a unit that is hardly meant in SI."""
 
     @property
     def called_path(self) -> str:
-        """Spec path; of zC, which is no key, its name in results."""
+        """Path of the key; ``reduced_gain`` for zC, which is no key."""
         return "reduced_gain" if self.name == "zC" else self.key.path
 
 
 def find_key(name: str, spec: Spec, option: str = "--sweep") -> Key:
-    """Return the numeric key of a spec that ``name`` (a path, a key's name or a symbol) means, given to an option.
+    """Return the numeric key of a spec by its path, name or symbol; ``option`` is for messages.
 
-    Raises AfmcalcError: no such key, a key that is no number, or one of other variants.
+    Raises AfmcalcError if there is no such key, if it is not a number, or if only other variants have it.
     """
     path, known = path_of(name), keys()
     if path is None:
         symbols = ", ".join(ALIASES)
-        hint = instead_of(name) or elsewhere(name) or did_you_mean(name, [*ALIASES, *names()])
+        hint = elsewhere(name) or did_you_mean(name, [*ALIASES, *names()])
         raise AfmcalcError(
             "{name!r:.80} is no key or symbol{hint}; symbols: {symbols}; keys: by name or path, as in the spec",
             name=name, hint=hint, symbols=symbols,
@@ -77,7 +76,7 @@ def find_key(name: str, spec: Spec, option: str = "--sweep") -> Key:
 def parse_axis(text: str, spec: Spec) -> Axis:
     """Read ``NAME``, ``NAME=start:stop:count`` or ``NAME=v1,v2,…`` (values in SI or with units).
 
-    Raises AfmcalcError: the text cannot be read.
+    Raises AfmcalcError if the text cannot be read.
     """
     name, separator, given = text.partition("=")
     name = name.strip()
@@ -127,12 +126,12 @@ def _has_unit(part: str) -> bool:
 
 
 def default_range(key: Key, spec: Spec) -> Floats:
-    """Return a sensible range: the gain from 0 to its limit, counts one by one, else half to twice the value."""
+    """Return the default values of an axis: gain from 0 to its limit, counts one by one, other keys half to twice."""
     current, pairs = current_value(spec, key.path), spec.friction_group.pairs
     if key.path == "control_unit.gain":
         own = build(spec)
         start = float(own.get("gain_threshold", 0.0))
-        return np.linspace(start, own.get("gain_limit", max(2 * float(own["gain"]), start + 5.0)), 26)
+        return np.linspace(start, own.get("gain_limit", max(2 * own["gain"], start + 5.0)), 26)
     if key.path == "control_unit.gain_slope":
         return np.linspace(0.0, 2 * float(build(spec).constant_torque_slope) if spec.kind.travels else 0.0, 41)
     if key.path == "friction_group.driving_pairs":
@@ -151,14 +150,14 @@ def default_range(key: Key, spec: Spec) -> Floats:
 
 
 def _whole(low: int, high: int) -> Floats:
-    """Every whole number of a range, or as many as are worth a row each."""
+    """Whole numbers from ``low`` to ``high``, at most ``_MOST_COUNTED`` of them, evenly spaced."""
     if high - low < _MOST_COUNTED:
         return np.arange(low, high + 1, dtype=float)
     return np.unique(np.rint(np.linspace(low, high, _MOST_COUNTED)))
 
 
 def feasible(spec: Spec, path: str, current: float, end: float) -> float:
-    """Draw an end of a range in to where the spec is valid and the clutch can be built."""
+    """Return ``end`` of a range or, if no clutch can be built there, the nearest value at which it can (bisection)."""
 
     def builds(value: float) -> bool:
         try:
@@ -177,7 +176,7 @@ def feasible(spec: Spec, path: str, current: float, end: float) -> float:
 
 
 def current_value(spec: Spec, path: str) -> float | None:
-    """Return the value at ``path`` as the engines see it; None when absent."""
+    """Return the number at ``path`` or None; mean radius and mean friction may also follow from other keys."""
     if path == "friction_group.mean_radius":
         return float(build(spec).mean_radius)
     group, _, end = path.rpartition(".")
@@ -188,14 +187,14 @@ def current_value(spec: Spec, path: str) -> float | None:
 
 
 def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
-    """Say which keys of the spec a sweep has taken the place of, and ask after its numbers without a unit."""
+    """Findings on keys of the spec that a sweep replaces, and on numbers without a unit in its axes."""
     gone = edit.replaced(spec, [axis.key.path for axis in axes])
     asked = [axis.question for axis in axes if axis.question]
     return [*asked, *(finding("sweep-replaces", "info", path=path, by=by) for path, by in gone.items())]
 
 
 def grid(axes: Sequence[Axis]) -> list[Floats]:
-    """Coordinates of every point of the grid by axis, flat, the first axis slowest."""
+    """Values at every point of the grid, one flat array per axis; the first axis varies slowest."""
     count = math.prod(axis.values.size for axis in axes)
     if count > MOST_POINTS:
         raise AfmcalcError(
@@ -219,9 +218,9 @@ def series(
     open_at: Sequence[str] = (),
     block: int = BLOCK,
 ) -> list[S] | None:
-    """Sweep ``outputs`` over the grid of ``axes``, one series per axis; None without axes.
+    """Sweep ``outputs`` (column → quantity) over the grid of ``axes``; return one series per axis, None without axes.
 
-    ``open_at`` names the columns that have None where there is no finite number.
+    ``open_at`` names the columns in which None replaces a number that is not finite.
     """
     if not axes:
         return None

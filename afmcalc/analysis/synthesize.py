@@ -23,7 +23,7 @@ from .pocket_wall import WallPoint, wall_of
 
 Basis = Literal["given", "hertz-ball-on-flat", "hertz-ball-on-curved-wall"]
 _GAINS = 1.02 ** np.arange(1, 121)
-"""Gains tried, over that of the clutch, for one with which a curved wall can be cut."""
+"""Factors by which the gain is raised, one after the other, until a curved wall can be cut."""
 
 
 class SynthesisResult(Asking, Answer):
@@ -36,6 +36,7 @@ class SynthesisResult(Asking, Answer):
     gain_slope: float | None = asked(optional=True)
     ball_circle_radius: float = asked()
     travel_max: float = asked()
+    wear_play: float | None = asked(optional=True)
     face_gap: float = asked()
     edge_clearance: float = asked()
     ball_radius: float = asked()
@@ -54,20 +55,22 @@ class SynthesisResult(Asking, Answer):
     contact_utilisation: float | None = quantity("1", "F_n/[F_n]", "utilisation of the contact")
     contact_force_hertz: float | None = asked(optional=True)
     contact_pressure: float | None = asked(optional=True)
+    allowable_pressure: float | None = asked(optional=True)
+    static_safety: float | None = asked(optional=True)
     wall: list[WallPoint] | None = described(
         "curved wall from the stop to the face, from the ball's centre at the stop", optional=True
     )
 
     @property
     def ball_diameter(self) -> float:
-        """The ball chosen, or the smallest where none is."""
+        """Diameter of the chosen ball, m; the smallest diameter needed if no ball in the list is large enough."""
         return 2 * self.ball_radius if self.ball_diameter_standard is None else self.ball_diameter_standard
 
 
 def pocket(clutch: Clutch) -> tuple[SynthesisResult, list[Finding]]:
     """Design the control unit of a clutch.
 
-    Raises SpecError: the spec lacks what synthesis needs.
+    Raises SpecError if the spec lacks what synthesis needs.
     """
     spec, unit = clutch.spec, _unit(clutch)
     diameter = float(clutch["ball_diameter_standard"])
@@ -78,40 +81,42 @@ def pocket(clutch: Clutch) -> tuple[SynthesisResult, list[Finding]]:
         unknown |= {"ball_pitch": None, "web": None}
     if chosen is None:
         unknown |= {"edge_clearance_standard": None}
+    if not clutch["wear_play"]:
+        unknown |= {"wear_play": None}
     result = answer(
         SynthesisResult, clutch, ball_diameter_standard=chosen,
         ball_designation=None if chosen is None else ball_designation(chosen),
         wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None, **unknown,
         **_contact(clutch, unit, by_hertz=chosen is not None and wall.can_be_cut),
     )  # fmt: skip
-    remarks = _remarks(spec, unit, result, clutch["balls_listed"])
+    remarks = _remarks(clutch, unit, result, clutch["balls_listed"])
     return result, [*clutch_findings(clutch), *failures_of(spec, clutch, "pocket"), *remarks]
 
 
 def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[str, Any]:
-    """Hold the contact of a ball against every limit that the spec gives, or against Hertz where it gives none.
+    """Fields of the result on a ball's contact: its force, and the given limit, the Hertzian limit, or both limits.
 
-    ``by_hertz``: there is such a ball, and its wall can be cut, so that Hertz tells what it may carry.
+    ``by_hertz``: True if a ball is chosen and its wall can be cut, as the Hertzian limit needs.
     """
     given, curved = unit.allowable_contact_force, "path_steepening" in clutch
-    if unit.balls is None:  # what one may carry does not depend on their number
+    if unit.balls is None:  # the limit of one ball does not depend on the number of balls
         clutch = clutch.at(balls=1)
     limits: list[tuple[float, Basis]] = [] if given is None else [(given, "given")]
-    hertz = float(clutch["contact_force_hertz"]) if by_hertz and (given is None or unit.contact is not None) else None
+    hertz = clutch["contact_force_hertz"] if by_hertz and (given is None or unit.contact is not None) else None
     if hertz is not None:
         limits.append((hertz, "hertz-ball-on-curved-wall" if curved else "hertz-ball-on-flat"))
     allowable, basis = min(limits, key=lambda limit: limit[0], default=(None, None))
-    force = None if unit.balls is None else float(clutch["contact_force"])
+    force = None if unit.balls is None else clutch["contact_force"]
     return {
         "contact_force": force, "contact_force_allowable": allowable, "contact_basis": basis,
         "contact_utilisation": force / allowable if force is not None and allowable else None,
         "contact_force_hertz": hertz,
-        "contact_pressure": float(clutch["contact_pressure"]) if force is not None and by_hertz else None,
+        "contact_pressure": clutch["contact_pressure"] if force is not None and by_hertz else None,
     }  # fmt: skip
 
 
 def _unit(clutch: Clutch) -> ControlUnit:
-    """Return the control unit; refuse a clutch without what synthesis needs."""
+    """Return the control unit. Raises SpecError if the unit, its ball circle or its gain is missing."""
     spec, unit = clutch.spec, clutch.spec.control_unit
     if unit is None:
         raise spec.refused("variant", say("has no control unit, so no pockets"), spec.variant)
@@ -123,7 +128,7 @@ def _unit(clutch: Clutch) -> ControlUnit:
 
 
 def completed(result: SynthesisResult) -> dict[str, Any]:
-    """Return the keys of the control unit as designed: wall angle, in place of a gain, ball, gap and clearance."""
+    """Return path → value of the control unit as designed: wall angle (not gain), ball circle, ball, gap, clearance."""
     names = ("wall_angle", "ball_circle_radius", "face_gap", "edge_clearance")
     changes = {f"control_unit.{name}": getattr(result, name) for name in names}
     if result.ball_diameter_standard is not None:
@@ -131,13 +136,16 @@ def completed(result: SynthesisResult) -> dict[str, Any]:
     return changes
 
 
-def _remarks(spec: Spec, unit: ControlUnit, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:
-    """Say what is taken where the spec says nothing, how the ball is held, and what would make a wall possible."""
+def _remarks(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:
+    """Yield findings on assumed values, sleeve travel, seat of the ball, and a gain with which the wall can be cut."""
+    spec = clutch.spec
     for key in ("face_gap", "edge_clearance"):
         if getattr(unit, key) is None:
             yield finding("default-clearance", "info", value=getattr(result, key), path=f"control_unit.{key}")
     if not spec.kind.travels:
-        yield finding("no-sleeve-travel", "info", value=0.0)
+        play = clutch["wear_play"]
+        code = "no-sleeve-travel/worn" if play else "no-sleeve-travel"
+        yield finding(code, "info", value=play, path="heat.lining")
     if (limit := result.undercut_radius) is not None:
         yield finding("ball-slides-in-seat", "info", path=f"control_unit.{'pocket' if unit.pocket else 'gain_slope'}")
         if result.ball_diameter >= 2 * limit and (gain := _gain_that_can_be_cut(spec, sizes)) is not None:
@@ -145,15 +153,19 @@ def _remarks(spec: Spec, unit: ControlUnit, result: SynthesisResult, sizes: Sequ
     if unit.balls is None:
         yield finding("balls-not-given", "info", path="control_unit.balls")
     elastic = unit.elasticity
-    if unit.contact is None and result.contact_pressure is not None:
+    if result.contact_pressure is None:
+        return
+    if unit.static_safety is None and result.contact_force_hertz is not None:
+        yield finding("static-safety-assumed", "info", value=1.0, limit=1.5, path="control_unit.static_safety")
+    if unit.contact is None:
         yield finding(
-            "contact-assumed", "info", value=result.contact_pressure, limit=elastic.allowable_pressure,
+            "contact-assumed", "info", value=result.contact_pressure, limit=result.allowable_pressure,
             path="control_unit.contact", modulus=elastic.wall_modulus, poisson=elastic.wall_poisson,
         )  # fmt: skip
 
 
 def _gain_that_can_be_cut(spec: Spec, sizes: Sequence[float]) -> float | None:
-    """Smallest gain, in steps of 2 %, with which a standard ball is large enough and does not undercut."""
+    """Smallest gain, in steps of 2 %, with which a standard ball is large enough and undercuts no wall, else None."""
     gains = float(quantities_of(spec)["gain"]) * _GAINS
     with np.errstate(all="ignore"):
         steeper = quantities_of(with_key(spec, "control_unit.gain", float(gains[0]))).at(gain=gains)

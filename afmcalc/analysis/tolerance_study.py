@@ -1,4 +1,4 @@
-"""Torque, life and peaks when making and service scatter: a random sample, its quantiles, risks and Sobol indices."""
+"""Scatter of torque, life and peak torque under tolerances: a random sample, its quantiles, risks, Sobol indices."""
 
 import math
 from collections import ChainMap
@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
-from typing import Any, ClassVar, TypeAlias
+from typing import Any, ClassVar, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,46 +15,47 @@ from ..drive.cases import case_of
 from ..engines import Clutch, build
 from ..engines.evaluate import BLOCK
 from ..equations import life as law
-from ..equations.arrays import Values, finite
+from ..equations.arrays import Values
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
 from ..progress import counted
 from ..result import Answer, Result, described, quantity, shown_as
 from ..spec import Spec
-from ..spec.edit import value_at, with_key, with_nominal_torque, with_values
+from ..spec.edit import value_at, with_key, with_values
 from ..spec.keys import scatter_at
 from ..spec.scatter import FRICTION, Distribution, Kind, Setting, Tolerance, percentage
+from ..spec.write import lacking
 from .clutch_findings import clutch_findings
 from .drive_result import dynamic_factor
 from .registry import ANALYSES
 
 Array: TypeAlias = NDArray[np.float64]
 Sample: TypeAlias = Mapping[str, Array]
-"""Path of what scatters → its values."""
+"""Path of a key that scatters → its values, one for each clutch."""
 Quantile: TypeAlias = Callable[[Array], Array]
-"""Probability → value not exceeded with it, truncation included."""
+"""Quantile function of a truncated distribution: probability → value that is not exceeded with this probability."""
 
 BATCHES = 32
-"""Parts of a sample whose spread is the standard error."""
+"""Number of batches of a sample; the spread of a statistic over the batches gives its standard error."""
 EVENTS = 64
-"""Events simulated over the friction."""
-SLIPS = 5_000_000
-"""Slips whose damage is calculated: those of as many clutches as that allows."""
+"""Number of friction values at which the event is simulated."""
+SLIPS = 2_500_000
+"""Largest number of slips whose damage is calculated; it limits the number of clutches in the sample."""
 ROBUST = (0.995, 0.005)
 """Probabilities whose quantiles stand for the largest and smallest torque."""
 CENTRAL = (0.0005, 0.9995)
-"""Probabilities between whose quantiles the histogram lies: a long tail would leave its bars no width."""
+"""Probabilities whose quantiles are the ends of the histogram: a whole long tail would make its bars too wide."""
 _BARS, _LEAST_MASS = 60, 1e-3
 _UNSURE, _HEAVY = 0.025, 10.0
-"""Relative standard error of the standard deviation, and kurtosis, beyond which that error is too small itself."""
+"""Relative standard error of the standard deviation, and kurtosis: if both are larger, the error is underestimated."""
 _ONLY_SETTING = ("adjustment.", *(f"friction.{end}" for end in ("min", "mean", "max", "driving.", "driven.")))
-"""Keys that act on a clutch through its setting alone."""
+"""Beginnings of the keys that affect a clutch only through its setting."""
 _CLOSING_FORCE, _CONTROL_FORCE = "closing_spring.force", "control_spring.force"
 
 
 def _error(of: str, figure: Any) -> Any:
-    """Declare the field of the standard error of a figure, ``figure`` being the field above of the name ``of``."""
+    """Declare the field for the standard error of the field ``figure``, whose name is ``of``."""
     shown = shown_as(figure)
     optional = not figure.is_required()
     return quantity(shown.unit, f"± {shown.symbol}", "standard error of it", optional=optional, error_of=of)
@@ -169,9 +170,9 @@ def _distribution(kind: Kind, center: float, spread: float, low: float, high: fl
 
 
 def input_of(spec: Spec, path: str, given: Distribution) -> tuple[InputRow, Quantile]:
-    """Return how a number scatters: as given, else by the range of friction or the value of the key.
+    """Return row and quantile function of a key; numbers not given follow from the key's value or range in the spec.
 
-    Raises CalculationError: a number that the spec does not have, or a distribution beyond what the number may be.
+    Raises CalculationError if the spec does not have the key, or if the distribution exceeds the limits of the key.
     """
     about, kind, bounded = scatter_at(path), given.distribution, given.distribution in ("uniform", "triangular")
     assert about is not None
@@ -219,9 +220,9 @@ def input_of(spec: Spec, path: str, given: Distribution) -> tuple[InputRow, Quan
 
 
 def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
-    """Return the spec of the samples: as-made the springs of the nominal clutch, each-adjusted those a sample needs.
+    """Return the spec of the samples, with springs of the nominal clutch (as-made) or set anew (each-adjusted).
 
-    Raises SpecError: a field scatters that this clutch does not have, or that could have no effect.
+    Raises SpecError if a key scatters that the clutch does not have, or that cannot have an effect.
     """
     spec, as_made, unlike = clutch.spec, given.setting == "as-made", clutch.spec.friction.unlike
     follows = _CONTROL_FORCE if spec.kind.travels else _CLOSING_FORCE
@@ -239,34 +240,34 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
             continue
         raise spec.refused(f"tolerance.fields.{path}", message)
     if spec.fatigue is not None and spec.drive.dynamic_factor is None:
-        # the life of every sample takes that of the nominal clutch
+        # the dynamic factor of the nominal clutch holds for all samples
         from .simulate import simulate
 
         spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(spec.drive, lambda: simulate(clutch)[0])})
     if as_made:
         spec = with_key(spec, _CLOSING_FORCE, float(clutch.closing_force))
     elif not spec.kind.travels:
-        spec = with_nominal_torque(spec, float(clutch.nominal_torque))
+        spec = with_key(spec, "adjustment.nominal_torque", float(clutch.nominal_torque))
     if spec.kind.travels:
         spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
     if "gain_slope" in clutch:
-        # pockets are cut once, for the nominal clutch
+        # the pockets of the nominal clutch hold for all samples
         spec = with_key(spec, "control_unit.gain_slope", float(clutch.gain_slope))
     return spec
 
 
 @dataclass(frozen=True)
 class Model:
-    """A clutch and the numbers of it that scatter."""
+    """Spec of a clutch, and the quantile functions of the keys that scatter."""
 
     spec: Spec
     inputs: Mapping[str, Quantile]
     correlation: float = 0.0
-    """Of the normal scores of f_1 and f_2."""
+    """Correlation of the normal scores of f_1 and f_2."""
 
     @property
     def groups(self) -> dict[str, list[int]]:
-        """Name → places of the inputs that scatter independently of all others: one, or both correlated frictions."""
+        """Name → indices of one input, or of both correlated frictions; groups scatter independently of each other."""
         frictions = " + ".join(path for path in self.inputs if path in FRICTION)
         groups: dict[str, list[int]] = {}
         for place, path in enumerate(self.inputs):
@@ -275,7 +276,7 @@ class Model:
         return groups
 
     def sample(self, probabilities: Array) -> Sample:
-        """Return values from independent probabilities, a row for each input; f_1 and f_2 by a Gaussian copula."""
+        """Return a sample from independent probabilities, one row per input; a Gaussian copula links f_1 and f_2."""
         from scipy.special import ndtr, ndtri
 
         rows = list(probabilities)
@@ -286,7 +287,7 @@ class Model:
         return {path: quantile(row) for (path, quantile), row in zip(self.inputs.items(), rows, strict=True)}
 
     def over(self, sample: Sample, output: Callable[[Clutch, Sample], Values], block: int = BLOCK) -> Array:
-        """Return what ``output`` gives of the clutches of a sample, calculated in blocks."""
+        """Return ``output`` for each clutch of a sample, calculated in blocks of clutches."""
         size, parts = next(iter(sample.values())).size, []
         with np.errstate(all="ignore"):
             for start in counted(say("sampling"), range(0, size, block)):
@@ -298,14 +299,14 @@ class Model:
 
 
 def _at(clutch: Clutch, sample: Sample) -> tuple[Values, Values]:
-    """f_1 and f_2 of a sample, twice the same with one material; the mean where none scatters."""
+    """Frictions f_1 and f_2 of a sample, equal for one material; the mean of the spec if friction does not scatter."""
     names = FRICTION[1:] if clutch.spec.friction.unlike else FRICTION[:1] * 2
     first, second = (sample.get(name, own.mean) for name, own in zip(names, clutch.spec.friction.groups, strict=True))
     return first, second
 
 
 def _torque(clutch: Clutch, sample: Sample) -> Values:
-    """Slip torque, N·m; NaN where feedback does not overcome the friction at the key, or the faces have no width."""
+    """Slip torque, N·m; NaN if the feedback does not overcome feather-key friction, or the faces have no width."""
     group, possible = clutch.spec.friction_group, np.array(True)
     if group.inner_radius is not None and group.outer_radius is not None:
         possible = possible & (group.inner_radius < group.outer_radius)
@@ -315,10 +316,10 @@ def _torque(clutch: Clutch, sample: Sample) -> Values:
 
 
 def lives(model: Model, sample: Sample) -> tuple[Array, Array]:
-    """Return slips to failure of the shaft of each clutch, protected and unprotected side (Miner).
+    """Return each clutch's number of slips to failure of the shaft, on the protected and unprotected side (Miner).
 
-    Friction varies from slip to slip, each does the damage 1/N(T): the mean of it by the trapezoidal rule over the
-    normal scores of the friction. All torques of the unprotected side are k_д times those of the protected one.
+    Friction varies from slip to slip, and each slip does the damage 1/N(T). The mean damage is integrated by the
+    trapezoidal rule over the normal scores of friction. Torques on the unprotected side are k_д times as large.
     """
     from scipy.special import ndtr
 
@@ -340,10 +341,10 @@ def lives(model: Model, sample: Sample) -> tuple[Array, Array]:
 
 
 def peaks(model: Model, clutch: Clutch, sample: Sample, torque: Array) -> Array:
-    """Return the peak torque in the shaft, N·m, of each sample, from events of the nominal clutch over the friction.
+    """Return the peak torque in the shaft of each sample, N·m, from events of the nominal clutch over its friction.
 
-    Interpolated in the friction; by what a sample has more torque there, it goes on with the slope of peak over torque.
-    Unless the spec gives a load, it is the machine's torque of the nominal clutch.
+    The peak is interpolated over friction, then extrapolated to the torque of the sample by the slope of peak over
+    torque. The load is the load of the spec, else the rated torque at the nominal clutch.
     """
     load = clutch.spec.drive.load_torque
     given = {path: float(np.median(values)) for path, values in sample.items() if path not in FRICTION}
@@ -356,14 +357,14 @@ def peaks(model: Model, clutch: Clutch, sample: Sample, torque: Array) -> Array:
     peak, own = case_of(nominal, *path).peaks().peak, nominal.at_friction(*path)["torque"]
     places = [(values - low) / (width or 1.0) for values, low, width in zip(sampled, lows, widths, strict=True)]
     with np.errstate(all="ignore"):
-        # a clutch that sticks passes no more with more torque, one that slips no more than in proportion to it
+        # slope between 0 (the clutch sticks and the peak does not grow) and proportional (the clutch slips)
         slope = np.fmin(np.fmax(np.gradient(peak) / np.gradient(own), 0.0), peak / own)
     at_sample = partial(np.interp, (places[0] + places[1]) / 2, share)
     return at_sample(peak) + at_sample(slope) * (torque - at_sample(own))
 
 
 def sobol_rows(model: Model, base: int, random: np.random.Generator) -> list[IndexRow]:
-    """Return first-order and total Sobol indices of the torque, by a base sample of a power of two."""
+    """Return first-order and total Sobol indices of the torque; ``base`` samples are rounded up to a power of two."""
     from scipy.stats import sobol_indices
 
     size = BATCHES << max(math.ceil(math.log2(base / BATCHES)), 1)
@@ -372,15 +373,15 @@ def sobol_rows(model: Model, base: int, random: np.random.Generator) -> list[Ind
     mixed = [np.where(np.isin(places, group), other, one) for group in model.groups.values()]
     torques = np.array([model.over(model.sample(drawn), _torque) for drawn in (one, other, *mixed)])
     kept = np.isfinite(torques).all(axis=0)
-    # rows with a sample that is no clutch count nothing: all else is proportional to the rows that remain
+    # rows with an impossible clutch are set to the mean, so that they add to no variance
     torques = np.where(kept, torques, torques[:2, kept].mean() if kept.any() else 0.0)
 
     def indices(batches: int) -> Array:
         first, second, *others = torques.reshape(-1, batches, size // batches)
-        # one row more, which is none of them: of a single one SciPy gives no list
+        # a dummy input is added and dropped below: for a single input SciPy gives no list
         found = sobol_indices(func={"f_A": first, "f_B": second, "f_AB": np.array([*others, first])}, n=size // batches)
         orders = [order.reshape(batches, -1) for order in (found.first_order, found.total_order)]
-        return np.nan_to_num(orders)[:, :, :-1]
+        return np.round(np.nan_to_num(orders)[:, :, :-1], 12)  # rounding errors of 1e-18 become 0
 
     with np.errstate(all="ignore"):
         values, errors = indices(1)[:, 0], np.std(indices(BATCHES), axis=1, ddof=1) / BATCHES**0.5
@@ -391,23 +392,25 @@ def sobol_rows(model: Model, base: int, random: np.random.Generator) -> list[Ind
 
 
 def estimate(name: str, figure: Callable[..., Any], values: Array, least: float = 0.0) -> dict[str, Any]:
-    """Return a figure of a sample and its standard error, from its spread over batches, as fields of the result.
+    """Return a statistic of a sample and its standard error (from the spread over batches), as fields of the result.
 
-    Raises OverflowError: it is beyond the range of numbers.
+    Raises OverflowError if the statistic or its error is not finite.
     """
     batches = values[: values.size - values.size % BATCHES].reshape(BATCHES, -1)
     spread = np.std(figure(batches, axis=-1), ddof=1)
     value, error = float(figure(values)), max(float(spread) / BATCHES**0.5, least)
-    return {name: finite(value), f"{name}_standard_error": finite(error)}
+    if not math.isfinite(value + error):
+        raise OverflowError
+    return {name: value, f"{name}_standard_error": error}
 
 
 def _share(name: str, counts: NDArray[np.bool_]) -> dict[str, Any]:
-    """Estimate a probability; where every sample or none counts, the spread is 0, but the error is not."""
+    """Estimate a probability; its standard error is at least 1/n, even if all samples count, or no sample does."""
     return estimate(name, np.mean, counts.astype(float), least=1 / counts.size)
 
 
 def histogram(torques: Array) -> list[Bar]:
-    """Return bars of equal width, the fewer the smaller the sample (2·∛n, at most 60)."""
+    """Return 2·∛n bars of equal width, at most 60; an empty list if the torque does not scatter."""
     low, high = np.quantile(torques, CENTRAL)
     if high - low <= 1e-9 * abs(high):
         return []
@@ -420,16 +423,13 @@ def histogram(torques: Array) -> list[Bar]:
 def tolerance(clutch: Clutch) -> tuple[ToleranceResult, list[Finding]]:
     """Calculate the distribution of torque, life and peaks by the [tolerance] block of the spec.
 
-    Raises SpecError: no [tolerance] block, or a field that the clutch does not have; CalculationError: hardly any
-    sample is a clutch.
+    Raises SpecError if there is no [tolerance] block, or if the clutch lacks one of the keys that are to scatter;
+    CalculationError if hardly any sample is a possible clutch.
     """
     given, machine = _block(clutch.spec), float(clutch.machine_torque)
-    spec, random = with_setting(clutch, given), np.random.default_rng(given.seed)
-    inputs = {path: input_of(spec, path, field) for path, field in given.fields.items()}
-    quantile_of = {path: quantile for path, (_, quantile) in inputs.items()}
-    model = Model(spec, quantile_of, given.friction_correlation or 0.0)
-    sample = model.sample(random.random((len(inputs), given.samples)))
-    torque = model.over(sample, _torque)
+    random = np.random.default_rng(given.seed)
+    inputs, model, sample, torque = _sampled(clutch, given, random)
+    spec = model.spec
     possible = ~np.isnan(torque)
     if possible.sum() < 2 * BATCHES:
         raise CalculationError(
@@ -460,28 +460,45 @@ def tolerance(clutch: Clutch) -> tuple[ToleranceResult, list[Finding]]:
         quantiles.append(QuantileRow(probability=p, **dict(ChainMap(*rows))))
     result = ToleranceResult(
         setting=given.setting, samples=given.samples, torque_limit=given.torque_limit, machine_torque=machine,
-        inputs=[row for row, _ in inputs.values()], sobol=sobol_rows(model, given.sobol_base, random),
+        inputs=inputs, sobol=sobol_rows(model, given.sobol_base, random),
         quantiles=quantiles, histogram=histogram(torque), **fields,
     )  # fmt: skip
     return result, [*clutch_findings(clutch), *_findings(given, result, torque)]
 
 
+def exceedance(clutch: Clutch) -> float:
+    """Return the probability of a torque above the limit, as in ``tolerance``, without life, peaks and indices."""
+    given = _block(clutch.spec)
+    *_, torque = _sampled(clutch, given, np.random.default_rng(given.seed))
+    return float(np.mean(torque[~np.isnan(torque)] > cast(float, given.torque_limit)))
+
+
+def _sampled(
+    clutch: Clutch, given: Tolerance, random: np.random.Generator
+) -> tuple[list[InputRow], Model, Sample, Array]:
+    """Return rows of the inputs that scatter, model of the clutches, sample of the inputs, and its torques, N·m."""
+    spec = with_setting(clutch, given)
+    inputs = {path: input_of(spec, path, field) for path, field in given.fields.items()}
+    quantiles = {path: quantile for path, (_, quantile) in inputs.items()}
+    model = Model(spec, quantiles, given.friction_correlation or 0.0)
+    sample = model.sample(random.random((len(inputs), given.samples)))
+    return [row for row, _ in inputs.values()], model, sample, model.over(sample, _torque)
+
+
 def _block(spec: Spec) -> Tolerance:
-    """The [tolerance] block; a torque that the requirements limit is the limit whose exceedance is asked for."""
+    """The [tolerance] block, its default torque limit requirements.torque_max; SpecError if there is no such block."""
     given = spec.tolerance
     if given is None:
-        message = say(
-            'required by tolerance, for example [tolerance.fields] "closing_spring.force" = '
-            '{{ distribution = "normal", spread = "5 %" }}'
-        )
-        raise spec.refused("tolerance", message)
+        fields = [] if spec.friction.unlike else ["tolerance.fields.friction"]
+        fields += ["tolerance.fields.closing_spring.force"]
+        raise lacking(spec, "tolerance", say("[tolerance.fields]: what scatters, and how"), "tolerance", fields)
     if given.torque_limit is None and spec.requirements is not None:
         return given.model_copy(update={"torque_limit": spec.requirements.torque_max})
     return given
 
 
 def _findings(given: Tolerance, result: ToleranceResult, torque: Array) -> Iterator[Finding]:
-    """Remarks in the order of the [tolerance] block, then on the figures."""
+    """Yield findings on the keys of the [tolerance] block, then on the statistics."""
     paths = given.fields.keys()
     if not paths <= set(FRICTION):
         yield finding(given.setting, "info", path="tolerance.setting")

@@ -1,7 +1,9 @@
 """Torque and forces of the slipping clutch."""
 
 from collections.abc import Iterable
-from typing import TypeVar
+from typing import ClassVar, TypeVar
+
+from pydantic import ConfigDict, SerializeAsAny
 
 from ..engines import Clutch
 from ..engines.quantities import Quantities
@@ -15,6 +17,9 @@ from .clutch_findings import clutch_findings
 class FrictionPoint(Asking):
     """The slipping clutch at one chosen friction."""
 
+    model_config = ConfigDict(json_schema_extra={"additionalProperties": True})
+    details_of: ClassVar[str] = "torque"
+
     friction: float | None = asked(description="coefficient of friction of all pairs", optional=True)
     friction_driving: float | None = asked(optional=True)
     friction_driven: float | None = asked(optional=True)
@@ -22,11 +27,6 @@ class FrictionPoint(Asking):
     normal_force: float = asked()
     release_force: float = asked()
     travel: float | None = asked(optional=True)
-    driving_torque: float | None = asked(optional=True, details=True)
-    driven_torque: float | None = asked(optional=True, details=True)
-    circumferential_force: float | None = asked(optional=True, details=True)
-    key_friction_force: float | None = asked(optional=True, details=True)
-    stop_reaction: float | None = asked(optional=True, details=True)
     onset_torque: float | None = asked(optional=True, details=True)
 
 
@@ -41,6 +41,9 @@ class TorqueExtremes(Asking):
 
 class TorqueResult(Asking, Answer):
     """Torque, forces and accuracy over the friction range."""
+
+    details_of: ClassVar[str] = "torque"
+    details_are: ClassVar[type] = Triple
 
     nominal_torque: float = asked()
     machine_torque: float = asked()
@@ -58,22 +61,20 @@ class TorqueResult(Asking, Answer):
     release_force: Triple = asked()
     travel: Triple | None = asked(optional=True)
     torque_returning: Triple | None = asked(optional=True)
-    driving_torque: Triple | None = asked(optional=True, details=True)
-    driven_torque: Triple | None = asked(optional=True, details=True)
-    circumferential_force: Triple | None = asked(optional=True, details=True)
-    key_friction_force: Triple | None = asked(optional=True, details=True)
-    stop_reaction: Triple | None = asked(optional=True, details=True)
     onset_torque: Triple | None = asked(optional=True, details=True)
     motor_torque: float | None = asked(optional=True)
     torque_asked_for: float | None = asked(optional=True)
     starting_torque: float | None = asked(optional=True)
+    running_torque: float = asked(description="rated torque at the clutch")
+    trip_ratio_min: float = asked()
+    trip_ratio_max: float = asked()
     torque_range: TorqueExtremes = quantity("", "", "extremes")
     scatter: float = asked()
     accuracy_factor: float = asked(description="accuracy factor T_max/T_min")
-    points: list[FrictionPoint] | None = described("at the friction asked for", optional=True)
+    points: list[SerializeAsAny[FrictionPoint]] | None = described("at the friction asked for", optional=True)
 
     def words(self, name: str) -> str | None:
-        """Tell people nothing of extremes at the ends of the range: the triple of the torque shows them."""
+        """Empty text, which hides extremes at the ends of the range (the torque row shows these); else None."""
         path, extremes = self.friction or self.friction_driving, self.torque_range
         shown = path is not None and {extremes.at_low, extremes.at_high} <= {path.min, path.max}
         return "" if name == "torque_range" and shown else None
@@ -84,12 +85,12 @@ T = TypeVar("T")
 
 
 def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
-    """Calculate torque and forces over the friction range, and at pairs (f, None) or (f_1, f_2) asked for."""
+    """Calculate torque and forces over the friction range, and at the given frictions (f, None) or (f_1, f_2)."""
     spec = clutch.spec
     points = pairs_asked(clutch, friction)
     left_out = {"friction": None} if spec.friction.unlike else {"friction_driving": None, "friction_driven": None}
     if not spec.kind.travels:
-        left_out["pack_force_at_rest"] = None  # it is the spring's
+        left_out["pack_force_at_rest"] = None  # it equals the closing force
     result = answer(
         TorqueResult, clutch, torque_range=answer(TorqueExtremes, clutch),
         points=[_point(clutch, *pair, unlike=spec.friction.unlike) for pair in points] or None, **left_out,
@@ -108,7 +109,7 @@ def _point(clutch: Quantities, friction: float, friction_driven: float | None, *
 
 
 def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
-    """Return the frictions asked for. Raises CalculationError: two of a clutch that has one."""
+    """Return the given frictions; raises CalculationError if a clutch of one material gets a pair f_1, f_2."""
     points = list(friction)
     if not clutch.spec.friction.unlike and any(pair[1] is not None for pair in points):
         raise CalculationError(
@@ -118,14 +119,14 @@ def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
 
 
 def friction_fields(clutch: Clutch, friction: T, friction_driven: T | None) -> dict[str, T]:
-    """Return frictions as result fields: ``friction``, or one per group with unlike materials."""
+    """Return frictions as result fields: ``friction`` or, with unlike materials, a field for each group of pairs."""
     if not clutch.spec.friction.unlike:
         return {"friction": friction}
     return {"friction_driving": friction, "friction_driven": friction if friction_driven is None else friction_driven}
 
 
 def outside_range(clutch: Clutch, friction: float, friction_driven: float | None) -> list[Finding]:
-    """Say where a friction asked for lies outside the range of the spec."""
+    """Findings on a given friction that lies outside the friction range of the spec."""
     pair = (friction, friction if friction_driven is None else friction_driven)
     findings = [
         finding(

@@ -15,7 +15,7 @@ from .sweep import Axis, replaced, series
 from .torque import Pair, outside_range, pairs_asked
 
 SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)
-"""Shares of the load rise until slip at which the potential torque is listed."""
+"""Shares of the rise of the load until slip, at which the potential torque is listed."""
 
 
 class OverloadSweep(Asking, Series):
@@ -38,6 +38,8 @@ class OverloadPoint(Asking):
 
     friction: float = asked()
     potential_torque: float = asked(description="potential torque at T_н.маш")
+    potential_torque_bypass_first: float | None = asked(optional=True)
+    potential_torque_bound: float = asked()
     expected_torque: float = asked(description="expected slip torque")
     load_rise: float = asked()
     actuation_torque_published: float = asked()
@@ -58,11 +60,17 @@ class OverloadResult(Asking, Answer):
     """Overload of a clutch set at f_min with a margin over the machine's torque."""
 
     nominal_torque: float = asked(
-        "nominal_torque_at_overload", "nominal torque of the clutch, at f_min", symbol="T_н.муф"
+        "nominal_torque_at_overload",
+        "nominal torque of the clutch, set at f_min, as S22 does, whatever adjustment.method says",
+        symbol="T_н.муф",
     )
-    machine_torque: float = asked("machine_torque_at_overload", symbol="T_н.маш")
+    machine_torque: float = asked(
+        "machine_torque_at_overload", "nominal torque of the machine, T_н.муф over the margin", symbol="T_н.маш"
+    )
     margin: float = asked()
     potential_torque: Triple = asked()
+    potential_torque_bypass_first: Triple | None = asked(optional=True)
+    potential_torque_bound: Triple = asked()
     expected_torque: Triple = asked()
     potential_torque_gain: Triple | None = asked(optional=True)
     load_rise: Triple = asked()
@@ -86,15 +94,17 @@ def overload(
 ) -> tuple[OverloadResult, list[Finding]]:
     """Calculate the overload of an all-driving or differentiated clutch of one material.
 
-    Raises CalculationError: a variant S22 does not treat.
+    Raises CalculationError if S22 does not treat the variant, or unlike materials.
     """
     refuse(clutch)
     spec = clutch.spec
     points = pairs_asked(clutch, friction)
     trips = [clutch.at(friction=value) for value, _ in points]
+    first = {} if clutch["bypass_pairs"] else {"potential_torque_bypass_first": None}
+    alike = {} if clutch["bypass_pairs"] else {"potential_torque_gain": None}
     result = answer(
-        OverloadResult, clutch, **({} if clutch["bypass_pairs"] else {"potential_torque_gain": None}),
-        friction_interval=_interval(clutch), points=[answer(OverloadPoint, trip) for trip in trips] or None,
+        OverloadResult, clutch, **alike, **first, friction_interval=_interval(clutch),
+        points=[answer(OverloadPoint, trip, **first) for trip in trips] or None,
         loads=[answer(RisenLoad, risen) for trip in trips for risen in _loads(trip)] or None,
         sweep=series(OverloadSweep, spec, sweeps, asked_by(OverloadSweep, clutch)),
     )  # fmt: skip
@@ -106,14 +116,14 @@ def overload(
 
 
 def _loads(trip: Quantities) -> Iterator[Quantities]:
-    """Loads from T_н.маш up to slip; one where the pack slips under T_н.маш already."""
+    """Yield the clutch under loads from T_н.маш up to slip; only under T_н.маш if the clutch already slips there."""
     rise = trip["load_rise"]
     for share in SHARES if rise > 0 else (0.0,):
         yield trip.at(risen_load=share * rise)
 
 
 def refuse(clutch: Clutch) -> None:
-    """Refuse a variant S22 does not treat."""
+    """Raise CalculationError for a variant that S22 does not treat, or for unlike materials."""
     if not ANALYSES["overload"].applies(clutch):
         unlike, variant = clutch.spec.friction.unlike, clutch.spec.variant
         what = say("unlike materials") if unlike else say("variant {variant!r}", variant=variant)
@@ -123,7 +133,7 @@ def refuse(clutch: Clutch) -> None:
 
 
 def _interval(clutch: Quantities) -> list[float] | None:
-    """Friction where the published actuation torque is below the expected one, S22 (17), within the range."""
+    """Frictions between which the published actuation torque is below the expected torque, S22 (17), or None."""
     if clutch["reduced_gain"] == 0:
         return None
     ends = sorted((clutch["friction_at_equal_potential"], clutch["friction_at_unit_loop_gain"]))

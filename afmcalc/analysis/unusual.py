@@ -1,6 +1,6 @@
-"""Values that can be made, yet are so unusual that a slip of the pen is likelier than a purpose.
+"""Warnings of values that are possible, but so unusual that a typing error is likely.
 
-The ranges are wide: they are no limits of a design, they find a millimetre written for a metre.
+The ranges are no limits of a design: they are wide, and detect values typed in a wrong unit, such as mm for m.
 """
 
 import math
@@ -14,7 +14,7 @@ from ..spec.edit import value_at
 
 
 def unusual(clutch: Clutch) -> Iterator[Finding]:
-    """Warn of each figure that is beyond what is usual."""
+    """Yield a warning for each number outside its usual range."""
     linings = (clutch.spec.lists.materials or friction_materials()).values()
     least, most = min(lining.friction_min for lining in linings), max(lining.friction_max for lining in linings)
     for code, path, value, low, high in _figures(clutch):
@@ -26,21 +26,21 @@ def unusual(clutch: Clutch) -> Iterator[Finding]:
 
 
 def _figures(clutch: Clutch) -> Iterator[tuple[str, str, float, float, float]]:
-    """Figures of the design: code of its finding, key, value, and between what it usually lies."""
-    spec, radius = clutch.spec, float(clutch["mean_radius"])
+    """Yield numbers of the design: code of the finding, key, value, and the ends of the usual range."""
+    spec, radius = clutch.spec, clutch["mean_radius"]
     blocks = ("friction.driving", "friction.driven") if spec.friction.unlike else ("friction",)
     for path, friction in zip(blocks, spec.friction.groups, strict=False):
-        # the papers have 0.1 to 0.8; dry rubber and clean metal in a vacuum are beyond, neither is a friction lining
+        # the papers use 0.1 to 0.8; outside are dry rubber and clean metal in a vacuum, neither is a friction lining
         yield "unusual/friction", f"{path}.min", friction.min, 0.02, 1.0
         yield "unusual/friction", f"{path}.max", friction.max, 0.02, 1.0
     yield "unusual/mean-radius", "friction_group.mean_radius", radius, 0.01, 1.0
     yield "unusual/pairs", "friction_group.pairs", spec.friction_group.pairs, 1, 40
     yield "unusual/margin", "adjustment.margin", spec.adjustment.margin, 1.0, 3.0
-    # over a full disc of the mean radius; linings bear 0.05 to 2 MPa
-    pressure = float(clutch["pack_force_at_rest"]) / (math.pi * radius**2)
+    # pressure on a full circular area of the mean radius; linings bear 0.05 to 2 MPa
+    pressure = clutch["pack_force_at_rest"] / (math.pi * radius**2)
     yield "unusual/pressure", "closing_spring.force", pressure, 1e3, 5e6
     for name in ("closing", "control") if spec.kind.travels else ("closing",):
-        key, force = f"{name}_spring.stiffness", float(clutch[f"{name}_force"])
+        key, force = f"{name}_spring.stiffness", clutch[f"{name}_force"]
         if stiffness := value_at(spec, key):
             deflection = force / stiffness
             if math.isinf(deflection):
@@ -51,11 +51,11 @@ def _figures(clutch: Clutch) -> Iterator[tuple[str, str, float, float, float]]:
                     stiffness=stiffness,
                     force=force,
                 )
-            # a spring deflected by more is longer than the clutch is wide
+            # a spring with a larger deflection is longer than the clutch is wide
             yield "unusual/deflection", key, deflection, 0.0, 2 * radius
     if "ball_circle_radius" in clutch and clutch["gain"] > 0:
         path = "control_unit.wall_angle" if value_at(spec, "control_unit.gain") is None else "control_unit.gain"
-        # steeper the ball hardly bears along the axis, flatter it hardly bears around it
-        yield "unusual/wall-angle", path, float(clutch["wall_angle"]), math.radians(5), math.radians(60)
+        # the contact force is almost tangential at a smaller wall angle, almost axial at a larger angle
+        yield "unusual/wall-angle", path, clutch["wall_angle"], math.radians(5), math.radians(60)
         circle = clutch["ball_circle_radius"]
         yield "unusual/ball-circle", "control_unit.ball_circle_radius", circle, 0.2 * radius, 2 * radius

@@ -36,7 +36,7 @@ def torque(
     spec: SpecArgument = None,
     friction: FrictionOption = None,
     details: Annotated[
-        bool, Option("--details", help="Also what each group, the balls, the key and the stop bear (JSON always).")
+        bool, Option("--details", help="Also the loads of each group, the balls, the key and the stop (JSON: always).")
     ] = False,
     *,
     common: Common,
@@ -102,7 +102,7 @@ def overload(
 ) -> None:
     """Torque at which a clutch with a torque margin trips: potential, expected, actuation (S22).
 
-    At a friction asked for also the potential torque as the load rises from the machine's nominal torque up to slip.
+    With --friction also the potential torque there, as the load rises from the machine's nominal torque to slip.
 
     \b
     afmcalc overload clutch.toml
@@ -128,7 +128,7 @@ def life(
     """Cycles to failure on both sides of the clutch (S19).
 
     --sweep also takes dT, the scatter band at the T_min of the spec. The unprotected side takes drive.dynamic_factor,
-    without it the one of the event, simulated at every point of a sweep; once where dT or a key of [fatigue] is swept.
+    else the factor of the event, simulated at every point of a sweep, or once if dT or a key of [fatigue] is swept.
 
     \b
     afmcalc life clutch.toml
@@ -142,27 +142,25 @@ def life(
 @with_common
 def compare(
     specs: Annotated[list[str] | None, Argument(metavar="SPEC", help="Specs to set side by side.")] = None,
-    variants: Annotated[bool, Option("--variants", help="One spec as every variant it can be built as.")] = False,
+    variants: Annotated[bool, Option("--variants", help="One clutch built as each possible variant.")] = False,
     *,
     common: Common,
 ) -> None:
-    """Clutches side by side, or one pack as every variant.
+    """Clutches side by side, or one clutch as each variant.
 
     \b
     afmcalc compare a.toml b.toml
     afmcalc compare clutch.toml --variants
     """  # noqa: D301
-    from ..spec import resolved
-
     sources: list[str | None] = [*specs] if specs else [None]
     common.keep(*sources)
     clutches = [common.build(source) for source in sources]
     result, findings = common.ask(clutches, variants=variants)
-    common.emit(result, findings, resolved(clutches[0].spec))
+    common.emit(result, findings, clutches[0].spec)
 
 
 def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
-    """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
+    """Axes of ``--sweep``; with ``band`` an axis may also be dT, the scatter band."""
     if not sweep:
         return []
     from ..analysis.fatigue import parse_axes
@@ -171,7 +169,7 @@ def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) ->
 
 
 def friction_of(text: str) -> tuple[float, float | None]:
-    """Read ``F`` or ``F1,F2``."""
+    """Frictions f_1 and f_2 in a text ``F`` or ``F1,F2``; f_2 is None if the text has one friction for all pairs."""
     try:
         values = [float(part) for part in text.split(",")]
     except ValueError:

@@ -1,9 +1,10 @@
-"""Output: the standard streams, and files that are either whole or untouched; no file that exists is lost."""
+"""Output: standard streams, and files written whole or not at all; only ``--force`` replaces existing files."""
 
 import os
 import sys
 from collections.abc import Iterable
 from contextlib import suppress
+from errno import EISDIR
 from itertools import combinations
 
 from ..errors import LONGEST_LINE, AfmcalcError, FileError, reason
@@ -11,11 +12,11 @@ from ..messages import is_unicode, printable
 
 _FORMATS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
-"""Endings of what is no result."""
+"""Extensions of files that hold no result."""
 
 
 def format_of(output: str | None, asked: str | None) -> str:
-    """Return the format of a result: as asked, else as its file is named, else a table; refuse another ending."""
+    """Format of a result: ``asked``, else by the extension of its file, else table; other extensions are an error."""
     ending = _ending(output)
     if ending in _OTHERS:
         raise AfmcalcError(
@@ -35,25 +36,20 @@ def format_of(output: str | None, asked: str | None) -> str:
 
 
 def ending_of(option: str, path: str | None, *kinds: str, others: bool = False) -> str:
-    """Return the ending of a file, one of ``kinds``; with ``others`` also one that names no other kind of file."""
+    """Extension of a file: one of ``kinds``, with ``others`` also an unknown one; any other raises AfmcalcError."""
     ending = _ending(path)
     if ending not in kinds and (not others or ending in {*_FORMATS, *_OTHERS}):
         raise AfmcalcError("{option} {path}: end it in {kinds}", option=option, path=path, kinds=kinds)
     return ending
 
 
-def is_json_spec(path: str) -> bool:
-    """Return whether a file that gets a spec is JSON, by its name, not TOML; refuse another ending."""
-    return ending_of("--save", path, ".toml", ".json", others=True) == ".json"
-
-
 def picture_of(output: str | None, *kinds: str) -> str:
-    """Return the kind of picture that goes to a file, by its name, SVG to standard output; refuse others than kinds."""
+    """Kind of picture, one of ``kinds``, by the extension of its file; SVG for standard output."""
     return "svg" if output in (None, "-") else ending_of("--output", output, *(f".{kind}" for kind in kinds))[1:]
 
 
 def is_drawing(output: str | None) -> bool:
-    """Return whether a file gets a drawing, by its name, and no result."""
+    """True if the extension of a file belongs to a drawing, not to a result."""
     return _ending(output) in (".svg", ".dxf", ".pdf", ".png")
 
 
@@ -61,22 +57,37 @@ def _ending(path: str | None) -> str:
     return os.path.splitext(path or "")[1].lower()
 
 
+_STANDARD_OUTPUT = (None, "-", "/dev/stdout", "/dev/fd/1")
+
+
 def refuse(*paths: str | None, force: bool, inputs: Iterable[str | None] = ()) -> None:
-    """Refuse to write over what is read, two outputs to one file, and without ``force`` over a file that exists."""
-    written = [path for path in paths if path not in (None, "-") and (os.path.isfile(path) or not os.path.exists(path))]
-    for path in written:
+    """Raise an error if an output path has no folder, is an input, is used twice or, without ``force``, exists."""
+    named = [path for path in paths if path and path not in _STANDARD_OUTPUT and not _is_open(path)]
+    for path in named:
+        try:
+            os.stat(os.path.dirname(os.path.realpath(path)))
+            if os.path.isdir(path):
+                raise IsADirectoryError(EISDIR, os.strerror(EISDIR))
+        except OSError as error:
+            raise _unwritable(path, error) from None
         if any(_is_same(path, source) for source in inputs):
             raise AfmcalcError("{path}: is read itself; write to another file", path=path)
-    for path, other in combinations(written, 2):
+    for path, other in combinations(named, 2):
         if _is_same(path, other):
             raise AfmcalcError("{path} and {other} are one file: name two", path=path, other=other)
-    for path in written:
+    for path in named:
         if os.path.exists(path) and not force:
             raise _exists(path)
 
 
+def _is_open(path: str) -> bool:
+    """True for a device, a pipe, or a file named by its descriptor: these are written to, not replaced."""
+    exists = os.path.exists(path) and not os.path.isdir(path)
+    return exists and (path.startswith(("/dev/", "/proc/")) or not os.path.isfile(path))
+
+
 def _is_same(path: str, other: str | None) -> bool:
-    """True if two names are of one file, that exists or would be written."""
+    """True if two paths name the same file, existing or not."""
     if other in (None, "-") or os.path.exists(path) != os.path.exists(other):
         return False
     return os.path.samefile(path, other) if os.path.exists(path) else os.path.realpath(path) == os.path.realpath(other)
@@ -86,86 +97,102 @@ def _exists(path: str) -> AfmcalcError:
     return AfmcalcError("{path}: exists already; --force replaces it", path=path)
 
 
-def write(text: str, path: str | None, *, force: bool = False, utf8: bool = False) -> None:
-    """Write text to a file, or to standard output, there as UTF-8 whatever the locale where asked."""
-    if path is None or path == "-":
-        put(text, utf8=utf8)
+def _unwritable(path: str, error: OSError) -> FileError:
+    return FileError("{path}: cannot be written: {why}", path=path, why=reason(error))
+
+
+def write(content: str | bytes, path: str | None, *, force: bool = False, utf8: bool = False) -> None:
+    """Write to a file or to standard output; with ``utf8`` text on standard output is in UTF-8 whatever the locale."""
+    if path is None or path in _STANDARD_OUTPUT:
+        put(content, utf8=utf8)
     else:
-        write_file(path, text.encode("utf-8", "backslashreplace"), force=force)
+        content = content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content
+        write_file(path, content, force=force)
 
 
 def write_file(path: str, content: bytes, *, force: bool = False) -> None:
-    """Write a file that is either whole or untouched; one that exists only with ``force``.
+    """Write a file whole or not at all; an existing file is replaced only with ``force``.
 
     Raises:
         AfmcalcError: the file exists.
-        FileError: it cannot be written.
+        FileError: the file cannot be written.
     """
     try:
         target = os.path.realpath(path)
         if os.path.islink(target):
-            os.stat(target)  # links in a circle are an error
-        if os.path.exists(target) and not os.path.isfile(target):  # a device
-            with open(target, "wb") as file:
+            os.stat(target)  # raises an error for links that form a circle
+        if path in _STANDARD_OUTPUT:
+            sys.stdout.buffer.write(content)
+            sys.stdout.flush()
+        elif _is_open(path):
+            with open(path, "ab") as file:
                 file.write(content)
         else:
             _write_whole(target, content, force=force)
     except FileExistsError:
         raise _exists(path) from None
+    except BrokenPipeError:
+        pass  # its reader has had enough, as of standard output
     except OSError as error:
-        raise FileError("{path}: cannot be written: {why}", path=path, why=reason(error)) from None
+        raise _unwritable(path, error) from None
 
 
 def _write_whole(target: str, content: bytes, *, force: bool) -> None:
-    """Write a file beside its place, then move it there at once."""
+    """Write to a temporary file in the same folder, then move it into place in one step."""
     from tempfile import TemporaryDirectory
 
     with TemporaryDirectory(dir=os.path.dirname(target), prefix=".afmcalc-") as folder:
         whole = os.path.join(folder, "whole")
         with open(whole, "wb") as file:
             file.write(content)
-        if not force:
-            open(target, "xb").close()  # of several programs at once one creates it
-        try:
+            file.flush()
+            os.fsync(file.fileno())
+        if force:
             if os.path.exists(target):
                 os.chmod(whole, os.stat(target).st_mode & 0o777)
             os.replace(whole, target)
-        except BaseException:
-            if not force:
-                os.unlink(target)
+            return
+        try:
+            os.link(whole, target)  # fails if another program has created the file meanwhile
+        except FileExistsError:
             raise
+        except OSError:  # a file system without hard links
+            open(target, "xb").close()
+            os.replace(whole, target)
 
 
 def prepare() -> None:
-    """Let no stream fail because it is closed, or lacks a letter."""
-    sys.stdout = sys.stdout or open(os.devnull, encoding="utf-8")  # noqa: SIM115  # to write to it is an error
+    """Prepare the standard streams: those that are closed are replaced, characters outside their encoding escaped."""
+    sys.stdout = sys.stdout or open(os.devnull, encoding="utf-8")  # noqa: SIM115  # a write raises an error
     sys.stderr = sys.stderr or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if reconfigure := getattr(stream, "reconfigure", None):
             reconfigure(errors="backslashreplace")
 
 
-def put(text: str, *, utf8: bool = False) -> None:
-    """Write text to standard output, where asked as UTF-8 whatever the locale; a reader that left wants no more."""
+def put(content: str | bytes, *, utf8: bool = False) -> None:
+    """Write to standard output; with ``utf8`` text is in UTF-8 whatever the locale. A closed pipe is no error."""
     try:
-        if utf8 and not is_unicode(sys.stdout) and not sys.stdout.isatty():
+        if isinstance(content, str) and utf8 and not is_unicode(sys.stdout) and not sys.stdout.isatty():
+            content = content.encode()
+        if isinstance(content, bytes):
             sys.stdout.flush()
-            sys.stdout.buffer.write(text.encode())
+            sys.stdout.buffer.write(content)
         else:
-            sys.stdout.write(text)
+            sys.stdout.write(content)
         sys.stdout.flush()
     except BrokenPipeError:
         drop_output()
 
 
 def drop_output() -> None:
-    """Keep the interpreter from trying once more, as it ends, to write what could not be written."""
+    """Redirect standard output to the null device, so that the interpreter does not flush it again at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def tell(text: str) -> None:
-    """Say something on standard error: lines of a text stay lines, are not endless, and do not act on the terminal."""
-    with suppress(OSError):  # nobody listens
+    """Print a text on standard error: long lines are cut, control characters escaped."""
+    with suppress(OSError):  # standard error may be closed
         for line in text.split("\n"):
             shown = printable(line)
             print(shown if len(shown) <= LONGEST_LINE else f"{shown[: LONGEST_LINE - 3]}...", file=sys.stderr)

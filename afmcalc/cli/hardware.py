@@ -1,4 +1,4 @@
-"""Commands about parts and drive: pockets and balls, springs, the layout, what happens when the clutch trips."""
+"""Commands about parts and drive: pockets and balls, springs, layout, the trip of the clutch, neglected effects."""
 
 from typing import TYPE_CHECKING, Annotated
 
@@ -8,7 +8,7 @@ from ..analysis.registry import SpringKind, SpringOrder
 from ..errors import AfmcalcError, need
 from ..messages import say
 from .clutch import FrictionOption, SweepOption, axes_of, friction_of
-from .files import is_drawing, picture_of, refuse, write
+from .files import ending_of, is_drawing, picture_of, refuse, write
 from .options import Common, SaveOption, SpecArgument, with_common
 
 if TYPE_CHECKING:
@@ -27,7 +27,6 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
     afmcalc pocket clutch.toml --json | afmcalc torque -
     """  # noqa: D301
     from ..analysis.synthesize import completed
-    from ..spec.edit import respecified
 
     clutch, drawing = _clutch(common, spec, "svg", "dxf", save=save)
     if drawing:
@@ -38,12 +37,11 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
     else:
         result = common.calculate(clutch).result
     if save:
-        changes = completed(result)
-        common.save_spec(clutch.spec, changes, respecified(clutch.spec, changes), save)
+        common.save_spec(clutch.spec, completed(result), save)
 
 
 def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = None) -> "tuple[Clutch, str | None]":
-    """Build the clutch of a spec; return with it the kind of drawing that --output asks for, if any."""
+    """Clutch of a spec, and the format of the drawing if the file of --output is a drawing, else None."""
     if not is_drawing(common.output):
         common.keep(spec, save=save)
         return common.build(spec), None
@@ -51,15 +49,11 @@ def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = No
     refuse(common.output, save, force=common.force, inputs=[spec])
     if drawing == "dxf":
         need("cad")
-    clutch = common.build(spec)
-    common.note_default()
-    for question in clutch.spec.label.findings:
-        common.note(question.message)  # a drawing has no findings
-    return clutch, drawing
+    return common.drawn(spec), drawing
 
 
 def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
-    """Write a drawing to scale: the pocket in true millimetres for the shop, or the section with its part list."""
+    """Write a drawing to scale: the pockets for the shop in true millimetres, or the section with the part list."""
     from ..analysis.asking import Answers
     from ..analysis.plot_data import Request, gathered
     from ..render import shop_sheet
@@ -68,7 +62,6 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
 
     if kind == "pdf":
         need("plot")
-        need("pdf", "typst")
     request = Request([Answers(clutch)])
     with common.bar():
         if common.command == "pocket":
@@ -81,7 +74,7 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
             section = gathered("section", request)
             sheet = sheet_of("section", section)
             content = dxf(shop_sheet.section(section, clutch.spec)) if kind == "dxf" else save(sheet, kind)
-    common.save(content, common.output or "")
+    common.save(content, common.output)
 
 
 @with_common
@@ -107,16 +100,14 @@ def springs(
     spec: SpecArgument = None,
     sort: Annotated[
         SpringOrder | None,
-        Option(help="What is to be small.  [default: length where a stiffness is wanted, else wear]"),
+        Option(help="Quantity to minimise.  [default: length if a stiffness is wanted, else wear]"),
     ] = None,
-    top: Annotated[int, Option(min=1, max=1000, help="How many to tell of each spring.")] = 10,
+    top: Annotated[int, Option(min=1, max=1000, help="How many candidates to list per spring.")] = 10,
     kind: Annotated[SpringKind, Option(help="Disc springs, coil springs, or both.")] = "any",
-    tolerance: Annotated[
-        float, Option(min=0, max=10, help="How far the stiffness may be off, as a share of it.")
-    ] = 0.1,
+    tolerance: Annotated[float, Option(min=0, max=10, help="Allowed relative deviation of the stiffness.")] = 0.1,
     pick: Annotated[
         list[int] | None,
-        Option(metavar="N", help="Take this one, one for each spring; --save writes the spec with it."),
+        Option(metavar="N", help="Take candidate N; repeat for the other spring. --save writes the spec."),
     ] = None,
     save: SaveOption = None,
     *,
@@ -124,8 +115,8 @@ def springs(
 ) -> None:
     """Disc stacks and coil springs that give the forces and stiffnesses of a clutch, within the room there is.
 
-    What [closing_spring.room] and [control_spring.room] leave open is what the parts within [envelope] leave. With
-    --save the spec with the springs is checked, and the verdict told.
+    Room that [closing_spring.room] or [control_spring.room] does not give is what the parts in [envelope] leave.
+    With --save the new spec is also checked, and the verdict printed.
 
     \b
     afmcalc springs clutch.toml --sort wear --kind disc
@@ -139,26 +130,35 @@ def springs(
         common.calculate(common.clutch(spec), sort=sort, top=top, kind=kind, tolerance=tolerance)
         return
     from ..analysis.spring_search import picked
-    from ..spec import resolved
 
     common.keep(spec, save=save)
     clutch = common.build(spec)
     result, findings = common.ask(clutch, sort, top, kind, tolerance)
     changes, sprung = picked(clutch, result, pick)
-    common.emit(result, findings, resolved(sprung))
+    common.emit(result, findings, sprung)
     if save:
         from ..analysis.check import check
         from ..engines import build
-        from ..spec.edit import in_units, value_at
+        from ..spec.edit import value_at
 
-        common.save_spec(clutch.spec, changes, sprung, save)
+        common.save_spec(clutch.spec, changes, save, sprung)
         for key, value in changes.items():
             if value != (before := value_at(clutch.spec, key)):
-                before, after = ("–" if one is None else in_units(one, key) for one in (before, value))
+                before, after = (_written(one, key) for one in (before, value))
                 common.note(say("{key}: {before} → {value}", key=key, before=before, value=after))
         with common.bar():
             verdict = check(build(sprung))[0].verdict
         common.note(verdict.sentence)
+
+
+def _written(value: object, key: str) -> str:
+    """Text of a key's value, or of each key of a table, in units as in a file; a dash for None."""
+    from ..spec.edit import in_units
+
+    if value is None:
+        return "–"
+    shown = in_units(value, key)
+    return ", ".join(f"{name} = {each}" for name, each in shown.items()) if isinstance(shown, dict) else str(shown)
 
 
 HistoryOption = Annotated[
@@ -177,14 +177,14 @@ def simulate(
     *,
     common: Common,
 ) -> None:
-    """The drive in time: what happens when the clutch trips, and the heat of it, by the [drive] block.
+    """Simulate the drive of [drive] over time as the clutch trips, with the heat.
 
-    Without [drive.event] the heat alone. --save writes the spec with the dynamic factor found, for life. With
-    --friction the history is that of these frictions alone.
+    Without [drive.event] only the heat is calculated. --save writes the spec with the dynamic factor found, for life.
+    With --friction the history holds these frictions only.
 
-    An event is followed until nothing more can come, or for drive.event.duration. The time to a cut-off runs from the
-    first slip on, also while the clutch is stuck again. A load resists as friction does and holds a stopped tool; that
-    of a hoist would turn it back. The sleeve of an indirect clutch meets its stop elastically.
+    An event is simulated until no further slip or higher peak is possible, or for drive.event.duration. The time to
+    a cut-off counts from the first slip, also while the clutch sticks again. A load only resists: it holds a stopped
+    tool, whereas a hoist's load would turn it back. The stop of the sleeve of an indirect clutch is rigid.
 
     \b
     afmcalc simulate drive.toml
@@ -192,12 +192,12 @@ def simulate(
     afmcalc simulate drive.toml --sweep drive.shaft_stiffness
     afmcalc simulate drive.toml --save drive-with-factor.toml
     """  # noqa: D301
-    from ..spec.edit import respecified
-
     if history == "-":
         raise AfmcalcError("--history writes a file beside the result: name one")
     points = [friction_of(text) for text in friction or ()]
     common.keep(spec, beside=history, save=save)
+    if history:
+        ending_of("--history", history, ".csv", ".txt", others=True)
     clutch = common.build(spec)
     if clutch.spec.drive.event is None:
         for option, given in {"--friction": points, "--sweep": sweep, "--history": history, "--save": save}.items():
@@ -210,8 +210,7 @@ def simulate(
     if history:
         _write_history(clutch, points, history, common)
     if save:
-        changes = {"drive.dynamic_factor": result.largest_dynamic_factor}
-        common.save_spec(clutch.spec, changes, respecified(clutch.spec, changes), save)
+        common.save_spec(clutch.spec, {"drive.dynamic_factor": result.largest_dynamic_factor}, save)
 
 
 def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Common) -> None:
@@ -222,7 +221,7 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
 
     with common.bar():
         output = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
-    write(renderer(common.csv_dialect)(output, False), path, force=common.force)
+    write(renderer("csv")(output, False), path, force=common.force)
     common.note(say("wrote the history to {output}", output=path))
 
 

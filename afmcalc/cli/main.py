@@ -1,4 +1,4 @@
-"""The program: its commands in panels, the language it speaks, and how it ends; errors are told, never a traceback."""
+"""Command line: commands in panels, language, exit codes; errors are printed as sentences, not as tracebacks."""
 
 import inspect
 import os
@@ -20,7 +20,7 @@ from .names import Named, names_of
 from .options import COMMON
 
 Context: TypeAlias = Any
-"""Context, formatter and error of the parser behind typer, which has no public names for them."""
+"""Context, formatter or error of the parser behind typer, which has no public types for them."""
 
 PANELS = {
     "Everyday": table("init check = specs; torque = clutch; design = searches; report = report; serve = serve"),
@@ -30,32 +30,36 @@ plot = plot"""),
     "Parts and drive": table("pocket springs layout simulate effects = hardware"),
     "Theory and lists": table("papers = papers; handbook = report; list = papers; schema = specs"),
 }
-"""Heading in the help → command → module of this package that holds its function."""
+"""Heading in the help → command → module of this package that has the function of the command."""
 COMMANDS = {name: module for panel in PANELS.values() for name, module in panel.items()}
 _MODULES = COMMANDS | {"help": "main"}
 FORMER = table("""\
 synthesize = pocket; heat = simulate; equations = papers; reproduce = papers --claims;
 materials = list materials; examples = list examples""")
-"""Command of an earlier version → the command in its place."""
+"""Command of an earlier version → the command that replaces it."""
+_TITLE = "organisation project drawing author checked norm_control approved date"
 FORMER_OPTIONS = {
+    **{f"--{name.replace('_', '-')}": f"--set report.{name}=TEXT" for name in _TITLE.split()},
     **{f"--{name}": f"--set catalogues.{name}=FILE" for name in ("materials", "discs", "balls")},
     "--excel": "--format csv --lang ru",
+    "--top": "--all",
+    "--variant": "--from EXAMPLE, --set variant=NAME",
     "--yes": deferred("a progress bar, and Ctrl-C to stop"),
     "--symbols": deferred("the language of the report, --lang"),
 }
-"""Option of an earlier version → what is in its place."""
+"""Option of an earlier version → its replacement."""
 LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
 FAULT = 70
-"""Exit code where afmcalc itself is at fault (EX_SOFTWARE of sysexits.h)."""
+"""Exit code if afmcalc itself is at fault (EX_SOFTWARE of sysexits.h)."""
 INTERRUPTED = 130
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:
-    """Run a command line, that of the process where none is given, and end with its exit code."""
+    """Run a command line, by default the command line of the process, and exit with its exit code."""
     prepare()
     given, lang = without_lang(sys.argv[1:] if arguments is None else arguments)
     try:
-        speaks = chosen_language(lang, os.environ, lambda text: tell(say("note: {text}", text=text)))
+        speaks = chosen_language(lang, os.environ)
     except AfmcalcError as error:
         _complain(str(error))
         sys.exit(error.exit_code)
@@ -65,7 +69,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 
 def _run(given: list[str]) -> int:
     """Run a command line and return its exit code."""
-    # arrays leave the range of numbers with a warning, where floats raise an error
+    # NumPy only warns of an overflow, for which Python's floats raise an error
     warnings.simplefilter("error", RuntimeWarning)
     try:
         given = _called(given)
@@ -87,7 +91,7 @@ def _run(given: list[str]) -> int:
 
 
 def _called(given: list[str]) -> list[str]:
-    """Return a command line without ``help COMMAND``; refuse a former command, and a file without a command."""
+    """Arguments, ``help COMMAND`` replaced by ``COMMAND --help``; AfmcalcError for a former command or a file name."""
     match given:
         case ["help" | "-help"]:
             return ["--help"]
@@ -103,9 +107,9 @@ def _called(given: list[str]) -> list[str]:
 
 
 def application(arguments: list[str]) -> Any:
-    """Build the program for a command line, its help in the language of the user.
+    """Parser of a command line, with its help in the user's language.
 
-    Only the command that is called is imported and registered; all of them when none is (help, a misspelt name).
+    Only the called command is imported and registered; all commands if none is called (help, a misspelt name).
     """
     called = arguments[0] if arguments and arguments[0] in _MODULES else None
     app = typer.Typer(
@@ -123,7 +127,7 @@ def application(arguments: list[str]) -> Any:
         app.command(name)(getattr(module, f"{name}_" if name == "list" else name))
     program: Any = typer.main.get_command(app)
     if called and not {"-h", "--help"} & {*arguments}:
-        return program  # whose help is not shown
+        return program  # its help is not shown and therefore not translated
     foot = say("Options of every command (--set, --json, --lang, …): afmcalc help options")
     for name, command in [("", program), *program.commands.items()]:
         command.help = "\n\n".join(map(translate, paragraphs(command.help)))
@@ -135,16 +139,16 @@ def application(arguments: list[str]) -> Any:
 
 
 def paragraphs(text: str | None) -> list[str]:
-    r"""Return the paragraphs of a help; one that begins with ``\b`` keeps its lines."""
+    r"""Paragraphs of a help text; a paragraph that begins with ``\b`` keeps its line breaks."""
     parts = inspect.cleandoc(text or "").split("\n\n")
     return [part if part.startswith("\b") else " ".join(part.split()) for part in parts]
 
 
 class Program(TyperGroup):
-    """The commands, in panels."""
+    """Group of the commands, listed in panels."""
 
     def format_commands(self, ctx: Context, formatter: Context) -> None:
-        """Write the commands panel by panel, each with the first part of its help."""
+        """Write the commands panel by panel, each with the first clause of its help."""
         for title, panel in PANELS.items():
             rows = [
                 (name, (self.commands[name].help or "").split("\n\n")[0].partition(";")[0].rstrip("."))
@@ -172,7 +176,7 @@ def _afmcalc(
 
     SPEC is a TOML or JSON file, - for standard input, or example:NAME; without it an example is calculated.
     afmcalc help options|keys|quantities|plots: options of every command, and names that can be given.
-    Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written.
+    Exit codes: 0 done, 1 a check failed, 2 wrong input or no answer, 3 a file cannot be read or written.
     """  # noqa: D301
 
 
@@ -211,14 +215,14 @@ def help(
 
 
 def _common_options() -> Named:
-    """Return the options that commands share, each with its help, as the parser has them."""
+    """Common options of the commands, each with its help."""
     options = [each for each in application(["torque", "--help"]).commands["torque"].params if each.name in COMMON]
     rows = [(f"{', '.join(each.opts)} {each.metavar or ''}", each.help) for each in options]
     return [*rows, ("--lang NAME", translate(LANG))]
 
 
 def _print(rows: Named) -> None:
-    """Print names in a column, with the meaning of each beside it."""
+    """Print names in a column, and their meanings in a second column."""
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
@@ -232,7 +236,7 @@ def _print(rows: Named) -> None:
 
 
 def without_lang(arguments: list[str]) -> tuple[list[str], str]:
-    """Return the arguments without the language, which may stand anywhere, and the last one asked for, if any."""
+    """Arguments without ``--lang``, which may stand anywhere, and the last value of ``--lang``, empty if not given."""
     kept, name = [], ""
     rest = iter(arguments)
     for argument in rest:
@@ -248,19 +252,20 @@ def without_lang(arguments: list[str]) -> tuple[list[str], str]:
 
 
 def _complain(text: str) -> None:
-    """Say what is wrong; a line of a text that is shown belongs to what was said before."""
+    """Print an error; an indented line is printed without "error:", because it continues the line before."""
     tell(text if text.startswith(" ") else say("error: {text}", text=text))
 
 
 def _misused(error: Any, given: list[str]) -> int:
-    """Say what the parser of the command line found wrong, in its words; show the help where nothing is asked."""
+    """Print the parser's error in ``given``, or the help if nothing is given; return the exit code."""
     if not given:
         tell(error.format_message())
         return 2
     if context := getattr(error, "ctx", None):
         tell(context.get_usage())
         tell(say("Try '{path} --help' for help.", path=context.command_path))
-    message = error.format_message().rstrip(".").replace("Value error, ", "")  # which pydantic puts before it
+    message = " ".join(error.format_message().split())  # the parser puts choices on separate lines
+    message = message.rstrip(".").replace("Value error, ", "")  # pydantic adds this prefix
     if new := FORMER_OPTIONS.get(getattr(error, "option_name", "")):
         message = say("{name} is no option any more; instead: {new}", name=error.option_name, new=translate(new))
     _complain(message)
@@ -268,7 +273,7 @@ def _misused(error: Any, given: list[str]) -> int:
 
 
 def _unexpected(error: Exception) -> int:
-    """Say that a calculation or its result left the range of numbers, or that afmcalc is at fault."""
+    """Print that a number or memory overflowed, or that afmcalc is at fault; return the exit code."""
     beyond, lines = unexpected(error)
     if not beyond and os.environ.get("AFMCALC_TRACEBACK"):
         import traceback

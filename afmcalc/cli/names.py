@@ -1,4 +1,4 @@
-"""Names that can be given on a command line, each with its meaning: for ``afmcalc help`` and completion in a shell."""
+"""Names that can be given on a command line, with their meanings: for ``afmcalc help`` and shell completion."""
 
 from collections.abc import Callable
 from typing import TypeAlias
@@ -6,56 +6,44 @@ from typing import TypeAlias
 from ..messages import native, translate
 
 Named: TypeAlias = list[tuple[str, str]]
-"""Names, and the meaning of each."""
+"""Pairs of a name and its meaning."""
 
 
 def names_of(kind: str) -> Named:
-    """Return the names that can be given where a command asks for one of a kind, and what each is."""
-    from ..analysis.registry import ANALYSES, EXPLAINED, PLOTS
+    """Names of a kind (plot, example, target, path, swept; any other kind: symbols), each with its meaning."""
+    from ..analysis.registry import PLOTS
+    from ..equations.terms import TERMS
+    from ..spec.keys import ALIASES, keys
+    from ..spec.parse import example_names
 
+    about = {path: translate(key.description) for path, key in keys().items()}
+    symbols = [(symbol, f"{path}, {about[path].partition(';')[0]}") for symbol, path in ALIASES.items()]
     match kind:
         case "plot":
             return [(name, translate(plot.about)) for name, plot in PLOTS.items() if name not in DRAWINGS]
-        case "explained":
-            sections = {name: ANALYSES[name].section for name in EXPLAINED}
-            return [(name, translate(section.title if section else "Checks")) for name, section in sections.items()]
         case "example":
-            from ..spec.parse import example_names
-
             return [(name, "") for name in example_names()]
-        case "described":
-            return [(name, "") for name in ANALYSES]
-        case "figure":
-            from ..papers import FIGURES
-
-            return [(name, "") for name in FIGURES]
         case "target":
             from ..analysis.solve import is_quantity
-            from ..equations.terms import TERMS
 
             terms = {name: own for name, own in TERMS.items() if is_quantity(name)}
-            about = {name: f"{native(own.symbol)}, {translate(own.meaning)}" for name, own in terms.items()}
-            return [*({**about, **dict(names_of("required"))}).items()]
-    from ..spec.keys import ALIASES, keys
-
-    if kind == "required":
-        judged = ((path, key) for path, key in keys().items() if path.startswith("requirements."))
-        return [
-            (path.partition(".")[2], f"{native(key.symbol or '')}, {translate(key.description).partition(',')[0]}")
-            for path, key in judged
-        ]
-    if kind == "path":
-        return [(path, translate(key.description)) for path, key in keys().items()]
-    symbols = {
-        symbol: f"{path}, {translate(keys()[path].description).partition(';')[0]}" for symbol, path in ALIASES.items()
-    }
-    return [("zC", translate("reduced gain")), *symbols.items()] if kind == "swept" else [*symbols.items()]
+            named = {name: f"{native(own.symbol)}, {translate(own.meaning)}" for name, own in terms.items()}
+            required = [key for key in keys().values() if key.path.startswith("requirements.")]
+            for key in required:
+                meaning = about[key.path].partition(",")[0]
+                named[key.path.partition(".")[2]] = f"{native(key.symbol or '')}, {meaning}"
+            return [*named.items()]
+        case "path":
+            return [*about.items()]
+        case "swept":
+            return [("zC", translate("reduced gain")), *symbols]
+    return symbols
 
 
 DRAWINGS = {"section": "layout", "layout": "layout", "pocket": "pocket", "synthesize": "pocket"}
-"""Drawing to scale → the command that writes it with --output; what it shows is no plot."""
+"""Drawing to scale, which is not a plot → the command that writes the drawing with --output."""
 
 
 def completing(kind: str, end: str = "") -> Callable[[str], Named]:
-    """Return the completion callback of a kind: its names that begin as typed, ``end`` behind each."""
+    """Completion callback for a kind: names that begin with the typed text, each followed by ``end``."""
     return lambda incomplete: [(name + end, about) for name, about in names_of(kind) if name.startswith(incomplete)]

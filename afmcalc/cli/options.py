@@ -1,4 +1,4 @@
-"""Options of every command; reading the spec, running the calculation, printing its output."""
+"""Common options of the commands; reading the spec, running the calculation, printing the output."""
 
 import inspect
 import os
@@ -14,9 +14,9 @@ from typer import Argument, Option
 from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, need
-from ..messages import is_unicode, localized, say
+from ..messages import is_unicode, say
 from ..progress import Bar
-from .files import format_of, is_json_spec, refuse, tell, write, write_file
+from .files import ending_of, format_of, refuse, tell, write
 from .names import completing
 
 if TYPE_CHECKING:
@@ -24,12 +24,13 @@ if TYPE_CHECKING:
     from ..findings import Finding
     from ..result import Output
     from ..spec import Spec
+    from ..spec.parse import Source
 
 SpecArgument = Annotated[
     str | None,
     Argument(metavar="SPEC", help="TOML or JSON file, - for standard input, example:NAME; without it an example."),
 ]
-SaveOption = Annotated[str | None, Option("--save", metavar="FILE", help="Write the spec with what was found.")]
+SaveOption = Annotated[str | None, Option("--save", metavar="FILE", help="Write a spec with the values found to FILE.")]
 
 
 def output_option(help: str) -> Any:
@@ -38,11 +39,11 @@ def output_option(help: str) -> Any:
 
 
 ForceOption = Annotated[bool, Option("--force", "-f", help="Replace a file that exists.")]
-QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the findings errors, and units in doubt.")]
+QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the findings only errors and doubtful units.")]
 
 
 def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
-    """Check that overrides have a ``=`` before SPEC is read: of ``--set gain 0.7`` the parser takes 0.7 as SPEC."""
+    """Overrides, each checked for an equals sign: in ``--set gain 0.7`` the parser would take 0.7 as SPEC."""
     from ..spec.read import key_of
 
     for override in overrides or ():
@@ -52,7 +53,7 @@ def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
 
 @dataclass
 class Common:
-    """The name of the command, and the options that all commands share."""
+    """Name of the command, and the options common to all commands."""
 
     command: str
     set: Annotated[
@@ -81,27 +82,22 @@ class Common:
     force: ForceOption = False
     quiet: QuietOption = False
     default: str = ""
-    """Example that is calculated because no SPEC was given."""
+    """Example that is calculated because no SPEC was given; empty if a SPEC was given."""
 
     @property
     def overrides(self) -> list[str]:
-        """Keys overridden by ``--set``."""
+        """Values of ``--set``, each ``PATH=VALUE``."""
         return self.set or []
 
     @property
     def chosen_format(self) -> str:
-        """The format asked for, or that of the file."""
+        """Format by ``--format`` or ``--json``, else by the extension of the output file, else table."""
         if self.json and self.format not in (None, "json"):
             raise AfmcalcError("--json and --format {name} exclude each other", name=self.format)
         return format_of(self.output, "json" if self.json else self.format)
 
-    @property
-    def csv_dialect(self) -> str:
-        """The format that CSV is written in: that of spreadsheets where the language has a decimal comma."""
-        return "csv" if localized("0.5") == "0.5" else "excel"
-
     def shown(self) -> AbstractContextManager[None]:
-        """Show quantities in the units asked for."""
+        """Context in which quantities are shown in the units of ``--units``."""
         if self.units == "engineer":
             return nullcontext()
         from ..render.amounts import shown_in
@@ -109,20 +105,20 @@ class Common:
         return shown_in(self.units)
 
     def keep(self, *sources: str | None, beside: str | None = None, save: str | None = None) -> None:
-        """Check the output paths: none is an input or exists, and their names fit.
+        """Check the output paths: they are no inputs, exist only with ``--force``, and have an extension that fits.
 
         Args:
-            sources: what is read.
+            sources: input paths.
             beside: a second file to write.
-            save: file that gets a spec.
+            save: path of a spec to write.
         """
         self.chosen_format  # noqa: B018
         if save:
-            is_json_spec(save)
+            ending_of("--save", save, ".toml", ".json", others=True)
         refuse(self.output, beside, save, force=self.force, inputs=sources)
 
     def bar(self) -> AbstractContextManager[object]:
-        """Show progress on a terminal while the block calculates."""
+        """Context that shows progress on a terminal."""
         return nullcontext() if self.quiet or not sys.stderr.isatty() else Bar()
 
     def note(self, text: str) -> None:
@@ -131,7 +127,7 @@ class Common:
             tell(say("note: {text}", text=text))
 
     def source(self, given: str | None, of: str = "") -> str:
-        """Return SPEC, or the default example of an analysis: of the command, or of what is plotted or explained."""
+        """Source of the spec: SPEC, else the default example of the analysis ``of`` (by default, of the command)."""
         if given is None:
             analysis = ANALYSES.get(of or self.command)
             self.default = f"example:{analysis and analysis.example or 'default'}"
@@ -140,36 +136,52 @@ class Common:
         return given or self.default
 
     def note_default(self) -> None:
-        """Name the default example where no table is headed by it."""
+        """Print the name of the default example, for output that does not contain the name."""
         if self.default:
             self.note(_no_spec(self.default))
 
+    def text(self, given: str | None) -> "tuple[Source, str]":
+        """Text of SPEC or of the default example, and the SHA-256 of its bytes; a file is read only once."""
+        from hashlib import sha256
+
+        from ..spec.parse import bytes_of, decoded
+
+        raw, name = bytes_of(self.source(given))
+        self.note_default()
+        return decoded(raw, name), sha256(raw).hexdigest()
+
     def read(self, source: str | None, of: str = "") -> "Spec":
-        """Read the given spec, or the default example; ``of``: the analysis that is plotted or explained."""
+        """Spec from SPEC or the default example, with overrides; ``of``: analysis that is plotted or explained."""
         from ..spec import read_spec
 
         return read_spec(self.source(source, of), self.overrides)
 
     def build(self, source: str | None, of: str = "") -> "Clutch":
-        """Read a spec and build its clutch; arguments as ``read``."""
+        """Clutch of a spec; arguments as in ``read``."""
         from ..engines import build
 
         return build(self.read(source, of))
 
+    def drawn(self, source: str | None, of: str = "") -> "Clutch":
+        """Clutch to draw; findings on the spec are printed, as drawings show no findings. Arguments as in ``read``."""
+        clutch = self.build(source, of)
+        self.note_default()
+        for question in clutch.spec.label.findings:
+            self.note(question.message)
+        return clutch
+
     def clutch(self, source: str | None) -> "Clutch":
-        """Build the clutch of a spec for a command that writes its result; refuses what ``keep`` refuses."""
+        """Clutch of a spec, after ``keep`` has checked the output path."""
         self.keep(source)
         return self.build(source)
 
     def calculate(self, clutch: "Clutch", **options: object) -> "Output":
-        """Run the analysis of the command on a clutch and print its result."""
-        from ..spec import resolved
-
+        """Run the command's analysis on a clutch; print its output and return it."""
         result, findings = self.ask(clutch, **options)
-        return self.emit(result, findings, resolved(clutch.spec))
+        return self.emit(result, findings, clutch.spec)
 
     def keep_without_clutch(self) -> None:
-        """Check the options of a command that reads no spec: it has nothing to override."""
+        """Check the output path of a command that reads no spec; ``--set`` is an error."""
         self.keep()
         if self.overrides:
             raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=self.command)
@@ -181,18 +193,19 @@ class Common:
         self.emit(*self.ask(*arguments, **options))
 
     def ask(self, *arguments: object, **options: object) -> Any:
-        """Run the analysis of the command; return its result and findings."""
+        """Result and findings of the command's analysis."""
         with self.bar():
             return ANALYSES[self.command].function(*arguments, **options)
 
-    def emit(self, result: Any, findings: "list[Finding]", spec: dict[str, Any] | None = None) -> "Output":
-        """Render the output of a command in the chosen format, to standard output or a file."""
+    def emit(self, result: Any, findings: "list[Finding]", spec: "Spec | None" = None) -> "Output":
+        """Write a result in the chosen format to standard output or a file; return it as an output."""
         from ..result import Output
+        from ..spec import resolved
 
         chosen = self.chosen_format
         if self.quiet and chosen != "json" and not result.findings_first:
             findings = [each for each in findings if each.level == "error" or each.code == "number-without-unit"]
-        output = Output(command=self.command, version=__version__, spec=spec, result=result, findings=findings)
+        output = Output(self.command, __version__, resolved(spec) if spec else None, result, findings)
         terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
         text = self._rendered(output, chosen, terminal)
         if self.default and chosen in ("table", "markdown"):
@@ -210,39 +223,33 @@ class Common:
         return output
 
     def _rendered(self, output: "Output", chosen: str, terminal: bool) -> str:  # noqa: FBT001
-        """Return the text of a result; heat of an event stands below it in a table of its own."""
+        """Text of an output; the heat of an event follows it in a separate table."""
         from dataclasses import replace
 
         from ..render import renderer
 
-        render = renderer(self.csv_dialect if chosen == "csv" else chosen)
+        render = renderer(chosen)
         heat = getattr(output.result, "heat", None)
         if chosen not in ("table", "markdown") or heat is None:
             return render(output, terminal)
         event = replace(output, result=output.result.model_copy(update={"heat": None}), findings=[])
         return f"{render(event, terminal)}\n{render(replace(output, command='heat', result=heat), terminal)}"
 
-    def save(self, content: bytes, path: str) -> None:
-        """Write a file, and report it."""
-        write_file(path, content, force=self.force)
-        self.note(say("wrote {output}", output=path))
+    def save(self, content: bytes, path: str | None) -> None:
+        """Write a document or picture to standard output, or to a file with a note about it."""
+        write(content, path, force=self.force)
+        if path not in (None, "-"):
+            self.note(say("wrote {output}", output=path))
 
-    def save_spec(self, spec: "Spec", changes: Mapping[str, Any], changed: "Spec", path: str) -> None:
-        """Write a spec with other values of some keys, its comments kept where the file is TOML."""
-        from ..spec import resolved
-        from ..spec.edit import saved
+    def save_spec(self, spec: "Spec", changes: Mapping[str, Any], path: str, changed: "Spec | None" = None) -> None:
+        """Write a spec with the values of ``changes``; ``changed`` is the spec with these values, if it is known."""
+        from ..spec.edit import respecified, saved
 
-        if is_json_spec(path):
-            import json
-
-            text = json.dumps(resolved(changed), indent=2, ensure_ascii=False) + "\n"
-        else:
-            text = saved(spec, changes, changed, os.path.dirname(os.path.abspath(path)))
-        self.save(text.encode(), path)
+        self.save(saved(spec, changes, changed or respecified(spec, changes), path).encode(), path)
 
 
 COMMON = frozenset(field.name for field in fields(Common)[1:-1])
-"""Names of the options that the help of a command leaves to ``afmcalc help options``."""
+"""Names of the options that only ``afmcalc help options`` shows, not the help of a command."""
 
 
 def _no_spec(default: str) -> str:
@@ -252,7 +259,7 @@ def _no_spec(default: str) -> str:
 def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command the common options, which it receives as ``common``.
 
-    A command that writes a document says with ``output_help`` what ``--output`` gets; it has no format and no units.
+    ``output_help``: help of ``--output`` for a command that writes a document, which has no formats and units.
     """
     options = {option.name: (option.type, option.default) for option in fields(Common)[1:-1]}
     if output_help:
@@ -284,7 +291,7 @@ with_common = common_options()
 
 
 def need_drawing(extra: str) -> None:
-    """Require the modules of an extra that draws, and silence what matplotlib logs below an error."""
+    """Check that the modules of an extra for drawing are installed; let matplotlib log nothing but errors."""
     import logging
 
     need(extra)

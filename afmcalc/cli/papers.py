@@ -1,4 +1,4 @@
-"""Commands about what is behind the numbers: a calculation step by step, the papers, lists that ship."""
+"""Commands explain, papers and list: derivations, formulas of the papers, built-in lists."""
 
 from typing import Annotated, Literal
 
@@ -7,7 +7,6 @@ from typer import Argument, Option
 from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
 from .files import write
-from .names import completing
 from .options import Common, SpecArgument, with_common
 
 PaperOption = Annotated[list[str] | None, Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")]
@@ -18,9 +17,8 @@ def explain(
     command: Annotated[
         str,
         Argument(
-            metavar="COMMAND",
-            autocompletion=completing("explained"),
-            help=f"{', '.join(EXPLAINED[:-1])} or {EXPLAINED[-1]}.",
+            metavar="WHAT",
+            help=f"{', '.join(EXPLAINED[:-1])} or {EXPLAINED[-1]}; or the code of an error or warning.",
         ),
     ],
     spec: SpecArgument = None,
@@ -28,20 +26,25 @@ def explain(
     *,
     common: Common,
 ) -> None:
-    """A calculation step by step: formula, numbers, value, source.
+    """A calculation step by step, or what the code of an error or warning means and which keys clear it.
 
     \b
     afmcalc explain torque clutch.toml
     afmcalc explain overload --format markdown > overload.md
+    afmcalc explain contact-force-exceeded clutch.toml
     """  # noqa: D301
-    from ..spec import resolved
+    from ..papers.handbook_text import sections
 
     if model and command != "life":
         raise AfmcalcError("explain: --model belongs to life")
+    if command in sections("en"):
+        common.command = "mend"
+        common.calculate(common.clutch(spec), code=command)
+        return
     common.keep(spec)
     given = common.read(spec, command)
     result, findings = common.ask(command, given, model)
-    common.emit(result, findings, resolved(given))
+    common.emit(result, findings, given)
 
 
 @with_common
@@ -56,7 +59,6 @@ def papers(
         list[str] | None,
         Option(
             metavar="NAME",
-            autocompletion=completing("figure"),
             help="With --claims: the points of a figure's curves, e.g. S22-3; repeatable.",
         ),
     ] = None,

@@ -1,18 +1,14 @@
 """The command that plots."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from typer import Argument, Option
 
 from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError
-from .files import picture_of, refuse, write
+from .files import picture_of, refuse
 from .names import DRAWINGS, completing
 from .options import Common, common_options, need_drawing
-
-if TYPE_CHECKING:
-    from ..analysis.asking import Answers
-    from ..analysis.plot_data import Request
 
 _KINDS = [name for name in PLOTS if name not in DRAWINGS and name != "paper"]
 
@@ -35,10 +31,12 @@ def plot(
     sweep: Annotated[
         str | None,
         Option(
-            metavar="NAME[=RANGE]", autocompletion=completing("swept"), help="accuracy: the axis (C); life: dT=RANGE."
+            metavar="NAME[=RANGE]",
+            autocompletion=completing("swept"),
+            help="For accuracy: key on the axis, default C; for life: dT=RANGE.",
         ),
     ] = None,
-    model: Annotated[StressRule | None, Option(help="life: rule for the damaging stress.")] = None,
+    model: Annotated[StressRule | None, Option(help="For life: the rule for the damaging stress.")] = None,
     *,
     common: Common,
 ) -> None:
@@ -51,6 +49,7 @@ def plot(
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
     """  # noqa: D301
+    from ..analysis.asking import Answers
     from ..analysis.plot_data import Request, check_request, gathered, plot_of
     from ..render.plot import sheet_of
     from ..render.plot.figure import save
@@ -69,24 +68,10 @@ def plot(
     check_request(what, request)
     need_drawing("plot")
     if of_clutches:
-        request = request._replace(subjects=_answers(what, request, common))
+        clutches = [common.drawn(source, what) for source in request.subjects]
+        request = request._replace(subjects=[Answers(clutch, model=model or "mean-stress") for clutch in clutches])
     elif chosen.takes == "search":
         request = request._replace(subjects=[common.read(source) for source in request.subjects])
     with common.bar():
         content = save(sheet_of(what, gathered(what, request)), ending)
-    if output in (None, "-"):
-        write(content.decode(), None, utf8=True)
-    else:
-        common.save(content, str(output))
-
-
-def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":
-    """Read and build the clutches that are drawn."""
-    from ..analysis.asking import Answers
-
-    clutches = [common.build(source, what) for source in request.subjects]
-    common.note_default()
-    for clutch in clutches:
-        for question in clutch.spec.label.findings:
-            common.note(question.message)  # a plot has no findings
-    return [Answers(clutch, model=request.model or "mean-stress") for clutch in clutches]
+    common.save(content, output)

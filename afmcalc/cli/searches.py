@@ -1,4 +1,4 @@
-"""Commands that go from what is wanted to a clutch."""
+"""Commands solve, tolerance and design."""
 
 from typing import Annotated
 
@@ -16,7 +16,7 @@ def solve(
         str,
         Argument(
             metavar="TARGET=VALUE",
-            help="What is wanted, e.g. accuracy_factor=2 or torque_max='300 Nm'.",
+            help="Wanted quantity, e.g. accuracy_factor=2 or torque_max='300 Nm'.",
             autocompletion=completing("target", "="),
         ),
     ],
@@ -31,16 +31,16 @@ def solve(
         ),
     ] = "C",
     save: SaveOption = None,
-    beyond_limit: Annotated[bool, Option("--beyond-limit", help="Go past the gain limit of the variant.")] = False,
+    beyond_limit: Annotated[bool, Option("--beyond-limit", help="Search beyond the gain limit.")] = False,
     *,
     common: Common,
 ) -> None:
-    """One key from one wanted quantity.
+    """Find the value of one key that gives a wanted quantity.
 
-    Wanted can be any quantity by its name in JSON or its symbol, at a friction too (torque_at_f_max), and whatever a
-    requirement judges. The quantity is calculated at 400 values over the range of the key; between two of them that lie
-    on either side of what is wanted the value is found. What needs an event (peak_torque, temperature), a life or parts
-    is calculated for one clutch at a time, at 40 values around that of the spec.
+    The quantity is given by its name in JSON or its symbol, also in a case (torque_at_f_max), or is one that a
+    requirement limits. It is calculated at 400 values of the key; each root is found between two neighbours on either
+    side of the target. What needs an event (peak_torque, temperature), a life or parts is calculated at 40 values
+    around that of the spec.
 
     \b
     afmcalc solve --for C accuracy_factor=2.0 clutch.toml
@@ -49,7 +49,6 @@ def solve(
     afmcalc solve --for F peak_torque=450 drive.toml
     """  # noqa: D301
     from ..analysis.solve import parse_target
-    from ..spec import resolved
     from ..spec.edit import value_at
 
     if spec is not None and "=" in spec and "=" not in target:
@@ -59,11 +58,11 @@ def solve(
     clutch = common.build(spec)
     result, solved, findings = common.ask(clutch, key, name, wanted, beyond_limit=beyond_limit)
     if result.roots or common.chosen_format == "json":
-        common.emit(result, [*questions, *findings], resolved(solved.spec))
+        common.emit(result, [*questions, *findings], solved.spec)
     if not result.roots:
         raise AfmcalcError(findings[-1].message)
     if save:
-        common.save_spec(clutch.spec, {result.path: value_at(solved.spec, result.path)}, solved.spec, save)
+        common.save_spec(clutch.spec, {result.path: value_at(solved.spec, result.path)}, save, solved.spec)
 
 
 @with_common
@@ -72,9 +71,9 @@ def tolerance(
     *,
     common: Common,
 ) -> None:
-    """Torque over tolerances and scatter: quantiles, risks, life, what scatters most.
+    """Scatter of the torque under tolerances: quantiles, risks, life, and which input causes most of it.
 
-    What scatters stands in the [tolerance] block of the spec; afmcalc init --kind tolerance writes an example.
+    The tolerances stand in the [tolerance] block of the spec; afmcalc init --kind tolerance writes an example.
 
     \b
     afmcalc tolerance clutch.toml
@@ -95,19 +94,17 @@ def design(
     ] = False,
     sort: Annotated[
         str | None,
-        Option(
-            metavar="QUANTITY", help="Sort the front by this, least first: any numeric column, by its name in JSON."
-        ),
+        Option(metavar="QUANTITY", help="Sort the front by a numeric column, by its name in JSON; smallest first."),
     ] = None,
     *,
     common: Common,
 ) -> None:
-    """The best clutches for what is required: the Pareto front of a grid.
+    """Best clutches for given requirements: the Pareto front of a grid.
 
     SPEC is a clutch with requirements and a [search] of keys to vary, such as "control_unit.gain" = "0:1:21"; an
-    example is written by afmcalc init --from requirements. A clutch of the front holds every requirement and passes
-    check, and no other candidate is better in one of the objectives and as good in the others. They are quantities to
-    be small, or large with a minus: objectives = ["closing_force", "-gain_limit"].
+    example is written by afmcalc init --from requirements. A clutch of the front meets every requirement and passes
+    check, and no other candidate is better in one objective and at least as good in the others. Objectives are
+    quantities to minimise or, with a minus, to maximise: objectives = ["closing_force", "-gain_limit"].
 
     \b
     afmcalc design requirements.toml --sort accuracy_factor --all
@@ -115,13 +112,14 @@ def design(
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
     from ..analysis.design import picked, shown
-    from ..spec import resolved
 
     common.keep(spec, save=save)
     if save and pick is None:
         raise AfmcalcError("--save writes the clutch of --pick: give both")
+    if pick not in (None, "compromise") and not pick.lstrip("0").isdecimal():
+        raise AfmcalcError("--pick {number}: a number of the front from 1, or compromise", number=pick)
     given = common.read(spec)
-    result, findings = common.ask(given)
+    result, findings = common.ask(given, sort)
     row = chosen = None
     if result.front and (pick is not None or common.chosen_format == "json"):
         row, chosen = picked(given, result, pick or result.compromise or 1)
@@ -131,10 +129,10 @@ def design(
     if more := len(result.front) - len(front.front):
         common.note(say("the front has {count} more: --all shows them", count=more))
     nothing = [finding for finding in findings if finding.code == "no-candidate"]
-    if common.chosen_format != "json":  # there it is the error below
+    if common.chosen_format != "json":  # in JSON the error below says it
         findings = [finding for finding in findings if finding not in nothing]
-    common.emit(front, findings, resolved(chosen) if chosen else None)
+    common.emit(front, findings, chosen)
     if nothing:
         raise AfmcalcError(nothing[0].message)
     if save and row and chosen:
-        common.save_spec(given, {**row.changes, "search": None}, chosen, save)
+        common.save_spec(given, {**row.changes, "search": None}, save, chosen)

@@ -1,9 +1,9 @@
 """The command that serves a page on which a clutch is designed live."""
 
+import gc
 import os
 import socket
 import sys
-from collections.abc import Callable
 from threading import Thread
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,7 +11,7 @@ from typer import Option
 
 from ..errors import AfmcalcError, FileError, reason
 from ..messages import say
-from .files import tell
+from .files import tell, write_file
 from .options import Common, SpecArgument, need_drawing, with_common
 
 if TYPE_CHECKING:
@@ -29,8 +29,8 @@ def serve(
 ) -> None:
     """A page in the browser on which a clutch is designed live; Ctrl-C ends it.
 
-    Every change is calculated at once, as the other commands calculate it. The page is for this machine alone. It
-    saves to --save FILE, with --force to SPEC itself.
+    Every change is calculated at once, as the other commands calculate it. Only this machine can open the page. It
+    saves to the FILE of --save, or with --force to SPEC itself.
 
     \b
     afmcalc serve clutch.toml
@@ -39,25 +39,30 @@ def serve(
     """  # noqa: D301
     need_drawing("web")
     import webbrowser
-    from hashlib import sha256
+    from pathlib import Path
     from secrets import token_urlsafe
+    from tempfile import TemporaryDirectory
 
     from uvicorn import Config, Server
 
     from ..render.amounts import shown_in
-    from ..spec.parse import bytes_of, decoded
-    from ..web.app import Page
+    from ..web.app import Page, Target
+    from ..web.connections import protocol
     from ..web.form import Base, State
-    from ..web.replies import search_of
 
     if common.output or common.json or common.format:
         raise AfmcalcError("serve shows a page: it has no --output, --format and --json")
     common.keep(spec, save=save)
-    raw, name = bytes_of(common.source(spec))
-    common.note_default()
-    base = Base(name, decoded(raw, name).text, spec, tuple(common.overrides), sha256(raw).hexdigest())
-    requirements = search_of(State(base).spec)
+    source, digest = common.text(spec)
+    base = Base(source, source.text, spec, tuple(common.overrides), digest)
+    _ = State(base).spec  # raises SpecError if the spec is no clutch
     target = save or (spec if common.force and spec and os.path.isfile(spec) else "")
+
+    def write(changed: "Spec", force: bool) -> None:  # noqa: FBT001
+        common.force = force
+        common.save_spec(changed, {}, target)
+
+    file = Target(target, write)
     listening, token = _listen(port), token_urlsafe(24)
     port = listening.getsockname()[1]
 
@@ -66,21 +71,29 @@ def serve(
         tell(say("note: {text}", text=say("serving {url}", url=url)))
         sys.stderr.flush()
         if browser:
-            Thread(target=webbrowser.open, args=[url], daemon=True).start()  # one of the terminal does not return
+            start = os.path.join(folder, "afmcalc.html")
+            write_file(start, f'<meta http-equiv="refresh" content="0; url={url}">'.encode())
+            # in a thread, because a browser that runs in the terminal blocks
+            Thread(target=webbrowser.open, args=[Path(start).as_uri()], daemon=True).start()
 
-    page = Page(base, requirements, common.units, target, _saver(common, target)).app(port, token, ready)
-    # no log, no waiting for connections at the end: what is wrong is told on the page
+    page = Page(base, common.units, file).app(port, token, ready)
+    # no log, since the page itself shows errors, and no waiting for open connections at the end
     how: dict[str, Any] = {"log_config": None, "log_level": "critical", "access_log": False, "server_header": False}
-    how |= {"http": "h11", "ws": "none", "loop": "asyncio", "lifespan": "on", "timeout_graceful_shutdown": 0}
-    with shown_in(common.units):
+    how |= {"http": protocol(), "ws": "none", "loop": "asyncio", "lifespan": "on", "timeout_graceful_shutdown": 0}
+    how |= {"backlog": 100}  # number of connections accepted at once, before any of them is closed
+    # objects loaded by now stay: if they are not counted, garbage of connections is collected soon
+    gc.freeze()
+    gc.collect()
+    gc.set_threshold(500, 3, 1)
+    with shown_in(common.units), TemporaryDirectory(prefix="afmcalc-") as folder:
         Server(Config(page, **how)).run([listening])
 
 
 def _listen(port: int) -> socket.socket:
-    """Open a port of this machine, for this machine alone."""
-    # said to be TCP: only then asyncio sends an answer without waiting 40 ms for more
+    """Listening socket on a port of 127.0.0.1; 0: any free port."""
+    # asyncio turns off delayed sending only for a socket declared as TCP; otherwise an answer waits 40 ms
     listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
-    if os.name == "posix":  # elsewhere it would let two programs share the port
+    if os.name == "posix":  # on Windows this option would let two programs share the port
         listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listening.bind(("127.0.0.1", port))
@@ -89,16 +102,3 @@ def _listen(port: int) -> socket.socket:
         listening.close()
         raise FileError("--port {port}: cannot be served: {why}", port=port, why=reason(error)) from None
     return listening
-
-
-def _saver(common: Common, target: str) -> "Callable[[Spec], tuple[str, str]]":
-    """Return the function that writes a spec to the file named on the command line, and to no other."""
-
-    def save(spec: "Spec") -> tuple[str, str]:
-        if not target:
-            raise AfmcalcError("nothing to save to: start with --save FILE, or with --force to save to SPEC")
-        common.save_spec(spec, {}, spec, target)
-        common.force = True  # what was saved is saved over
-        return target, say("wrote {output}", output=target)
-
-    return save

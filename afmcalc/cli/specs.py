@@ -1,6 +1,5 @@
 """Commands about the spec itself: init, check, schema."""
 
-import os
 from typing import Annotated, Any, Literal, TypeAlias
 
 import typer
@@ -24,8 +23,8 @@ def init(
     kind: Annotated[
         Kind | None,
         Option(
-            help="What it is for: from a motor's plate to a clutch, one clutch alone, one in its drive, or with "
-            "tolerances.  [default: machine]"
+            help="machine: from a motor's plate to a clutch; clutch: a clutch alone; drive: a clutch in its drive; "
+            "tolerance: with tolerances.  [default: machine]"
         ),
     ] = None,
     example: Annotated[
@@ -37,9 +36,6 @@ def init(
             autocompletion=completing("example"),
         ),
     ] = None,
-    schema: Annotated[
-        bool, Option("--schema", help="Write the JSON Schema beside FILE too, for completion in an editor.")
-    ] = False,
     force: ForceOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -48,45 +44,25 @@ def init(
     \b
     afmcalc init clutch.toml
     afmcalc init indirect.toml --from indirect
-    afmcalc init driven.toml --kind drive --schema
+    afmcalc init driven.toml --kind drive
     """  # noqa: D301
     from ..spec.parse import PREFIX, example_text
     from ..spec.write import annotated
 
     if kind and example:
         raise AfmcalcError("give --kind or --from, not both")
-    if schema and file == "-":
-        raise AfmcalcError("--schema writes a file beside FILE: name one")
     name = example.removeprefix(PREFIX) if example else "default" if kind == "clutch" else kind or "machine"
     text = annotated(example_text(name))
-    written = [(file, text)]
-    if schema:
-        beside = os.path.join(os.path.dirname(file), _SCHEMA)
-        written = [(file, f"#:schema ./{_SCHEMA}\n{text}"), (beside, _schema_of(None))]
-    refuse(*(path for path, _ in written), force=force)
-    for path, content in written:
-        write(content, path, force=force, utf8=True)
+    refuse(file, force=force)
+    write(text, file, force=force, utf8=True)
     if file != "-":
         command = ("design" if "\n[search]" in text else "check") if example else _COMMAND[kind or "machine"]
-        Common("init", quiet=quiet).note(
-            say("wrote {written}; calculate it with: afmcalc {command} {file}",
-                written=", ".join(path for path, _ in written), command=command, file=file)
-        )  # fmt: skip
-
-
-_SCHEMA = "afmcalc.schema.json"
-
-
-def _schema_of(kind: str | None) -> str:
-    import json
-
-    from ..analysis.registry import schema
-
-    return json.dumps(_described(schema(kind)), indent=2, ensure_ascii=False) + "\n"
+        message = say("wrote {file}; calculate it with: afmcalc {command} {file}", command=command, file=file)
+        Common("init", quiet=quiet).note(message)
 
 
 def _described(part: Any) -> Any:
-    """Part of a schema with descriptions and symbols in the language of the user; names stay."""
+    """Part of a schema with descriptions and symbols in the user's language; other names are not translated."""
     if isinstance(part, list):
         return [_described(each) for each in part]
     if not isinstance(part, dict):
@@ -102,6 +78,7 @@ def _described(part: Any) -> Any:
 def check(
     spec: SpecArgument = None,
     strict: Annotated[bool, Option("--strict", help="Warnings fail the check too.")] = False,
+    verbose: Annotated[bool, Option("--verbose", "-v", help="Show every check and note; JSON and CSV do.")] = False,
     *,
     common: Common,
 ) -> None:
@@ -111,15 +88,23 @@ def check(
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
+    from ..analysis.check import brief
+    from ..render.document import with_details
+
     try:
-        output = common.calculate(common.clutch(spec), strict=strict)
+        clutch = common.clutch(spec)
+        result, findings = common.ask(clutch, strict=strict)
     except SpecError as error:
         if common.chosen_format == "json":
             from ..analysis.check import refused
 
             common.emit(*refused(error))
         raise
-    if not output.result.passed:
+    whole = verbose or common.chosen_format in ("json", "csv")
+    shown, told = (result, findings) if whole else brief(result, findings)
+    with with_details(verbose):
+        common.emit(shown, told, clutch.spec)
+    if not result.passed:
         raise typer.Exit(1)
 
 
@@ -128,7 +113,6 @@ def schema(
         str | None,
         Argument(
             metavar="COMMAND",
-            autocompletion=completing("described"),
             help="Command whose JSON is described; without it the spec.",
         ),
     ] = None,
@@ -141,5 +125,9 @@ def schema(
     afmcalc schema > clutch.schema.json
     afmcalc schema torque
     """  # noqa: D301
+    import json
+
+    from ..analysis.registry import schema as schema_of
+
     refuse(output, force=force)
-    write(_schema_of(command), output, force=force)
+    write(json.dumps(_described(schema_of(command)), indent=2, ensure_ascii=False) + "\n", output, force=force)

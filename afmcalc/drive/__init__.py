@@ -1,1 +1,1 @@
-"""The clutch in time: one law of what sticks and slips, asked by one event and by ten thousand drives at once."""
+"""Simulation of the drive over time: one stick-slip law for a single event and for thousands of drives at once."""

@@ -1,9 +1,9 @@
 """The drive around a clutch, reduced to its shaft: inertias, shaft, motor, event.
 
-Everything is typed as a number; in a sweep arrays stand in the place of numbers, as they do in the spec.
+Attributes are declared as numbers; in a sweep they may be arrays, as in the spec.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,23 +12,25 @@ from ..engines import Clutch
 from ..engines.rings import inertia_of, parts_of, sizes_of
 from ..equations import drive as law
 from ..equations.arrays import Values, is_array
+from ..errors import SpecError
 from ..messages import say
-from ..spec.models import EventKind
+from ..spec.models import EventKind, Spec
+from ..spec.write import lacking
 
 
 @dataclass(frozen=True)
 class Engine:
-    """The motor: a constant torque, or Kloss' curve."""
+    """Motor with a constant torque, or with the torque-speed curve of Kloss."""
 
     torque: float
-    """M_1, or M_b, N·m."""
+    """Constant torque M_1, or breakdown torque M_b, N·m."""
     slip: float | None
-    """s_b; None for a constant torque."""
+    """Breakdown slip s_b; None for a constant torque."""
     synchronous: float
-    """ω_s, rad/s."""
+    """Synchronous speed ω_s, rad/s; 0 for a constant torque."""
 
     def at(self, speed: Values) -> Values | float:
-        """M_1 at a speed, N·m."""
+        """Torque of the motor at a speed, N·m."""
         if self.slip is None:
             return self.torque
         return law.kloss_torque(self.torque, self.slip, law.motor_slip(speed, self.synchronous))
@@ -36,7 +38,7 @@ class Engine:
 
 @dataclass(frozen=True)
 class Train:
-    """Motor side J_1, driven half J_2 (indirect: hub J_h between), shaft k, d, tool."""
+    """Inertias of motor side, hub (0 if direct), driven half and tool, shaft, motor and event of a drive, SI."""
 
     motor_inertia: float
     hub_inertia: float
@@ -46,38 +48,33 @@ class Train:
     damping: float
     speed: float
     load: float
-    """T_0, before the event."""
+    """Load torque T_0 before the event, N·m."""
     engine: Engine
     kind: EventKind
     time: float
-    """t_b of a stop, t_r of a load."""
+    """Time t_b in which the tool is braked to a standstill, or t_r in which the load rises, s."""
     overload: float
-    """M_L, to which a load rises."""
+    """Load torque M_L after its rise, N·m; if the tool is braked, the load before the event."""
     cut_off: float | None
 
     @property
     def inertia_torque(self) -> float:
-        """ω_0 √(k (J_2 + J_h)), N·m: what the motor does not drive any more as the discs slip."""
+        """Torque ω_0 √(k (J_2 + J_h)) with which inertia behind the slipping discs twists the shaft, N·m."""
         return law.inertia_torque(self.speed, self.stiffness, self.driven_inertia + self.hub_inertia)
 
     @property
     def front(self) -> float:
-        """Inertia of all that turns before the shaft, kg·m²."""
+        """Inertia of motor side, hub and driven half together, kg·m²."""
         return self.motor_inertia + self.hub_inertia + self.driven_inertia
 
-    @property
-    def without_hub(self) -> "Train":
-        """Drive in which the hub belongs to the driven half."""
-        return replace(self, driven_inertia=self.driven_inertia + self.hub_inertia, hub_inertia=0.0)
-
     def passed(self, time: Any) -> Any:
-        """Share of the event that has passed: of the stop, or of the rise of the load."""
+        """Share (0…1) of the time for braking the tool, or for the rise of the load, that has passed."""
         if is_array(time):
             return np.where(time < self.time, time / np.where(self.time > 0, self.time, 1.0), 1.0)
         return time / self.time if time < self.time else 1.0
 
     def led(self, time: Any) -> Any:
-        """Speed of a tool that is being stopped, rad/s."""
+        """Speed of the tool while it is braked to a standstill, rad/s."""
         return self.speed * (1 - self.passed(time))
 
     def load_at(self, time: Any) -> Any:
@@ -86,7 +83,7 @@ class Train:
 
 
 def inertias_of(clutch: Clutch) -> tuple[Any, Any]:
-    """J_2 and J_h, kg·m²: as given, else of the layout, which the rules then see to; a direct clutch has no J_h."""
+    """Inertias of driven half and hub, kg·m²: as given, else from the layout in [envelope]; hub 0 if direct."""
     driven: Any = clutch.spec.drive.driven_inertia
     hub: Any = clutch.spec.drive.hub_inertia if clutch.spec.kind.travels else 0.0
     if driven is None or hub is None:
@@ -96,22 +93,29 @@ def inertias_of(clutch: Clutch) -> tuple[Any, Any]:
     return driven, hub
 
 
+def without_event(spec: Spec) -> SpecError:
+    """Error of a spec without an event; it names every other key that the event needs and the spec lacks."""
+    drive, needed = spec.drive, ["motor_inertia", "shaft_stiffness"]
+    needed += ["speed"] if spec.speed is None and drive.motor is None else []
+    if spec.envelope is None:
+        needed += ["driven_inertia", "hub_inertia"] if spec.kind.travels else ["driven_inertia"]
+    missing = [f"drive.{name}" for name in needed if getattr(drive, name) is None]
+    needs = ", ".join(["drive.event", *missing])
+    return lacking(spec, "simulate", needs, "drive", ["drive.event.kind", "drive.event.stop_time", *missing])
+
+
 def train_of(clutch: Clutch) -> Train:
     """Return the drive of a clutch.
 
     Raises:
         SpecError: the spec has no event, or a motor that cannot carry the load.
     """
-    # the rules of the spec require what is asked for here beside an event
+    # validation of the spec guarantees that these values are given if there is an event
     given: Any = clutch.spec.drive
     if (event := given.event) is None:
-        message = say(
-            'required by simulate: what happens, for example event = {{ kind = "stop", stop_time = "10 ms" }}; '
-            "afmcalc init --kind drive writes a spec that has it"
-        )
-        raise clutch.spec.refused("drive.event", message)
+        raise without_event(clutch.spec)
     load: Any = clutch["running_torque"] if given.load_torque is None else given.load_torque
-    motor, speed = given.motor, given.speed
+    motor, speed = given.motor, clutch.spec.speed
     if motor is None:
         engine = Engine(load if given.motor_torque is None else given.motor_torque, None, 0.0)
     else:
@@ -122,7 +126,7 @@ def train_of(clutch: Clutch) -> Train:
                 "required: drive.motor cannot carry the load before the event, its breakdown torque is smaller"
             )
             raise clutch.spec.refused("drive.speed", message)
-        # the formula has no slip without load, where the motor runs at its synchronous speed
+        # without load the motor runs at its synchronous speed, for which the formula would divide by 0
         slip = law.kloss_slip(engine.torque, engine.slip, load) if np.all(load > 0) else 0.0
         speed = engine.synchronous * (1 - slip)
     (inertia, hub), stiffness, damping = inertias_of(clutch), given.shaft_stiffness, given.damping_ratio

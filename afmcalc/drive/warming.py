@@ -8,17 +8,17 @@ import numpy as np
 from ..equations.arrays import Floats
 
 _CELLS, _RATIO = 50, 1.12
-"""Of a layer, and how much thicker each is than its neighbour towards the face: rises to 0.1 %."""
+"""Number of cells of a layer, and ratio of thickness of a cell to the next one towards the face; error 0.1 %."""
 _STEPS = 400
-"""Of time, and as many of heat, in which the layers are heated."""
+"""Half the number of time steps; the shares of time and heat that pass in a step have the same sum in each step."""
 _POINTS = 1000
-"""Of a course, at least."""
+"""Smallest number of points in a ``Course``."""
 _REACH = 4.0
-"""Of the heat, in √(k t/(ρ c)): what is deeper stays cold, erfc 2."""
+"""Depth that the heat reaches, over √(k t/(ρ c)); a deeper layer stays cold (its rise is erfc 2 of the face's)."""
 
 
 class Course(NamedTuple):
-    """Power and heat so far of a slip, SI, at times close to each other."""
+    """Friction power of a slip, and heat since its start, at many close times, SI."""
 
     time: Floats
     power: Floats
@@ -26,9 +26,9 @@ class Course(NamedTuple):
 
 
 def course_of(moments: Iterable[tuple[float, float, float]]) -> Course:
-    """Course through moments: time, power and heat so far; of two at one time the later.
+    """Course through moments (time, power, heat so far); of two moments at the same time the later one counts.
 
-    Between them the heat is a cubic, the power a parabola.
+    Between two moments the heat is a cubic and the power a parabola.
     """
     last = {time: (time, power, heat) for time, power, heat in moments}
     ends = np.array(sorted(last.values()) or [(0.0, 0.0, 0.0)]).T
@@ -43,17 +43,17 @@ def course_of(moments: Iterable[tuple[float, float, float]]) -> Course:
 
 
 class Layer(NamedTuple):
-    """Body that is heated at its face, SI; nothing leaves it at its back."""
+    """Body heated at its face, SI; its back is insulated."""
 
     conductivity: float
     density: float
     specific_heat: float
     depth: float | None
-    """To the middle of the disc, or through the lining; None: endlessly thick."""
+    """Half the thickness of a disc, or the thickness of the lining, m; None: infinite."""
 
 
 class Warming(NamedTuple):
-    """Rise of the faces, K, and heat in the disc, J, over time."""
+    """Temperature rise of the faces, K, and heat in the disc, J, over time."""
 
     time: Floats
     face: Floats
@@ -61,23 +61,23 @@ class Warming(NamedTuple):
 
 
 def warming(layers: Sequence[Layer], area: float, course: Course) -> Warming:
-    """Warming of a disc, or of disc and lining whose faces are equally hot.
+    """Warming of a disc, or of disc and lining, whose faces have the same temperature.
 
-    No place is ever hotter than the faces have been (maximum principle of the equation of heat).
+    No place is ever hotter than the faces have been (maximum principle of the heat equation).
 
     Args:
         layers: the disc, and the lining if it takes heat.
-        area: of all pairs.
-        course: of a slip that gives heat.
+        area: friction area of all pairs together, m².
+        course: power and heat of a slip; the heat is not 0.
     """
     gone = (course.time - course.time[0]) / np.ptp(course.time) + course.heat / course.heat[-1]
     time = np.interp(np.linspace(0, 2, 2 * _STEPS + 1), gone, course.time)
     steps = np.diff(time)[:, None]
     power = np.diff(np.interp(time, course.time, course.heat))[:, None] / steps
     rate, face, disc = _modes(layers, area, np.ptp(course.time))
-    # a mode takes up power and dies away at its rate: exact for an even power in each step
-    kept = np.exp(-steps * rate)
-    taken = power * np.append(steps, -np.expm1(-steps * rate[1:]) / rate[1:], axis=1)
+    # each mode takes up power and decays at its rate: exact for a constant power in each step
+    lost = -np.expm1(-steps * rate)
+    kept, taken = 1 - lost, power * np.append(steps, lost[:, 1:] / rate[1:], axis=1)
     state = np.zeros((time.size, rate.size))
     for number in range(steps.size):
         state[number + 1] = kept[number] * state[number] + taken[number]
@@ -85,9 +85,7 @@ def warming(layers: Sequence[Layer], area: float, course: Course) -> Warming:
 
 
 def _modes(layers: Sequence[Layer], area: float, time: float) -> tuple[Floats, Floats, Floats]:
-    """Modes of the conduction in layers of finite volumes: rate, rise of the faces per heat, share in the disc."""
-    from scipy.linalg import eigh_tridiagonal
-
+    """Modes of heat conduction in layers of finite volumes: decay rate, rise of the faces per heat, disc's share."""
     # cells from the middle of the disc to the face, and on to the back of the lining
     capacities, conductances = [], []
     for layer, way in zip(layers, (-1, 1), strict=False):
@@ -98,11 +96,12 @@ def _modes(layers: Sequence[Layer], area: float, time: float) -> tuple[Floats, F
         capacities.append(volumetric * area * thickness)
         conductances.append(layer.conductivity * area / thickness)
     capacity, conductance = np.concatenate(capacities), np.concatenate(conductances)
-    # a node between two cells stores half of what they do; the faces are the node where the layers touch
+    # a node between two cells has half the capacity of both; the faces are the node where the layers touch
     stored = (np.append(capacity, 0) + np.append(0, capacity)) / 2
     in_disc = np.append(stored[:_CELLS], capacities[0][-1] / 2)
     flow, root = np.append(conductance, 0) + np.append(0, conductance), np.sqrt(stored)
-    rate, shape = eigh_tridiagonal(flow / stored, -conductance / (root[1:] * root[:-1]))
-    rate[0] = 0.0  # of the mean, which nothing leaves
+    coupling = conductance / (root[1:] * root[:-1])
+    rate, shape = np.linalg.eigh(np.diag(flow / stored) - np.diag(coupling, -1))  # eigh reads the lower half
+    rate[0] = 0.0  # decay rate of the mean temperature: no heat leaves the insulated layers
     face = shape[_CELLS] / root[_CELLS]
     return rate, face**2, face * (in_disc / root[: _CELLS + 1] @ shape[: _CELLS + 1])

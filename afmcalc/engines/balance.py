@@ -1,4 +1,4 @@
-"""A sleeve between two springs of any characteristic, behind walls straight or curved: where it is in balance."""
+"""Equilibrium of a sleeve between two springs of any characteristic, behind straight or curved walls."""
 
 import math
 from collections.abc import Callable
@@ -7,47 +7,47 @@ from functools import cached_property
 from typing import Any
 
 from ..equations import curved
-from ..equations.arrays import Floats, Values, chosen, quiet_division, smaller
+from ..equations.arrays import Floats, Values, chosen, quotient, smaller
 from .characteristics import SetSpring, root
 
 _PLACES = 32
-"""Places among which a wall that lets the sleeve jump is searched for the first balance."""
+"""Number of intervals into which the travel behind a curved wall is divided to search for equilibria."""
 _HALVINGS = 45
 _ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
 class Balance:
-    """N(x)(1 + zκ(x)f) = F_2(x), with the net gain κ(x) = κ_0 + C_1 x."""
+    """Balance of the forces on the sleeve, N(x)(1 + zκ(x)f) = F_2(x), with the net gain κ(x) = κ_0 + C_1 x."""
 
     closing: SetSpring
     control: SetSpring
     pairs: Values
     net_gain: Values
-    """κ_0, or κ₊ where the sleeve returns."""
+    """Net gain at the stop: κ, or κ₊ for a sleeve that moves back."""
     gain_slope: Values
-    """C_1, 1/m."""
+    """Slope C_1 of the gain over the travel, 1/m."""
     straight: bool
-    """True if C_1 is nought: then there is but one balance."""
+    """True if C_1 = 0 (straight walls): then there is only one equilibrium."""
 
     @cached_property
     def nought(self) -> Values:
-        """0 in the common shape of all that the balance depends on but friction."""
+        """Zeros in the shape to which all values of the balance except friction broadcast."""
         straight = (spring.straight_stiffness for spring in (self.closing, self.control) if spring.disc is None)
         return 0.0 * math.prod(
             (self.net_gain, self.gain_slope, self.closing.set_force, self.control.set_force, *straight)
         )
 
     def pressed(self, travel: Values) -> Values:
-        """Normal force N, N."""
+        """Normal force on the pack at a travel, N."""
         return self.closing.force(-travel)
 
     def net_gain_at(self, travel: Values) -> Values:
-        """κ where the sleeve is."""
+        """Net gain κ at a travel."""
         return self.net_gain if self.straight else curved.gain_acting(self.net_gain, self.gain_slope, travel)
 
     def _left(self, friction: Values) -> Callable[[Values], Values]:
-        """Force of the control spring less that of closing spring and balls, N."""
+        """Function of travel: residual of the balance at a friction, F_2 − N (1 + zκf), N."""
         return lambda at: self.control.force(at) - self.pressed(at) * (1 + self.pairs * self.net_gain_at(at) * friction)
 
     def _slope(self, friction: Values) -> Callable[[Values], Values]:
@@ -61,19 +61,19 @@ class Balance:
         return slope
 
     def travel(self, friction: Values) -> Values:
-        """Where the sleeve comes to from its stop, friction rising, m: the first place that holds it."""
+        """Travel from the stop after friction has risen to a value, m: the smallest equilibrium travel."""
         left = self._left(friction)
         if self.straight:
             end = self.closing.deflection + 0.0 * (self.net_gain * friction)
             return root(left, self._slope(friction), end)
         tried = self._tried(self.closing.deflection, friction)
-        # at the stop itself it is not: a steep wall lets it jump off from there
+        # the stop itself is left out: behind a steep wall the sleeve jumps off its stop
         holds: Any = (left(tried) >= 0) & (tried > 0)
         low, high = _first(tried, holds)
         return root(left, self._slope(friction), high, low)
 
     def travel_returning(self, friction: Values, start: Values) -> Values:
-        """Where it comes back to from ``start``, friction falling, m: the last place that holds it; 0 at the stop."""
+        """Travel after friction has fallen, m: the largest equilibrium travel up to ``start``, or 0 without any."""
         if self.straight:
             return smaller(self.travel(friction), start)
         left = self._left(friction)
@@ -84,41 +84,41 @@ class Balance:
         return chosen(holds.any(axis=0), lambda: root(left, slope, high, low), lambda: 0.0 * tried[0])
 
     def _tried(self, end: Values, friction: Values) -> Floats:
-        """Places up to ``end`` between which the friction that holds the sleeve does not turn, for each friction."""
+        """Grid of travels to ``end`` along the first axis; between neighbours the equilibrium friction is monotone."""
         import numpy as np
 
         grid = places(end + self.nought, _PLACES)
-        with np.errstate(all="ignore"):  # nothing presses where the closing spring is let out
+        with np.errstate(all="ignore"):  # division by N = 0 where the closing spring is slack
             found = np.sort(np.concatenate([grid, turned(self._friction_slope, grid)]), axis=0)
         found = found.reshape(len(found), *(1,) * max(np.ndim(friction) - np.ndim(grid[0]), 0), *found.shape[1:])
         return found + 0.0 * friction
 
     def _friction_slope(self, travel: Values) -> Values:
-        """Of the sign of df/dx where the sleeve is held."""
+        """Number with the sign of df/dx along the equilibria."""
         return self._slope(self.friction(travel))(travel)
 
     def friction(self, travel: Values) -> Values:
-        """Friction that holds the sleeve at a travel."""
-        with quiet_division(travel):  # where the balls move nothing none does
-            return (self.control.force(travel) / self.pressed(travel) - 1) / (self.pairs * self.net_gain_at(travel))
+        """Friction at which the sleeve is in equilibrium at a travel."""
+        held = quotient(self.control.force(travel), self.pressed(travel)) - 1
+        return quotient(held, self.pairs * self.net_gain_at(travel))  # infinite where κ = 0
 
     def way(self, start: Values, end: Values) -> Floats:
-        """Places that hold the sleeve on its way as friction changes, along a first axis.
+        """Equilibrium travels between ``start`` and ``end`` as friction changes, along the first axis.
 
-        Among them is every one where the torque turns, and those between which the sleeve jumps.
+        They include every extreme of the torque and both ends of every jump; travels inside a jump become ``start``.
         """
         import numpy as np
 
         ahead = np.where(np.asarray(end) >= start, 1.0, -1.0)
 
         def torque_slope(at: Floats) -> Values:
-            """T = R (F_2 − N)/κ."""
+            """Number with the sign of dT/dx, where T = R (F_2 − N)/κ."""
             pressed, control = self.pressed(at), self.control.force(at)
             stiffness = self.control.stiffness(at) + self.closing.stiffness(-at)
             return stiffness * self.net_gain_at(at) - self.gain_slope * (control - pressed)
 
         def ordered(*places: Floats) -> tuple[Floats, Floats, Floats]:
-            """Places in the order of the way, friction there, and the farthest that friction has gone before."""
+            """Sorted travels, the friction at each (negated if the sleeve moves back), and its running maximum."""
             way = np.sort(ahead * np.concatenate(places), axis=0) * ahead
             friction = ahead * self.friction(way)
             return way, friction, np.maximum.accumulate(friction, axis=0)
@@ -134,7 +134,7 @@ class Balance:
 
 
 def turned(function: Callable[[Floats], Values], at: Floats) -> Floats:
-    """Where a function has changed its sign between one place and the next along a first axis, else the former."""
+    """Zero of a function in each interval of the first axis, by bisection; without a zero, the interval's start."""
     import numpy as np
 
     low, sign = at[:-1], function(at[:-1]) > 0
@@ -147,14 +147,14 @@ def turned(function: Callable[[Floats], Values], at: Floats) -> Floats:
 
 
 def places(end: Values, count: int) -> Floats:
-    """From 0 to ``end`` in so many steps, along a first axis."""
+    """``count`` + 1 equally spaced values from 0 to ``end``, along the first axis."""
     import numpy as np
 
     return np.multiply.outer(np.linspace(0.0, 1.0, count + 1), end)
 
 
 def _first(tried: Floats, good: Any) -> tuple[Values, Values]:
-    """The place before the first good one, and that one."""
+    """Last value before the first ``good`` value along the first axis, and this first good value."""
     import numpy as np
 
     first = np.argmax(good, axis=0)[None]

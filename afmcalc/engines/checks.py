@@ -1,7 +1,7 @@
-"""Checks of a clutch: one list, asked of numbers by ``check`` and of arrays by ``design``.
+"""Checks of a clutch: one list, evaluated with numbers by ``check`` and with arrays by ``design``.
 
 for check in checks_of(spec):                                       # with the requirements of the spec
-    value, limit = check.value_of(clutch), check.limit_of(clutch)   # of Quantities, or of what a part tells
+    value, limit = check.value_of(clutch), check.limit_of(clutch)   # of Quantities, or of Beside
     check.passes(value, limit)                                      # a bool, or an array of them
 """
 
@@ -9,6 +9,7 @@ import math
 import re
 import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import reduce
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, cast
 
 from ..equations.arrays import is_array
@@ -22,74 +23,74 @@ if TYPE_CHECKING:
     from ..spec.models import Spec
 
 Part = Literal["simulate", "heat", "tolerance", "effects", "springs", "layout"]
-"""Parts that are calculated beside the quantities of a clutch."""
+"""Name of an analysis that gives checks values which are not quantities of the clutch."""
 ROUNDING = 1e-9
-"""Share of a limit within which a value is on it."""
+"""Relative difference up to which a value counts as equal to its limit."""
 
 
 class Known(Protocol):
     """Values by name: quantities of a clutch, or a dictionary."""
 
     def get(self, name: str, /) -> Any:
-        """Return a value; None where it is not known."""
+        """Return the value with this name; None if it is not known."""
 
 
 class Beside(NamedTuple):
-    """Values of a part, beside the quantities of a clutch."""
+    """Values of one analysis (``part``), and the quantities of the clutch."""
 
     part: Mapping[str, Any]
     clutch: Known
 
     def get(self, name: str, /) -> Any:
-        """Return what the part tells; a quantity where it does not."""
+        """Return the value with this name from the analysis, else the clutch's quantity of this name."""
         return self.part[name] if name in self.part else self.clutch.get(name)
 
 
 class Check(NamedTuple):
-    """A value held against the largest, or the ``least``, that it may be."""
+    """Comparison of a value with its upper limit or, if ``least`` is true, with its lower limit."""
 
     code: str
-    """Of its finding, ``/case`` with it."""
+    """Code of its finding, such as ``feedback-idle/key``."""
     name: str
     symbol: str
     unit: str
     value: str
-    """Name of a quantity, or of what the part tells."""
+    """Name of a quantity of the clutch, or of a value that the analysis ``needs`` gives."""
     limit: str | float
-    """Name of the quantity that limits, or a number that the spec states."""
+    """Name of the limiting quantity, or a number; ``checks_of`` replaces ``stated`` by a number of the spec."""
     least: bool = False
     strict: bool = False
     """True if a value on the limit fails."""
     level: Level = "error"
     path: str | None = None
-    """Key of the spec that it belongs to."""
+    """Key of the spec to which the check belongs."""
     needs: Part | None = None
-    """Part that tells the value; None: it is a quantity, of arrays too."""
+    """Analysis that gives the value; None if the value is a quantity of the clutch, which may be an array."""
     topic: str = "check"
-    """Command that tells it, beside ``check``."""
+    """Command that shows the check, besides ``check``."""
     when: tuple[str, ...] = ()
-    """Conditions of ``_WHEN`` on the spec, beside that value and limit are known."""
+    """Names of the conditions in ``_WHEN`` under which the check applies; value and limit must be known as well."""
 
     @property
     def requirement(self) -> str | None:
-        """Key of [requirements] that it judges; None of every other check."""
+        """Key of [requirements] that states the limit; None if the check judges no requirement."""
         return self.topic if self.code == "requirement-missed" else None
 
     def value_of(self, known: Known) -> Any:
-        """Return what a clutch has, a number or an array; None where it is not known."""
+        """Return the value, a number or an array; None if it is not known."""
         return _number(known.get(self.value))
 
     def limit_of(self, known: Known) -> Any:
-        """Return what it is held against; None where nothing is."""
+        """Return the limit, a number or an array; None if it is not known."""
         return _number(known.get(self.limit)) if isinstance(self.limit, str) else self.limit
 
     def passes(self, value: Any, limit: Any) -> Any:
-        """True if a value holds a limit, but for rounding; NaN does not."""
+        """True if a value keeps within its limit, apart from rounding; False for NaN."""
         low, high = (limit, value) if self.least else (value, limit)
         return low < high * (1 - ROUNDING) if self.strict else low <= high * (1 + ROUNDING)
 
     def utilisation(self, value: float, limit: float, zero: float = 0.0) -> float:
-        """Share of its limit that a value uses, 1 at the limit; of a temperature that of the rise above ``zero``."""
+        """Value over upper limit, or lower limit over value: 1 at the limit; temperatures count from ``zero``."""
         low, high = (limit, value) if self.least else (value, limit)
         return (low - zero) / (high - zero) if high > zero else math.inf
 
@@ -107,7 +108,8 @@ accuracy-not-lasting | accuracy factor under a load that lasts | K_т,h ≤ [K_�
 below-nominal-torque | least torque in service | T_min ≥ T_н | N*m | torque_min ≥ nominal_torque | warning | adjustment.method | | torque |
 returning-below-nominal | least torque, friction falling under load | T_ret ≥ T_н.маш | N*m | torque_returning_min ≥ machine_torque | warning | control_unit.key_friction | | torque | key
 machine-not-driven | torque that the machine asks for | T_min ≥ T_маш | N*m | torque_min ≥ torque_asked_for | warning | machine.power | | torque |
-slips-at-start | torque of a direct start | T_пуск ≤ T_min | N*m | starting_torque ≤ torque_min | info | machine.starting_torque_ratio | | torque |
+slips-at-start | torque of a direct start | T_пуск ≤ T_min | N*m | starting_torque ≤ torque_min | info | machine.starting_torque_ratio | | torque | no-motor
+slips-at-start | torque of a direct start | T_пуск ≤ T_min | N*m | starting_torque ≤ torque_min | info | drive.motor.breakdown_torque | | torque | motor
 hub-too-large | hub within the discs | d ≤ 2r_i | m | hub_diameter ≤ disc_bore | error | control_unit.hub_diameter | | check | faces
 hub-too-large | hub within the discs | d ≤ 2R_cp | m | hub_diameter ≤ mean_diameter | error | control_unit.hub_diameter | | check | no-faces
 hub-too-large | hub within the balls | d ≤ 2r − d_ш | m | hub_diameter ≤ ball_bore | error | control_unit.hub_diameter | | check | pockets
@@ -135,13 +137,13 @@ life-limited | damaging stress, protected side (beyond: limited life) | τ_eq �
 life-limited/unprotected | damaging stress, unprotected side (beyond: limited life) | τ'_eq ≤ τ_limb | Pa | damaging_stress_at_unprotected ≤ endurance_limit | info | fatigue.endurance_limit | | life |
 housing-too-wide | housing in its space | D_h ≤ [D_h] | m | outer_diameter ≤ stated | error | envelope.outer_diameter | layout | layout |
 clutch-too-long | length in its space | L ≤ [L] | m | length ≤ stated | error | envelope.length | layout | layout |
-event-contact-force | contact force on one ball in the event | F_n ≤ [F_n] | N | contact_force ≤ contact_force_allowable | error | control_unit.contact | simulate | simulate | event
+event-contact-force | contact force on one ball in the event | F_n ≤ [F_n] | N | contact_force ≤ contact_force_allowable | error | control_unit.balls | simulate | simulate | event
 event-ball-leaves-pocket | travel in the event, the ball in its pocket | x_max ≤ [x] | m | travel_max ≤ travel_to_edge | error | | simulate | simulate | event
 event-clearance | clearance of the ball in the event | y_x ≥ y | m | clearance ≥ edge_clearance | warning | control_unit.edge_clearance | simulate | simulate | event
 event-spring-let-go | travel in the event, the closing spring pressing | x_max < x_0 | m | travel_max < travel_let_go | error | closing_spring | simulate | simulate | event
 dynamic-factor-exceeded | dynamic factor of the event | T_peak/T ≤ k_д | 1 | dynamic_factor_of_event ≤ dynamic_factor | warning | drive.dynamic_factor | simulate | simulate | event assumed
 """  # noqa: E501
-"""Rows of ``check_of``; ``when`` are conditions of ``_WHEN``."""
+"""Rows that ``check_of`` reads, one for each check; the last column names conditions of ``_WHEN``."""
 
 _REQUIRED = """\
 nominal_torque ≥ nominal_torque
@@ -149,6 +151,8 @@ machine_torque ≥ machine_torque
 accuracy_factor ≤ accuracy_factor
 accuracy_factor_hysteresis ≤ accuracy_factor_hysteresis
 torque_max ≤ torque_max
+trip_ratio.min ≥ trip_ratio_min
+trip_ratio.max ≤ trip_ratio_max
 outer_diameter ≤ outer_diameter
 surface_pressure ≤ mean_pressure
 closing_force ≤ pack_force_at_rest
@@ -164,11 +168,11 @@ temperature ≤ temperature heat
 face_temperature ≤ face_temperature heat
 trips_per_hour ≥ trips_per_hour heat
 """
-"""Key of [requirements], whether its value is the largest or the least, the quantity asked, and the part needed."""
+"""Rows: key of [requirements], ≤ for an upper or ≥ for a lower limit, limited quantity, analysis that gives it."""
 
 
 def check_of(row: str) -> Check:
-    """Return the check of a row: code, name, symbol, unit, value and limit, level, path, part needed, topic, when."""
+    """Return the check that a table row describes: code, name, symbol, unit, comparison, level and further fields."""
     code, name, symbol, unit, held, level, path, needs, topic, when = map(str.strip, re.split(r" \|(?= |$)", row))
     value, sign, limit = held.split()
     return Check(
@@ -184,15 +188,15 @@ def _requirement_of(row: str) -> Check:
 
 
 CHECKS = (*map(check_of, _TABLE.splitlines()), *map(_requirement_of, _REQUIRED.splitlines()))
-"""Every check but those of the springs that are named as parts."""
+"""All checks except the checks of spring parts (``parts.RULES``)."""
 REQUIRED = {check.requirement: check for check in CHECKS if check.requirement}
-"""Key of [requirements] → its check; name, symbol and unit are those of the key."""
+"""Key of [requirements] → its check; ``checks_of`` fills in name, symbol and unit of the key."""
 
 
 def checks_of(spec: "Spec", topic: str = "") -> tuple[Check, ...]:
-    """Return the checks that apply to a spec, or those of a topic, its requirements first.
+    """Return the checks of one topic, or of all topics, that apply to a spec; requirements first.
 
-    A value or limit may yet be unknown (None).
+    The value or the limit of a check may still be unknown (None).
     """
     checks = (check for check in CHECKS if not topic or check.topic == topic)
     applying = (check for check in checks if all(_WHEN[condition](spec) for condition in check.when))
@@ -230,13 +234,14 @@ _WHEN: Mapping[str, Callable[[Any], Any]] = {
     "given": lambda spec: spec.control_unit.ball_diameter is not None,
     "hertz": lambda spec: spec.control_unit.allowable_contact_force is None or spec.control_unit.contact is not None,
     "event": lambda spec: spec.drive.event is not None, "no-event": lambda spec: spec.drive.event is None,
+    "motor": lambda spec: spec.drive.motor is not None, "no-motor": lambda spec: spec.drive.motor is None,
     "assumed": lambda spec: spec.drive.dynamic_factor is not None and spec.fatigue is not None,
 }  # fmt: skip
-"""Condition of a check on a spec."""
+"""Name of a condition of a check → function that tests a spec."""
 
 
 def _stated(spec: "Spec", check: Check) -> Iterator[Check]:
-    """Yield a check with the limit that the spec, a list or each of its materials states; none where none does."""
+    """Yield a check with its limit from spec or catalogue, once for each material; nothing if there is no limit."""
     limit = check.limit
     if check.requirement:
         yield from _required(spec, check, check.requirement)
@@ -258,14 +263,15 @@ def _stated(spec: "Spec", check: Check) -> Iterator[Check]:
 
 
 def _required(spec: "Spec", check: Check, name: str) -> Iterator[Check]:
-    """Yield the check of a requirement that is stated; the plate of a machine requires its torque."""
-    limit, path = getattr(spec.requirements, name, None), check.path
+    """Yield the check of a requirement if the spec states it; with [machine], machine_torque is always required."""
+    asked: Any = spec.requirements
+    limit, path = reduce(lambda block, key: getattr(block, key, None), name.split("."), asked), check.path
     if name == "machine_torque" and spec.machine is not None:
         limit, path = "torque_asked_for", "machine.power"
     if limit is None:
         return
     key, value = keys()[f"requirements.{name}"], check.value
-    if not spec.kind.travels:  # its torque is the same as friction falls
+    if not spec.kind.travels:  # a direct clutch has no travel and no hysteresis
         value = {"travel_max": "sleeve", "accuracy_factor_hysteresis": "accuracy_factor"}.get(value, value)
     if value == "contact_pressure" and not _has_pockets(spec):
         value = "pockets"
@@ -276,18 +282,18 @@ def _required(spec: "Spec", check: Check, name: str) -> Iterator[Check]:
 
 
 def after_event(spec: "Spec", check: Check) -> Check:
-    """Replace the dynamic factor of the unprotected side by that of the event, where none is given."""
+    """Return the check; it needs ``simulate`` if its value depends on the dynamic factor of the event."""
     return check._replace(needs="simulate") if takes_factor_of_event(spec, check.value) else check
 
 
 def takes_factor_of_event(spec: "Spec", quantity: str) -> bool:
-    """True if a quantity of the unprotected side takes the dynamic factor of the event, as none is given."""
+    """True if a quantity depends on the dynamic factor and the spec takes the dynamic factor from its event."""
     open_factor = spec.drive.event is not None and spec.drive.dynamic_factor is None
     return open_factor and ("unprotected" in quantity or quantity.startswith("cycles"))
 
 
 def failures(spec: "Spec", known: Known, checks: Iterable[Check]) -> list[Finding]:
-    """Return a finding for each check that fails; of a range of a material only the graver end is told."""
+    """Return a finding for each failed check; beyond the upper limit of a material its lower limit is not mentioned."""
     found = [
         _failure(spec, check, known, value, limit)
         for check in checks
@@ -300,12 +306,12 @@ def failures(spec: "Spec", known: Known, checks: Iterable[Check]) -> list[Findin
 
 
 def failures_of(spec: "Spec", known: Known, topic: str) -> list[Finding]:
-    """Return a finding for each check of a command that fails."""
+    """Return a finding for each failed check that the command ``topic`` shows."""
     return failures(spec, known, checks_of(spec, topic))
 
 
 def _failure(spec: "Spec", check: Check, known: Known, value: Any, limit: Any) -> Finding:
-    """Make the finding of a check; its sentence may name any quantity, the check and the material."""
+    """Return the finding of a failed check; its message may contain any quantity, the check and the material."""
     lining = spec.friction.linings.get(check.path or "")
     shown, required = apart(value, limit, check.unit)
     words = {"name": translate(check.name), "shown": shown, "required": required, "lining": lining and lining.name}
@@ -319,7 +325,7 @@ _ALWAYS = {"value", "limit", "path"}
 
 
 def apart(value: float, limit: float, unit: str) -> tuple[str, str]:
-    """Return a value and its limit with as many digits, five at least, as tell them apart."""
+    """Return a value and its limit as text, with enough digits (five or more) to differ."""
     for digits in range(5, 16):
         shown, required = (measured(number, ENGINEER.get(unit, unit), digits) for number in (value, limit))
         if shown != required:

@@ -1,4 +1,4 @@
-"""Laws of a sleeve between disc springs behind curved walls; those of straight walls are ``disc_balance``."""
+"""Laws of a sleeve between disc springs behind curved walls; for straight walls see ``disc_balance``."""
 
 from ..equations.arrays import chosen, larger, place_of_largest, place_of_smallest, smaller
 from ..equations.wiring import Either
@@ -9,14 +9,14 @@ _ROUNDING = 1e-12
 
 def balance(closing_spring, control_spring, pairs, net_gain_acting, gain_slope):
     """Balance of the forces on a sleeve off its stop, N(x)(1 + zκ(x)f) = F_2(x), κ(x) = κ + C_1 x.
-    Source: S21 (6)–(9), handbook, chapter 12, the springs as curved as they are. Validity: Walls that steepen along the
-    travel."""
+    Source: S21 (6)–(9), handbook, chapter 12, with the curved characteristics of the springs. Validity: Walls that
+    steepen along the travel."""
     _ = closing_spring.disc and closing_spring.deflection, control_spring.disc and control_spring.deflection
     return Balance(closing_spring, control_spring, pairs, net_gain_acting, gain_slope, False)
 
 
 def travel_returning(balance_at_returning, friction, travel_max):
-    """Travel when friction falls from f_max under load; the last place that holds the sleeve.
+    """Travel when friction falls from f_max under load: the largest equilibrium.
     Source: Handbook, chapter 12. Validity: f ≤ f_max."""
     return balance_at_returning.travel_returning(friction, travel_max)
 
@@ -37,13 +37,13 @@ def net_gain_there(net_gain_acting, gain_slope, travel_moving):
 
 
 def net_gain_back(net_gain_returning, gain_slope, travel_returning):
-    """Net gain where the sleeve that moves back is, κ₊(x) = κ₊ + C_1 x.
+    """Net gain of a sleeve that moves back, κ₊(x) = κ₊ + C_1 x.
     Source: Handbook, chapter 12. Validity: Walls that steepen along the travel."""
     return net_gain_returning + gain_slope * travel_returning
 
 
 def control_force_back(control_spring, travel_returning):
-    """Force of the control spring where the sleeve that moves back is, F_2(x).
+    """Force of the control spring while the sleeve moves back, F_2(x).
     Source: Handbook, chapter 12. Validity: Friction falling, load kept."""
     return control_spring.force(travel_returning)
 
@@ -60,7 +60,7 @@ def _turns(balance, travel_start, travel_end, friction_low, friction_high, torqu
     frictions within a range."""
     import numpy as np
 
-    way = balance.way(travel_start + balance.nought, travel_end + balance.nought)  # a travel may have a smaller shape
+    way = balance.way(travel_start + balance.nought, travel_end + balance.nought)  # + nought: both get the full shape
     friction = np.asarray(balance.friction(way))
     torque = balance.pressed(way) * arm * friction
     inside = (friction >= friction_low * (1 - _ROUNDING)) & (friction <= friction_high * (1 + _ROUNDING))
@@ -73,7 +73,7 @@ def _turns(balance, travel_start, travel_end, friction_low, friction_high, torqu
 def turning_points(
     balance, travel_at_f_min, travel_max, friction_min, friction_max, torque_at_f_max, mean_radius, pairs
 ):
-    """Points of smallest and largest torque while the sleeve moves.
+    """Points (torque, friction) of smallest and largest torque while the sleeve moves.
     Source: Handbook, chapter 12. Validity: Friction rising from f_min to f_max."""
     arm = mean_radius * pairs
     return _turns(balance, travel_at_f_min, travel_max, friction_min, friction_max, torque_at_f_max, arm)
@@ -82,7 +82,7 @@ def turning_points(
 def turning_points_from_mean(
     balance, travel_at_f_mean, travel_max, friction_mean, friction_max, torque_at_f_max, mean_radius, pairs
 ):
-    """Points of smallest and largest torque while the sleeve moves, from the mean friction on.
+    """Points (torque, friction) of smallest and largest torque while the sleeve moves, from the mean friction on.
     Source: Handbook, chapter 12. Validity: Friction rising from f_cp to f_max."""
     arm = mean_radius * pairs
     return _turns(balance, travel_at_f_mean, travel_max, friction_mean, friction_max, torque_at_f_max, arm)
@@ -90,7 +90,7 @@ def turning_points_from_mean(
 
 def extreme_points(torque_at_f_min, torque_at_leaving_in_range, turning_points, torque_at_f_max, friction_min,
             friction_leaving_in_range, friction_max):  # fmt: skip
-    """Torques and frictions among which are the extremes, in the order of friction.
+    """Torques and frictions, two tuples, of all possible extremes, in the order of friction.
     Source: Handbook, chapter 12. Validity: Friction rising."""
     ends = (torque_at_f_min, friction_min), (torque_at_leaving_in_range, friction_leaving_in_range)
     return tuple(zip(*ends, *turning_points, (torque_at_f_max, friction_max), strict=True))
@@ -102,7 +102,7 @@ def torque_min(extreme_points):
 
 
 def torque_max(extreme_points):
-    """Largest slip torque over the range; of a jump the torque just before it.
+    """Largest slip torque over the range; where the torque jumps, the value just before the jump counts.
     Source: Handbook, chapter 12. Validity: Friction rising."""
     return larger(*extreme_points[0])
 
@@ -139,7 +139,7 @@ def torque_returning_turn(balance_at_returning, travel_max, travel_returning_at_
 
 def torque_returning_min(torque_returning_at_f_min, torque_returning_at_unlocking, travel_max, torque_returning_turn):
     """Smallest slip torque, friction falling from f_max under load.
-    Source: Handbook, chapter 12. Validity: A sleeve that f_max leaves at its stop does not return: the stop still bears
-    a part of the control spring."""
+    Source: Handbook, chapter 12. Validity: A sleeve still at its stop at f_max does not return: the stop bears a part
+    of the control spring."""
     least = smaller(torque_returning_at_f_min, torque_returning_at_unlocking)
     return chosen(travel_max > 0, lambda: smaller(least, torque_returning_turn), lambda: least)

@@ -1,4 +1,4 @@
-"""Elasticities of a quantity of a clutch by spec path, from one vectorised difference."""
+"""Elasticities of K_т by spec path, from finite differences calculated with one array."""
 
 from typing import Any, NamedTuple
 
@@ -6,31 +6,31 @@ from .quantities import Quantities
 from .selection import NAMES
 
 STEP = 2.0**-16
-"""Of ln p; the error is of its fourth power."""
+"""Step of ln p, where p is the value of a key; the error grows with the fourth power of the step."""
 _KINK = 1e-5
-"""Difference of the slopes on both sides above which there is a kink."""
+"""Difference between left and right slope above which there is a kink."""
 PATHS = {name: f"{path}.{key}" for path, names in NAMES.items() for key, name in names.items() if key != "margin"}
-"""Quantity that a spec gives → its key; the margin is of the setting, not of the clutch."""
+"""Quantity given by a spec → path of its key; without the margin, which belongs to the setting, not to the clutch."""
 
 
 class Elasticity(NamedTuple):
-    """Relative slope of a quantity in a key of the spec, ∂ln y/∂ln p."""
+    """Relative change of a quantity per relative change of a key, ∂ln y/∂ln p."""
 
     slope: float
-    """At a kink that on the side where the key is smaller."""
+    """Slope towards smaller values of the key."""
     larger: float
-    """The slope on the side where the key is larger; that of ``slope`` but at a kink."""
+    """Slope towards larger values of the key; equals ``slope`` except at a kink."""
 
     @property
     def kink(self) -> bool:
-        """True if the slopes on both sides differ."""
+        """True if left and right slope differ."""
         return self.slope != self.larger
 
 
 def elasticities(clutch: Quantities) -> dict[str, Elasticity]:
-    """Return the elasticities of K_т by spec path, in every key that the clutch gives and it needs.
+    """Return path of a key → elasticity of K_т, for every given key on which K_т depends.
 
-    A pocket is kept as it is cut.
+    A constant-torque pocket keeps its present slope C_1.
     """
     import numpy as np
 
@@ -58,7 +58,7 @@ def elasticities(clutch: Quantities) -> dict[str, Elasticity]:
 
 
 def _slopes(beside: list[float]) -> Elasticity:
-    """Slopes between ten values: by the four in the middle, or by those on each side where they differ."""
+    """Elasticity from ten values of ln K_т: from the four in the middle or, at a kink, from five on each side."""
     below, lower, upper, above = beside[3:7]
     left, right = -_one_sided(beside[4::-1]), _one_sided(beside[5:])
     if abs(left - right) > _KINK * max(1.0, abs(left), abs(right)):
@@ -68,6 +68,6 @@ def _slopes(beside: list[float]) -> Elasticity:
 
 
 def _one_sided(ahead: list[float]) -> float:
-    """Slope where five values on one side begin, without that place: a kink may lie just beside it."""
+    """Slope at a point from five values on one side, without the value at the point, where a kink may be."""
     weights = -77, 214, -234, 122, -25
     return sum(weight * value for weight, value in zip(weights, ahead, strict=True)) / (12 * STEP)

@@ -1,4 +1,4 @@
-"""Many clutches at once: quantities of a spec with arrays in place of some of its numbers. Loads NumPy when asked."""
+"""Many clutches at once: a spec with arrays in place of some numbers. NumPy is imported on first use."""
 
 from collections.abc import Callable, Mapping
 from itertools import product
@@ -11,22 +11,21 @@ from ..spec.keys import is_whole
 from . import Clutch, build
 
 SLOPE = "control_unit.gain_slope"
-"""Key of which 0 makes a straight wall, by other laws."""
+"""Key whose value 0 means a straight wall, which has other laws."""
 BLOCK = 16_000
-"""Points calculated at a time: as many as an array may have that the allocator keeps (128 KiB); a larger one it gives
-back to the system each time, and fetching its pages anew takes longer than all the arithmetic."""
+"""Number of points calculated at a time: arrays of 128 KiB, which the allocator reuses. Larger arrays go back to the
+system each time, and fetching their memory pages again takes longer than all the arithmetic."""
 Output = str | Callable[[Clutch], Values]
-"""Output at every point: a quantity, or a function of the clutch."""
+"""Output calculated at every point: the name of a quantity, or a function of the clutch."""
 
 
 def evaluate(
     spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Output], block: int = BLOCK
 ) -> dict[str, Floats]:
-    """Evaluate what is asked of the clutch with arrays of one size, SI, in place of numbers at some paths of its spec.
+    """Evaluate outputs of a clutch with arrays of one size, SI, in place of numbers at some paths of its spec.
 
-    Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand for all their
-    elements: those are validated, then the arrays go through the same engine as numbers do. Raises SpecError: a value
-    no spec may have.
+    Every constraint of a spec bounds one value or orders two values, so it suffices to validate the extremes of the
+    arrays; then the arrays go through the same engine as numbers. Raises SpecError if a spec with extremes is invalid.
     """
     import numpy as np
 
@@ -44,13 +43,13 @@ def evaluate(
             build(valid)
         except SpecError as error:
             where = ", ".join(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
-            problems = [problem._replace(place=None) for problem in error.problems]
+            problems = [problem._replace(origin="", place=None) for problem in error.problems]
             raise SpecError(say("sweep at {where}", where=where), problems) from None
     size = max(array.size for array in arrays.values())
     slopes = np.broadcast_to(arrays.get(SLOPE, 1.0), size)
     answers = {name: np.empty(size) for name in outputs}
     with np.errstate(all="ignore"):
-        # in blocks, so that intermediate arrays stay in the processor's cache; straight walls apart from curved ones
+        # in blocks, so that intermediate arrays stay in the processor's cache; straight and curved walls separately
         walls = (np.flatnonzero(kind) for kind in (slopes != 0, slopes == 0))
         for part in (wall[start : start + block] for wall in walls for start in range(0, wall.size, block)):
             swept = edit.with_values(valid, {path: array[part] for path, array in arrays.items()})

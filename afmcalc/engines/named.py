@@ -1,5 +1,5 @@
-"""Base of ``Quantities``, whose stub tells type checkers and editors which quantities there are."""
+"""Base class of ``Quantities``; its stub tells type checkers and editors which quantities there are."""
 
 
 class Named:
-    """Object that has the quantities of ``equations.terms`` as attributes."""
+    """Object whose attributes are the quantities of ``equations.terms``."""

@@ -1,5 +1,5 @@
 # ruff: noqa: E501
-"""Quantities by name. AFMCALC_UPDATE=1 pytest tests/engines/test_stub.py writes this file from equations/terms.py."""
+"""Quantities by name. AFMCALC_UPDATE=1 pytest tests/engines/test_laws.py writes this file from equations/terms.txt."""
 
 from typing import Any
 
@@ -7,9 +7,9 @@ from ..equations.arrays import Values
 
 class Named:
     accuracy_factor: Values  # K_т, 1: accuracy factor
+    accuracy_factor_by_ratios: Values  # K_т, 1: accuracy factor
     accuracy_factor_actual: Values  # K_т,act, 1: actual accuracy factor with the published T_ср, S22 (19)
     accuracy_factor_as_set: Values  # K_т, 1: accuracy factor of a control spring set by S21 (14)
-    accuracy_factor_by_ratios: Values  # K_т, 1: accuracy factor
     accuracy_factor_equilibrium: Values  # K_т,eq, 1: accuracy factor with the equilibrium torque
     accuracy_factor_expected: Values  # K_т,exp, 1: expected accuracy factor, S22 (18)
     accuracy_factor_hysteresis: Values  # K_т,h, 1: accuracy factor under a load that lasts, T_max/T_ret,min
@@ -22,6 +22,7 @@ class Named:
     actuation_torque_published: Values  # T_ср, N*m: actuation torque as published, S22 (14)
     allowable_contact_force: Values  # [F_n], N: allowable normal force on one ball
     allowable_pressure: Values  # p_0,allow, Pa: allowable maximum contact pressure
+    allowable_pressure_static: Values  # p_s, Pa: contact pressure at the static limit
     balance: Any  # balance of the forces on the sleeve
     ball_bore: Values  # 2r − d_ш, m: diameter of the circle inside the balls
     ball_circle_radius: Values  # r, m: radius of the ball circle
@@ -31,13 +32,14 @@ class Named:
     ball_modulus: Values  # E_1, Pa: elastic modulus of the ball
     ball_pitch: Values  # t_ш, m: distance between the centres of neighbouring balls
     ball_poisson: Values  # ν_1, 1: Poisson's ratio of the ball
-    ball_radius: Values  # r_ш, m: smallest ball radius
-    ball_radius_chosen: Values  # r_ш, m: ball radius
+    ball_radius: Values  # r_ш, m: smallest ball radius needed
+    ball_radius_chosen: Values  # r_ш, m: radius of the ball chosen
     balls: Values  # n, 1: number of balls
     balls_listed: Values  # , m: diameters of balls to choose from
     base_cycles: Values  # N_0, 1: base cycles of the S-N line
     bend_of_path: Values  # s_cp, 1: share of the common path at which both frictions have their means
     breakaway_torque: Values  # P, N*m: breakaway torque, upper bound
+    breakdown_torque: Values  # M_b, N*m: breakdown torque of the motor
     bypass_pairs: Values  # z_1, 1: pairs that bypass the control unit
     can_hold_torque: Any  # whether there is a wall that holds the torque
     circumferential_force: Values  # F_o, N: circumferential force on all the balls
@@ -78,6 +80,7 @@ class Named:
     damaging_stress: Values  # τ_eq, Pa: damaging stress
     disc_bore: Values  # 2 r_i, m: inner diameter of the friction surface
     discriminant: Values  # D, 1: discriminant of S22 (17)
+    distance_to_gain_limit: Values  # δ_1, 1: distance of the loop gain of the bypass pairs from its limit
     drive_efficiency: Values  # η, 1: efficiency between motor and clutch
     drive_ratio: Values  # i, 1: speed of the motor over that of the clutch
     driven_torque: Values  # T_2, N*m: torque of the controlled pairs, which passes the balls
@@ -93,6 +96,7 @@ class Named:
     exponent: Values  # m_τ, 1: exponent of the S-N line
     extreme_points: Any  # torques and frictions among which are the extremes
     face_gap: Values  # s, m: gap between the faces
+    force_bypass_first: Values  # N_1, N: normal force under T_н.маш, the bypass pairs carrying first
     force_ratio: Values  # F_п1/F_п2, 1: spring force set at f_min over that set at the mean friction, without margin
     friction: Values  # f, 1: coefficient of friction
     friction_along_wall: Values  # f_w, 1: frictions at which the ball comes along the wall
@@ -115,9 +119,9 @@ class Named:
     friction_driving_set: Values  # f_1set, 1: friction of the bypass pairs at the setting
     friction_driving_slips: Values  # f_1, 1: friction of the bypass pairs in each slip
     friction_leaving: Values  # f_L, 1: friction at which the sleeve leaves its stop
+    friction_leaving_made: Values  # f_L, 1: friction at which the sleeve leaves its stop
     friction_leaving_from_mean: Values  # f_L, 1: friction from the mean on at which the sleeve leaves its stop
     friction_leaving_in_range: Values  # f_L, 1: friction within the range at which the sleeve leaves its stop
-    friction_leaving_made: Values  # f_L, 1: friction at which the sleeve leaves its stop
     friction_max: Values  # f_max, 1: largest coefficient of friction
     friction_mean: Values  # f_cp, 1: mean coefficient of friction
     friction_min: Values  # f_min, 1: smallest coefficient of friction
@@ -148,6 +152,7 @@ class Named:
     key_friction: Values  # f_1, 1: friction coefficient at the key
     key_friction_force: Values  # F_тр, N: friction force of the key on the sleeve
     largest_driven_torque: Values  # T, N*m: torque that passes the balls
+    lining: Values  # s_w, m: thickness of lining that a pair may lose by wear
     load_factor: Values  # k, 1: factor of the load: 1, or the dynamic factor
     load_rise: Values  # ΔT', N*m: load rise until slip
     load_rise_max: Values  # ΔT_max, N*m: load rise until slip at f_min
@@ -175,14 +180,14 @@ class Named:
     never: Any  # no
     no_slope: Values  # C_1, 1/m: growth of the gain with travel where no wall holds the torque
     nominal_torque: Values  # T_н, N*m: nominal torque of the clutch
-    nominal_torque_ratio: Values  # K_п, 1: nominal torque over that of a base clutch whose pairs are all controlled, of equal spring force and gain
     nominal_torque_wanted: Values  # T_н, N*m: nominal torque of the clutch
+    nominal_torque_ratio: Values  # K_п, 1: nominal torque over that of a base clutch whose pairs are all controlled, of equal spring force and gain
     normal_force: Values  # N, N: normal force on the pairs
-    normal_force_let_go: Values  # N, N: normal force once the key has let the sleeve go
     normal_force_moving: Values  # N, N: normal force on the pairs
+    normal_force_seated: Values  # N, N: normal force on the pairs
+    normal_force_let_go: Values  # N, N: normal force once the key has let the sleeve go
     normal_force_moving_back: Values  # N, N: normal force while the sleeve moves back
     normal_force_returning: Values  # N, N: normal force, friction falling under load
-    normal_force_seated: Values  # N, N: normal force on the pairs
     nothing: Values  # 0, 1: nothing
     onset_torque: Values  # T_1(0), N*m: torque that the bypass pairs carry alone, before the balls take a share
     optimal_reduced_gain: Values  # (zC)_opt, 1: reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum
@@ -199,7 +204,9 @@ class Named:
     pocket_depth_from_travel: Values  # h_2, m: pocket depth from the travel
     pocket_width: Values  # b, m: width of the pocket's mouth at the face
     polar_section_modulus: Values  # W_p, m^3: polar section modulus
-    potential_torque: Values  # T_п, N*m: potential torque: what the clutch could carry while T_н.маш loads it; upper bound of the tripping torque
+    potential_torque: Values  # T_п, N*m: potential torque of S22 (22): what the clutch could carry under T_н.маш, all pairs sharing it
+    potential_torque_bound: Values  # T_п,max, N*m: upper bound of the trip torque, z R f F_п
+    potential_torque_bypass_first: Values  # T_п,1, N*m: potential torque, the bypass pairs carrying first
     potential_torque_gain: Values  # T'_п − T_п, N*m: potential torque above that of the all-driving clutch of equal spring, gain and margin
     potential_torque_risen: Values  # T_п(ΔT), N*m: potential torque under it, S22 (6), (9); at slip it is the load
     reduced_gain: Values  # z_2 C, 1: reduced gain
@@ -227,6 +234,7 @@ class Named:
     slope_in_ratio_min: Values  # ∂K_т/∂p, 1: slope of K_т in p = f_2min/f_1min, f_2min moving, F11 (22)
     starting_torque: Values  # T_пуск, N*m: largest torque at the clutch at a direct start
     starting_torque_ratio: Values  # m_п, 1: largest torque of the motor at the start over its rated torque
+    static_safety: Values  # s_0, 1: static safety factor of the balls
     stays_off: Any  # whether a sleeve that has jumped off its stop has not yet jumped back
     stop_reaction: Values  # S, N: reaction of the stop on the sleeve
     stop_reaction_seated: Values  # S, N: reaction of the stop on the sleeve
@@ -260,6 +268,9 @@ class Named:
     travel_moving: Values  # x, m: axial travel of the sleeve off its stop
     travel_returning: Values  # x, m: axial travel of the sleeve, friction falling under load
     travel_to_mouth: Values  # ξ_m, m: travel at which the ball would touch the edge of the pocket
+    trip_ratio_max: Values  # k_max, 1: largest trip torque over the rated torque
+    trip_ratio_min: Values  # k_min, 1: least trip torque over the rated torque
+    trip_ratio_ordinary: Values  # k_о, 1: largest trip torque of an ordinary clutch in its place over the rated torque
     turning_points: Any  # points of smallest and largest torque while the sleeve moves
     turning_points_from_mean: Any  # the same from the mean friction on
     ultimate_strength: Values  # τ_u, Pa: ultimate strength in shear
@@ -272,5 +283,6 @@ class Named:
     wall_axial: Values  # ξ_w, m: wall, along the axis
     wall_modulus: Values  # E_2, Pa: elastic modulus of the pocket wall
     wall_poisson: Values  # ν_2, 1: Poisson's ratio of the pocket wall
+    wear_play: Values  # w_z, m: play that the ball needs for the wear of the pack
     web: Values  # e, m: web between neighbouring pockets at the face
     yield_strength: Values  # σ_т, Pa: yield strength of the shaft in tension

@@ -1,4 +1,4 @@
-"""Demands on a spring, and the rules a part must hold as that spring: as columns, for one part or many."""
+"""Demands on a spring, and the checks of a spring part that meets them; for one part, or for many parts as arrays."""
 
 import math
 from collections.abc import Iterator
@@ -26,58 +26,58 @@ from .rings import rooms_of
 from .selection import Clutch
 
 QUASI_STATIC = 1e4
-"""Strokes up to which a spring counts as one that rests (EN 13906-1)."""
+"""Number of strokes up to which a spring counts as statically loaded (EN 13906-1)."""
 INDEX = (4.0, 20.0)
-"""Mean coil diameter over wire diameter (EN 13906-1)."""
+"""Smallest and largest spring index, mean coil diameter over wire diameter (EN 13906-1)."""
 SOLID_SHARE = 0.56
-"""Shear stress, pressed solid, over tensile strength: what cold coiled springs bear (EN 13906-1)."""
+"""Ratio of allowable shear stress of a solid, cold coiled spring to tensile strength (EN 13906-1)."""
 OM_STRENGTH = 1600e6
-"""Pressure that the section of a disc bears where it turns (Machinery's Handbook, 31st ed.), Pa."""
+"""Allowable compressive stress at a disc spring's centre of rotation OM (Machinery's Handbook, 31st ed.), Pa."""
 ZIMMERLI = (241e6, 379e6)
-"""Amplitude and mean of the shear stress that wire, not shot peened, bears for ever (Shigley, sec. 10-9), Pa."""
+"""Amplitude and mean of the shear stress at the endurance limit, wire not shot peened (Shigley, sec. 10-9), Pa."""
 SHEAR_SHARE = 0.67
-"""Shear strength of wire over its tensile strength (Shigley, sec. 10-9)."""
+"""Ratio of shear strength of wire to its tensile strength (Shigley, sec. 10-9)."""
 WIRE = (0.3e-3, 20e-3)
-"""Diameters of EN 10270-1, m."""
+"""Smallest and largest wire diameter of EN 10270-1, m."""
 SEATING = 0.5
-"""ν of a spring between parallel plates (EN 13906-1)."""
+"""Seating coefficient ν of a spring between parallel plates (EN 13906-1)."""
 
 SpringName = Literal["closing", "control"]
 
 
 class SpringDemand(NamedTuple):
-    """Force and stiffness that one spring of a clutch is to give, its room and its service."""
+    """Required force and stiffness of one spring of a clutch, its room and its service."""
 
     name: SpringName
     force: float
     """Force as set, N."""
     stiffness: float | None
-    """N/m; None: any."""
+    """Required stiffness, N/m; None: any stiffness will do."""
     relaxes: float
     """Extension in service, m."""
     room: Room
     pitch: float | None
-    """Of the nut, m."""
+    """Thread pitch of the nut, m."""
     friction: tuple[float, float] | None
-    """w_M of the cones of a stack on each other, w_R of its edges."""
+    """Friction factors of a stack of disc springs, w_M between the cones and w_R at the edges."""
     compresses: float = 0.0
     """Compression in service, m."""
     follows: int | None = None
-    """Pairs whose wear it follows; None: wear does not reach it."""
+    """Number of friction pairs whose wear extends the spring; None if wear does not extend it."""
     stroke: float | None = None
-    """Stroke at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
+    """Stroke at every trip, m; None: static or quasi-static load (EN 13906-1)."""
     cycles: float | None = None
-    """Trips asked for; None: not told."""
+    """Required number of trips; None: not stated."""
     catalogue: tuple[Disc, ...] | None = None
-    """Disc springs to choose from; None: those that ship."""
+    """Disc springs to choose from; None: the list that ships with the program."""
 
 
 def spring_demands(clutch: Clutch, travel: float = 0.0) -> list[SpringDemand]:
-    """Return what each spring of a clutch is to give; ``travel`` counts where it exceeds that of the law.
+    """Return the demand on each spring of a clutch, for the travel by the torque law or, if larger, for ``travel``.
 
-    The closing spring of a direct clutch follows the wear of the pack and rests. That of an indirect one is slackened
-    by the travel of the sleeve, which presses the control spring together, and it is the control spring that follows
-    the wear; both move at every trip.
+    The closing spring of a direct clutch extends as the pack wears and does not move otherwise. In an indirect clutch
+    the travel of the sleeve extends the closing spring and compresses the control spring at every trip; wear extends
+    the control spring.
     """
     spec, pairs = clutch.spec, clutch.spec.friction_group.pairs
     rooms = {} if spec.envelope is None else rooms_of(clutch)
@@ -127,35 +127,35 @@ spring-does-not-fit | outer diameter of the spring | D_e ≤ t_п | m | outer_di
 spring-does-not-fit | outer diameter of the spring | D_e ≤ D_2 | m | outer_diameter ≤ room_outer | error | | springs | outer diameter |
 spring-does-not-fit | inner diameter of the spring | D_i ≥ D_1 | m | inner_diameter ≥ room_inner | error | | springs | inner diameter |
 """  # noqa: E501
-"""Rows of ``check_of``; the topic is what a part misses that does not hold it."""
+"""Rows for ``check_of``; the topic of a check is the property of the spring part that it limits."""
 
 RULES = tuple(map(check_of, _TABLE.splitlines()))
-"""Checks of a part."""
+"""Checks of a spring part."""
 
 
 class PartCheck(NamedTuple):
-    """A rule, and the numbers of one part, or of many."""
+    """A check with value and limit of one spring part, or with arrays of values and limits for many parts."""
 
     rule: Check
     value: Any
     limit: Any
     scale: Any
-    """Scale of the relative excess."""
+    """Value to which the excess over the limit is related."""
 
     @property
     def utilisation(self) -> float:
-        """1 at the limit; of what must reach it, infinite where there is nothing."""
+        """Value over upper limit, or lower limit over value (infinite for a value of 0): 1 at the limit."""
         return self.rule.utilisation(self.value, self.limit)
 
     @property
     def beyond(self) -> Any:
-        """Relative excess over the limit; not positive: it is held."""
+        """Relative excess over the limit; ≤ 0 if the check passes."""
         over = self.limit - self.value if self.rule.least else self.value - self.limit
         return over / self.scale
 
 
 def checks_of_part(known: dict[str, Any]) -> list[PartCheck]:
-    """Return what a part is to hold, held or not, from its values; of columns NaN is not asked."""
+    """Return the checks of a spring part, passed or failed, except checks whose value or limit is None or a NaN."""
     return [
         PartCheck(
             rule, known[rule.value], known[rule.limit],
@@ -171,9 +171,9 @@ def _asked(value: Any) -> bool:
 
 
 def values_of_part(demand: SpringDemand, part: DiscStack | CoilSprings, apply: Apply = call) -> dict[str, Any]:
-    """Return what a part gives as set and in service, and what it may; NaN or None where there is nothing.
+    """Return values and limits of a spring part as set and in service; a value that does not exist is NaN or None.
 
-    ``part`` may have columns for numbers, a row for each of many parts.
+    ``part`` may have arrays in place of numbers, with an element for each of many parts.
     """
     own = characteristic(part, apply)
     deflection = own.deflection(demand.force)
@@ -201,7 +201,7 @@ def _of_discs(own: DiscCharacteristic, most: Values) -> dict[str, Any]:
 def _of_coils(own: CoilCharacteristic, demand: SpringDemand, most: Values) -> dict[str, Any]:
     part, room, ratio = own.part, demand.room, SHEAR_MODULUS / MODULUS
     wire, coil, tensile = part.wire_diameter, part.coil_diameter, strength(part.wire_diameter)
-    # a shaft in it, or a bore around it, within a wire's thickness guides it
+    # a shaft inside or a bore around the spring guides it if the play is at most a wire diameter
     play = smaller(coil - (room.inner_diameter or 0.0), (room.outer_diameter or math.inf) - coil)
     root = own.apply(law.coil_buckling_root, coil, part.free_length, ratio, SEATING, math.pi)
     buckles = (root >= 0) & ((part.count != 1) | (play > 2 * wire * (1 + ROUNDING)))
@@ -231,7 +231,7 @@ def _of_coils(own: CoilCharacteristic, demand: SpringDemand, most: Values) -> di
 
 
 def _of_room(room: Room, count: Any, outer_diameter: Any) -> dict[str, Any]:
-    """Return what there is room for along the shaft, around it and, of several coils, side by side."""
+    """Return the limits that the room sets to a spring, or to each of several coil springs: length and diameters."""
     inner, outer = room.inner_diameter or math.nan, math.nan if room.outer_diameter is None else room.outer_diameter
     alone = (count == 1) & (outer_diameter > 0)
     return {
@@ -244,13 +244,13 @@ def _of_room(room: Room, count: Any, outer_diameter: Any) -> dict[str, Any]:
 
 
 def strength(wire: Values) -> Values:
-    """Tensile strength of patented drawn wire SM or DM, 1980 − 740 lg d, Pa; NaN of no such wire (EN 10270-1)."""
+    """Tensile strength of patented drawn wire SM or DM, 1980 − 740 lg d, Pa; NaN outside ``WIRE`` (EN 10270-1)."""
     there = (wire >= WIRE[0] * (1 - ROUNDING)) & (wire <= WIRE[1] * (1 + ROUNDING))
     return chosen(there, lambda: (1980 - 740 / math.log(10) * logarithm(wire * 1e3)) * 1e6, lambda: math.nan)
 
 
 def checks_of_springs(clutch: Clutch, travel: float = 0.0, apply: Apply = call) -> Iterator[tuple[str, PartCheck]]:
-    """Yield what the springs that a spec names are to hold, each with the path of its part."""
+    """Yield the checks of the spring parts in a spec, each with the path of its part."""
     parts = clutch.spec.spring_parts
     for demand in spring_demands(clutch, travel) if parts else ():
         if (part := parts.get(demand.name)) is not None:
@@ -259,7 +259,7 @@ def checks_of_springs(clutch: Clutch, travel: float = 0.0, apply: Apply = call) 
 
 
 def part_findings(clutch: Clutch) -> list[Finding]:
-    """Springs that cannot give their force, do not fit, bear too much, or are used as they should not be."""
+    """Findings on the spring parts of a clutch: too weak, too large, overstressed, or used outside their range."""
     missed = [(path, each) for path, each in checks_of_springs(clutch) if each.beyond > ROUNDING]
     weak = {path for path, each in missed if each.rule.topic == "force"}
     found = [_finding(path, each) for path, each in missed if path not in weak or each.rule.topic == "force"]
@@ -278,7 +278,7 @@ def _finding(path: str, missed: PartCheck) -> Finding:
 
 
 def _remarks(clutch: Clutch, demand: SpringDemand) -> Iterator[Finding]:
-    """A wire whose strength is not known, and a stiffness beside discs, whose curve the law takes."""
+    """Yield warnings of a wire of unknown strength, and of a given stiffness that the disc springs do not have."""
     part = clutch.spec.spring_parts.get(demand.name)
     if isinstance(part, CoilSprings):
         if math.isnan(strength(part.wire_diameter)):
@@ -293,7 +293,7 @@ def _remarks(clutch: Clutch, demand: SpringDemand) -> Iterator[Finding]:
 
 
 def following_spring(clutch: Clutch) -> SetSpring:
-    """Return the spring that extends as the pack wears: of an indirect clutch the control one; the stop moves along."""
+    """Return the spring that extends as the pack wears: the closing or, in an indirect clutch, the control spring."""
     travels, coil = clutch.spec.kind.travels, clutch.spec.closing_spring.coil
     name = "control" if travels else "closing"
     stiffness = clutch.get(f"{name}_stiffness", None if travels or coil is None else coil.rate)
@@ -303,13 +303,13 @@ def following_spring(clutch: Clutch) -> SetSpring:
 
 
 def following_stiffness(clutch: Clutch) -> Any:
-    """Return the stiffness of that spring, N/m; None where the spec does not give it."""
+    """Return the stiffness of the spring that extends as the pack wears, N/m; None if the spec does not give it."""
     spring = following_spring(clutch)
     return spring.straight_stiffness if spring.disc is None else spring.stiffness(0.0)
 
 
 def lost_by_wear(clutch: Clutch, wear: Any) -> Any:
-    """Return the force that the pack loses when every pair wears so far, N; needs the stiffness of that spring."""
+    """Return the force that the pack loses when every pair wears by ``wear``, N; needs ``following_stiffness``."""
     spring, pairs = following_spring(clutch), clutch.spec.friction_group.pairs
     if spring.disc is None:
         return clutch.apply(force_lost_by_wear, spring.straight_stiffness, pairs, wear)

@@ -1,11 +1,11 @@
-"""Named quantities: each is given, or calculated by the law of its name from the quantities that its arguments name.
+"""Quantities by name: a quantity is given, or calculated by the law of its name from the quantities in its arguments.
 
     clutch = quantities_of(spec)                          # engines.selection
-    clutch["gain"], clutch.accuracy_factor                # what needs no case
+    clutch["gain"], clutch.accuracy_factor                # no case needed
     clutch.at("f_max").torque, clutch["torque_at_f_max"]  # a case: friction has the value of friction_max
     clutch.at(friction=numpy.linspace(0.1, 0.8, 1001)).torque
 
-A value is calculated on first use and kept. A case shares with its clutch what does not depend on what it changes.
+A value is calculated on first use and cached. A case shares with its clutch all values that it does not change.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -18,34 +18,34 @@ from ..messages import did_you_mean, say
 from .named import Named
 
 Law = Callable[..., Any] | Either | Same | float | None
-"""A number, or None, is what a quantity is where nothing is given."""
+"""Law of a quantity; a number or None is the default value of the quantity."""
 Case = Mapping[str, str]
-"""Quantity → the quantity whose value it has in this case."""
+"""Case, such as f_max: name of a quantity → name of the quantity whose value the first takes in this case."""
 Names = frozenset[str]
 
 
 class MissingError(LookupError):
-    """A quantity that there is no law of, or that needs what is not given."""
+    """Error: there is no such quantity, or quantities on which it depends are not given."""
 
 
 class NotedStep(NamedTuple):
-    """A law that was applied."""
+    """Record of a law that was applied."""
 
     name: str
     case: str
-    """Cases, a space between them; empty for what depends on none."""
+    """Names of the cases in effect, separated by spaces; empty if none."""
     law: Callable[..., Any]
     arguments: dict[str, str]
-    """Argument → the quantity that stands for it: in the case f_max friction_max for friction; none of ``apply``."""
+    """Argument → quantity used for it (friction_max for friction in the case f_max); empty for a step of ``apply``."""
     values: dict[str, Any]
     value: Any
 
 
 class Laws:
-    """Laws by the quantity they give, and cases: what is known before anything is calculated."""
+    """Laws of a clutch, by the name of the quantity that each law returns, and its cases such as f_max."""
 
     def __init__(self, *parts: ModuleType | Mapping[str, Any], cases: Mapping[str, Case] | None = None) -> None:
-        """Join the laws and ``CASES`` of several parts; a later one replaces an earlier one of the same name."""
+        """Join the laws and ``CASES`` of several modules; a later law or case replaces an earlier one of its name."""
         self.laws: dict[str, Law] = {}
         self.cases: dict[str, Case] = {}
         for part in parts:
@@ -55,11 +55,11 @@ class Laws:
         self.arguments = {name: _arguments(law) for name, law in self.laws.items()}
         self.names = frozenset(self.laws).union(*self.arguments.values(), *self.cases.values())
         self.made_by: tuple[Any, ...] | None = None
-        """Function and arguments that make these laws again."""
+        """Function and arguments that made these laws."""
         self._needs: dict[tuple[Names, str], Names] = {}
 
     def case_of(self, name: str) -> tuple[str, str] | None:
-        """Quantity and case of a name such as ``torque_at_f_max``."""
+        """Quantity and case of a name such as ``torque_at_f_max``; None if it has no case."""
         quantity, at, case = name.partition("_at_")
         while at and case not in self.cases:
             more, at, case = case.partition("_at_")
@@ -67,7 +67,7 @@ class Laws:
         return (quantity, case) if at else None
 
     def needs(self, name: str, given: Names, within: tuple[str, ...] = ()) -> Names:
-        """Every quantity that one depends on, itself included; what is given depends on nothing."""
+        """Names of a quantity and of all quantities on which it depends; a given quantity depends on no other."""
         if (known := self._needs.get((given, name))) is not None:
             return known
         if name in within:
@@ -86,13 +86,13 @@ class Laws:
         return self._needs[given, name]
 
     def missing(self, name: str, given: Names) -> list[str]:
-        """Quantities that must be given before one can be calculated."""
+        """Names of the quantities that must be given before the quantity ``name`` can be calculated."""
         needs = self.needs(name, given) - given
         return sorted(need for need in needs if need not in self.laws and self.case_of(need) is None)
 
 
 def laws_in(module: ModuleType) -> dict[str, Law]:
-    """The laws that a module defines, and the numbers it takes where nothing is given."""
+    """Laws and default values of quantities that a module defines, by name."""
     return {
         name: law
         for name, law in vars(module).items()
@@ -111,7 +111,7 @@ Apply = Callable[..., Any]
 
 
 def call(law: Callable[..., Any], *values: Any) -> Any:
-    """Apply a law, as ``Quantities.apply`` does, which notes it."""
+    """Apply a law without recording the step; ``Quantities.apply`` records it."""
     return law(*values)
 
 
@@ -119,27 +119,27 @@ class Quantities(Named):
     """The quantities of a clutch, SI: numbers, or arrays of one axis with a value for each of many clutches."""
 
     def __init__(self, laws: Laws, given: Mapping[str, Any], *, noted: bool = False) -> None:
-        """Begin with what is given; ``noted``: keep the steps."""
+        """Start from the given quantities; ``noted``: record every law applied in ``steps``."""
         self.laws, self.given = laws, dict(given)
         self.case = ""
         self.steps: list[NotedStep] | None = [] if noted else None
         self._root, self._names = self, frozenset(self.given)
         self._kept = dict(self.given)
-        self._own: dict[str, Any] = {}  # what a case, or ``at``, gives other values
-        self._bound: dict[str, tuple[str, str]] = {}  # name in _own → the quantity that stands for it, and the case
-        self._family: dict[Any, Quantities] = {}  # cases asked before; ``at`` a value they are kept with that scope
+        self._own: dict[str, Any] = {}  # values set by a case or by ``at``
+        self._bound: dict[str, tuple[str, str]] = {}  # name in _own → quantity whose value it takes, and the cases
+        self._family: dict[Any, Quantities] = {}  # cached scopes, by values set; ``at`` with values starts a new cache
 
     def __getitem__(self, name: str) -> Any:
-        """Return the value of a quantity, such as ``gain``, or in a case ``torque_at_f_max``.
+        """Return the value of a quantity, such as ``gain``, or of a quantity in a case, such as ``torque_at_f_max``.
 
-        Raises MissingError: there is none of that name, or it needs what is not given; says what is.
+        Raises MissingError if there is no such quantity, or if the quantities named in the message must be given first.
         """
         if name not in self._kept:
             scope = self._scope_of(name)
             self._kept[name] = scope._calculated(name) if scope is self else scope[name]
         return self._kept[name]
 
-    if not TYPE_CHECKING:  # type checkers know the names
+    if not TYPE_CHECKING:  # type checkers know the names from named.pyi
 
         def __getattr__(self, name: str) -> Any:
             """Return the value of a quantity."""
@@ -151,34 +151,34 @@ class Quantities(Named):
                 raise AttributeError(str(error)) from None
 
     def __contains__(self, name: object) -> bool:
-        """True if a quantity is given, or follows from what is."""
+        """True if a quantity is given or can be calculated."""
         return name in self._kept or not self.missing(str(name))
 
     def __dir__(self) -> Iterable[str]:
-        """List what can be asked, too."""
+        """List the attributes, and all quantities that are given or can be calculated."""
         return [*super().__dir__(), *self.names()]
 
     def names(self) -> list[str]:
-        """The quantities that are given or follow from what is; those at a friction are asked of a case."""
+        """Names of all quantities that are given or can be calculated here, that is, with the friction that is set."""
         return sorted(name for name in {*self.laws.laws, *self._names} if name in self)
 
     def get(self, name: str, default: Any = None) -> Any:
-        """Return a quantity, or ``default`` where it is not given and does not follow from what is."""
+        """Return a quantity, or ``default`` if the quantity is neither given nor can be calculated."""
         return self[name] if name in self else default  # noqa: SIM401
 
     def known(self, names: Iterable[str]) -> dict[str, Any]:
-        """Values of the quantities that are given, or follow from what is."""
+        """Name → value, for the quantities in ``names`` that are given or can be calculated."""
         return {name: self[name] for name in names if name in self}
 
     def missing(self, name: str) -> list[str]:
-        """Quantities that must be given before one can be calculated; empty where it can be."""
+        """Names of the quantities that must be given before ``name`` can be calculated; empty if nothing is missing."""
         return self.laws.missing(name, self._names)
 
     def at(self, case: str = "", /, **values: Any) -> "Quantities":
-        """Clutch in a case, or with other values of some quantities.
+        """Quantities in a case, or with other values of some quantities.
 
-        What is set last counts: it displaces values set before of quantities that follow from it. A case sets all that
-        it names, or none. Raises MissingError: no such case or quantity.
+        A value set later removes values set earlier for quantities that depend on it. A case sets all of its quantities
+        or none. Raises MissingError if there is no such case or quantity.
         """
         targets: Case = {}
         if case:
@@ -195,7 +195,8 @@ class Quantities(Named):
             for name, value in self._own.items()
             if name not in fresh and self.laws.needs(name, self._root._names).isdisjoint(fresh)
         }
-        bound = self._bound | {name: (target, case) for name, target in targets.items()}
+        within = {target: " ".join([*self._bound.get(target, ())[1:], case]) for target in targets.values()}
+        bound = self._bound | {name: (target, within[target]) for name, target in targets.items()}
         bound = {name: each for name, each in bound.items() if name not in values}
         return self._scope(own | fresh, bound, {} if values else self._family)
 
@@ -203,19 +204,19 @@ class Quantities(Named):
         bound = {name: bound[name] for name in own if name in bound}
         root = self._root
         key = frozenset((name, id(value) if is_array(value) else value) for name, value in own.items())
-        if self.steps is not None:  # equal frictions stand for different quantities
+        if self.steps is not None:  # recorded steps name the quantity, so equal values of two quantities differ
             key |= frozenset(bound.items())
         if key not in family:
             scope = object.__new__(Quantities)
             scope.laws, scope.steps, scope._root, scope._own, scope._bound = self.laws, self.steps, root, own, bound
-            scope.case = " ".join(dict.fromkeys(case for _, case in bound.values()))
+            scope.case = " ".join(dict.fromkeys(case for _, cases in bound.values() for case in cases.split()))
             scope.given, scope._names, scope._kept = root.given | own, root._names.union(own), dict(own)
             scope._family = family
             family[key] = scope
         return family[key]
 
     def _scope_of(self, name: str) -> "Quantities":
-        """Where a quantity is calculated: with no other values than those that it depends on."""
+        """Scope with only the set values on which a quantity depends, so that other cases can share its value."""
         own = self._own
         if not own:
             return self
@@ -254,7 +255,7 @@ class Quantities(Named):
         return value
 
     def apply(self, law: Callable[..., Any], *values: Any) -> Any:
-        """Return what a function gives that is no law of these; note it as a step in this case."""
+        """Apply a function that is not among the laws, and record it as a step in this case."""
         value = law(*values)
         if self.steps is not None:
             given = dict(zip(_arguments(law), values, strict=True))
@@ -262,7 +263,7 @@ class Quantities(Named):
         return value
 
     def stands_for(self, name: str) -> str:
-        """The quantity whose value one has here: ``friction_max`` for ``friction`` in the case f_max."""
+        """Name of the quantity whose value ``name`` has here: ``friction_max`` for ``friction`` in the case f_max."""
         if name in self._bound:
             return self._bound[name][0]
         law = None if name in self._names else self.laws.laws.get(name)

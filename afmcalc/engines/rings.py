@@ -1,8 +1,8 @@
-"""Where the parts of a clutch lie in its half section, as rings along the axis: for numbers and for arrays alike.
+"""Layout of a clutch: its parts in half section, as rings along the axis; numbers or arrays.
 
-The arrangement is that of the papers: F11 fig. 1 and S19 fig. 1 of a direct clutch, S21 fig. 1 of an indirect one. The
-web of the housing is at 0. Clearances, thrust bearings, keys, splines and bolts are not in it, so it is the least
-space; what the spec does not tell (springs that are not named, the ball) is left out.
+The parts are arranged as in the papers: F11 fig. 1 and S19 fig. 1 if the clutch is direct, S21 fig. 1 if indirect.
+The web of the housing is at 0. Clearances, thrust bearings, feather keys, splines and bolts are not included, so the
+space is the smallest possible. Springs without a part in the spec, and balls without a diameter, are left out.
 """
 
 import math
@@ -18,20 +18,20 @@ from .characteristics import STEEL, characteristic
 from .selection import Clutch
 
 FACE_GAP = 0.002
-"""s where the spec gives none, m (S21: 2…3 mm)."""
+"""Default of the gap s between the faces of the pockets, m (S21: 2…3 mm)."""
 TOUCHES = 1e-9
-"""Overlap that rounding may make of parts that touch, m."""
+"""Largest overlap that counts as touching, m: a rounding error."""
 
 PartName = Literal[
     "housing", "hub", "pack", "pressure disc", "thrust disc", "ball sleeve", "thrust sleeve", "stop ring", "balls",
     "closing spring", "control spring",
 ]  # fmt: skip
 Half = Literal["driving", "hub", "driven"]
-"""Half that a part turns with: the housing, the parts between discs and balls (indirect), or the hub."""
+"""Half of the clutch with which a part turns: ``driving``, ``hub`` (from discs to balls, if indirect) or ``driven``."""
 
 
 class Ring(NamedTuple):
-    """A ring of rectangular section, m; it has no extent where an end or a side is not beyond the other."""
+    """Ring of rectangular section, m; empty where right ≤ left or outer ≤ inner."""
 
     left: Values
     right: Values
@@ -39,11 +39,11 @@ class Ring(NamedTuple):
     outer: Values
     half: Half = "driven"
     given_mass: Values | None = None
-    """kg; None: it is solid steel."""
+    """Mass, kg; None: the ring is of solid steel."""
 
     @property
     def extends(self) -> Any:
-        """True if there is such a ring."""
+        """True if the ring is not empty."""
         return (self.right > self.left) & (self.outer > self.inner)
 
     @property
@@ -60,7 +60,7 @@ class Ring(NamedTuple):
         return drive.ring_inertia(self.mass, 2 * self.outer, 2 * self.inner)
 
     def overlap(self, other: "Ring") -> Values:
-        """Overlap with another ring, the shorter way, m; ≤ 0 where there is none."""
+        """Overlap with another ring, axial or radial, whichever is smaller, m; ≤ 0 if the rings do not overlap."""
         along = smaller(self.right - other.left, other.right - self.left)
         across = smaller(self.outer - other.inner, other.outer - self.inner)
         return smaller(along, across) * (self.extends & other.extends)
@@ -72,18 +72,18 @@ class SectionPart(NamedTuple):
     name: PartName
     boxes: tuple[Ring, ...]
     turning: tuple[Ring, ...] = ()
-    """Rings that its mass is spread over; none: its boxes."""
+    """Rings that have the mass of the part; if empty, the ``boxes`` have the mass."""
     pockets: bool = False
-    """True if the balls are in pockets of it."""
+    """True if the part has the pockets of the balls."""
 
     @property
     def bodies(self) -> tuple[Ring, ...]:
-        """Rings with mass, each of one half."""
+        """Rings that have the mass of the part; each ring turns with one half of the clutch."""
         return self.turning or self.boxes
 
 
 class SpringSize(NamedTuple):
-    """Room that a spring takes as it is set, m, and its mass, kg; nothing of a spring that is not named."""
+    """Inner and outer radius and length of a spring as set, m, and its mass, kg; all 0 if its part is not known."""
 
     inner: Values = 0.0
     outer: Values = 0.0
@@ -104,12 +104,12 @@ class Sizes(NamedTuple):
     plate: float
     wall: float
     ball: Values = 0.0
-    """Diameter; 0 of a clutch without balls."""
+    """Diameter of a ball; 0 for a clutch without balls."""
     balls: int = 0
     circle: Values = 0.0
     gap: float = FACE_GAP
     depth: float | None = None
-    """Thickness of the sleeves that the pockets are cut into; None: the pocket and a floor as thick as a plate."""
+    """Thickness of the sleeves with pockets; None: the depth of a pocket plus ``plate``."""
     travel: Values = 0.0
     closing: SpringSize = SpringSize()
     control: SpringSize = SpringSize()
@@ -121,12 +121,12 @@ class Sizes(NamedTuple):
 
     @property
     def behind(self) -> Values:
-        """Right face of the pressure disc, along the axis."""
+        """Axial position of the right face of the pressure disc."""
         return 3 * self.plate + self.pairs * self.disc
 
     @property
     def depth_there(self) -> Values:
-        """Thickness of a sleeve, 0 of a clutch without balls."""
+        """Thickness of a sleeve with pockets; 0 for a clutch without balls."""
         cut = self.depth
         if cut is None:
             cut = control_unit.pocket_depth_cut(self.ball / 2, self.gap) + self.plate
@@ -135,12 +135,12 @@ class Sizes(NamedTuple):
 
     @property
     def rim(self) -> Values:
-        """Radius of the sleeves: as wide as their balls, under the pack."""
+        """Outer radius of the sleeves: up to the balls, at most the pack's bore less ``wall``, at least the hub's."""
         return larger(smaller(self.reach, self.inner_radius - self.wall) * (self.ball > 0), self.hub_radius)
 
 
 def rooms_of(clutch: Clutch) -> dict[str, Room]:
-    """Return the room that the other parts leave each spring as set: in the housing, around hub, sleeve or stop."""
+    """Return name → room left for each spring as set, between the housing and hub, sleeve or stop."""
     size: Any = sizes_of(clutch)
     envelope = clutch.spec.envelope
     left = math.inf if envelope is None or envelope.length is None else envelope.length - size.behind - size.plate
@@ -168,7 +168,7 @@ def _room(size: Sizes, inner: Any, length: Any) -> Room:
 
 
 def sizes_of(clutch: Clutch) -> Sizes:
-    """Return the sizes of a clutch whose spec has an envelope, the sleeve with room to travel."""
+    """Return the dimensions of a clutch whose spec has an envelope, including the travel of the sleeve."""
     spec: Any = clutch.spec
     room, group, unit, travels = spec.envelope, spec.friction_group, spec.control_unit, spec.kind.travels
     hub = room.hub_diameter if unit is None or unit.hub_diameter is None else unit.hub_diameter
@@ -189,7 +189,7 @@ def sizes_of(clutch: Clutch) -> Sizes:
 
 
 def _spring(spec: Spec, name: str, force: Values) -> SpringSize:
-    """Return the size of a spring as set; nothing of one not named, or of coils on a circle that is not told."""
+    """Return the size of a spring as set; all 0 if its part, or the circle of several coil springs, is not known."""
     if (part := spec.spring_parts.get(name)) is None:
         return SpringSize()
     room = getattr(spec, f"{name}_spring").room or Room()
@@ -207,7 +207,7 @@ def _spring(spec: Spec, name: str, force: Values) -> SpringSize:
 
 
 def parts_of(size: Sizes) -> list[SectionPart]:
-    """Lay out the parts of a clutch from the web of the housing on; a ring that is not there has no extent."""
+    """Return the parts of a clutch laid out from the web of the housing; rings that are absent are empty."""
     hub, plate, gap, closing, control = size.hub_radius, size.plate, size.gap, size.closing, size.control
     carrier, faces = size.inner_radius - size.wall, size.outer_radius
     pack, plate_at, behind = 2 * plate, size.behind - plate, size.behind
@@ -239,14 +239,14 @@ def parts_of(size: Sizes) -> list[SectionPart]:
             _part("pressure disc", half, (plate_at, behind, hub, faces), *bosses, pockets=True),
         ]
     total, wall, middle = nut + plate, faces + size.wall, face + gap / 2
-    # an outer disc is next to the pressure disc, the others take turns
+    # outer and inner discs alternate; the disc next to the pressure disc is an outer disc
     outer_discs = pack + (size.pairs + size.pairs % 2) / 2 * size.disc
     discs = (
         Ring(pack, outer_discs, size.inner_radius, faces, "driving"),
         Ring(outer_discs, plate_at, size.inner_radius, faces, half),
         Ring(pack, plate_at, carrier, size.inner_radius, half),
     )
-    ball = middle - size.ball / 2, middle + size.ball / 2, size.circle - size.ball / 2, reach
+    ball = middle - size.ball / 2, middle + size.ball / 2, larger(size.circle - size.ball / 2, 0.0), reach
     all_balls = size.balls * effects.ball_mass(STEEL, size.ball / 2, math.pi)
     set_springs = [
         _part("closing spring", "driven", (behind, behind + closing.length, *closing[:2]), mass=closing.mass),
@@ -273,9 +273,9 @@ def _part(name: PartName, half: Half, *rings: _Sides, mass: Values | None = None
 
 
 def overlaps(parts: list[SectionPart]) -> Iterator[tuple[PartName, PartName, Values]]:
-    """Yield every two parts that could be in each other's way, and by how much at most, m; none where it is ≤ 0.
+    """Yield the names of every two parts and their largest overlap, m; ≤ 0 if they do not collide.
 
-    What is outside the housing is in its way, what is inside the bore of the hub in that of the hub.
+    A part that extends beyond the housing collides with the housing, a part inside the bore of the hub with the hub.
     """
     for first, second in combinations(parts, 2):
         if not (first.pockets and second.name == "balls"):
@@ -286,7 +286,7 @@ def overlaps(parts: list[SectionPart]) -> Iterator[tuple[PartName, PartName, Val
 
 
 def _outside(around: SectionPart, ring: Ring) -> Values:
-    """Length by which a ring is outside the housing, or inside the bore of the hub, m; ≤ 0: it is not."""
+    """Length by which a ring extends beyond the housing, or into the bore of the hub, m; ≤ 0 if it does not."""
     if around.name == "hub":
         return (around.boxes[0].inner - ring.inner) * ring.extends
     web, drum = around.boxes
@@ -294,10 +294,10 @@ def _outside(around: SectionPart, ring: Ring) -> Values:
 
 
 def length_of(parts: list[SectionPart]) -> Values:
-    """Length along the axis, m: of the housing, which covers everything."""
+    """Length of the clutch along the axis, m: the length of the housing, which encloses everything."""
     return parts[0].boxes[1].right
 
 
 def inertia_of(parts: list[SectionPart], half: Half) -> Values:
-    """Moment of inertia of one half, kg·m²."""
+    """Moment of inertia of the parts of one half, kg·m²."""
     return sum(body.inertia for part in parts for body in part.bodies if body.half == half)

@@ -1,4 +1,4 @@
-"""Which laws make up a clutch, by its variant, adjustment method and keys given; its quantities from a spec."""
+"""Selection of the laws of a clutch by its variant, adjustment method and given keys; its quantities from a spec."""
 
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -20,7 +20,7 @@ from ..equations import (
     pressure,
     unlike,
 )
-from ..equations.arrays import is_array, larger, smaller
+from ..equations.arrays import along_path, is_array
 from ..messages import say
 from ..spec import Spec, make_spec
 from ..spec.catalogues import balls
@@ -36,10 +36,11 @@ _METHODS_UNLIKE: dict[str, Part] = {"min-friction": unlike.SET_AT_MIN, "mean-fri
 
 KEYS: dict[str, tuple[Part, ...]] = {
     "wall_angle": (pack.WALL_ANGLE_GIVEN,), "uniform-pressure": (pack.UNIFORM_PRESSURE,),
-    "uniform-wear": (pressure.UNIFORM_WEAR,), "motor_power": (machine.GIVEN,), "amplitude": (life.AMPLITUDE,),
+    "uniform-wear": (pressure.UNIFORM_WEAR,), "motor_power": (machine.GIVEN,),
+    "breakdown_torque": (machine.BREAKDOWN_GIVEN,), "amplitude": (life.AMPLITUDE,),
     "goodman": (life.GOODMAN,), "event": (life.AFTER_EVENT,),
 }  # fmt: skip
-"""Quantity or option of a spec → the laws that it brings; those of the sleeve have an order of their own."""
+"""Given quantity or option of a spec → laws that it adds; for the laws of the sleeve see ``_sleeve``."""
 RULES = ("amplitude", "goodman")
 CURVED = ("gain_slope", "constant-torque")
 DISCS = ("closing_disc", "control_disc")
@@ -48,7 +49,7 @@ _CHOOSING = {*KEYS, *CURVED, *DISCS, "control_force_made", "friction_driving_min
 
 @cache
 def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
-    """Return the laws of a variant that is set by a method, with what the keys that are given choose among them."""
+    """Return the laws of a variant and an adjustment method; the given keys choose among alternatives."""
     unlike_materials = "friction_driving_min" in keys
     slips, slips_from_mean = {"friction": "friction_slips"}, life.FORECAST_OF_SLIPS
     kind = VARIANTS[variant]
@@ -75,17 +76,17 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
 
 
 def _parts_of(kind: Variant) -> tuple[Part, ...]:
-    """Laws of a variant; a later part replaces what an earlier one has of the same name."""
+    """Modules with the laws of a variant; a law in a later module replaces an earlier law of the same name."""
     if kind.travels:
         return (*_EVERY, control_unit, indirect)
     if not kind.controlled:
         return (*_DIRECT, direct.CONVENTIONAL)
-    bypass = kind.bypass(1, None)  # a number of its own, whatever the pairs
+    bypass = kind.bypass(1, None)  # default of the variant, for any number of pairs
     return (*_DIRECT, control_unit, direct.DIFFERENTIATED if bypass else direct.ALL_DRIVING, {"bypass_pairs": bypass})
 
 
 def _sleeve(keys: frozenset[str]) -> Iterator[Part]:
-    """Laws of a sleeve between springs of any characteristic, behind straight walls or curved ones."""
+    """Modules with the laws of a sleeve between springs of any characteristic, behind straight or curved walls."""
     if "control_force_made" in keys:
         yield indirect.CONTROL_FORCE_MADE
     walls, discs = not keys.isdisjoint(CURVED), not keys.isdisjoint(DISCS)
@@ -107,22 +108,21 @@ class Clutch(Quantities):
     """The quantities of a clutch, and the spec that gives them."""
 
     def __init__(self, spec: Spec, laws: Laws, given: Mapping[str, Any], *, noted: bool = False) -> None:
-        """Begin with what the spec gives; ``noted``: keep the steps."""
+        """Start from the quantities that the spec gives; ``noted``: record the steps of the calculation."""
         super().__init__(laws, given, noted=noted)
         self.spec = spec
 
     def path(self, share: Any) -> tuple[Any, Any]:
-        """f_1 and f_2 at a share (0…1) of the common path, on which both rise from minimum through mean to maximum."""
+        """Frictions f_1 and f_2 at a share (0…1) of their path: they rise together from minimum via mean to maximum."""
         first, second = self.spec.friction.groups
         if not self.spec.friction.unlike:
             return (first.min + share * (first.max - first.min),) * 2
         bend = self["bend_of_path"]
-        below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
-        one, two = (own.min + below * (own.mean - own.min) + above * (own.max - own.mean) for own in (first, second))
+        one, two = (along_path(share, own.min, own.mean, own.max, bend) for own in (first, second))
         return one, two
 
     def at_friction(self, driving: Any, driven: Any) -> Quantities:
-        """Quantities at f_1 and f_2, twice the same where all pairs are alike."""
+        """Quantities at given friction of driving and driven pairs; the same value twice if all pairs are alike."""
         if self.spec.friction.unlike or (not self.spec.kind.travels and driving is not driven):
             return self.at(friction_driving=driving, friction_driven=driven)
         return self.at(friction=driving)
@@ -132,8 +132,8 @@ def quantities_of(spec: Spec, *, noted: bool = False) -> Clutch:
     """Return the clutch of a spec.
 
     Args:
-        spec: a valid one; its values may be arrays.
-        noted: keep the steps of the calculation.
+        spec: a valid spec, whose values may be arrays.
+        noted: record the steps of the calculation.
     """
     found = given(spec)
     group, unit = spec.friction_group, spec.control_unit
@@ -149,7 +149,7 @@ def quantities_of(spec: Spec, *, noted: bool = False) -> Clutch:
 
 
 def by_rule(clutch: Clutch, rule: str) -> Clutch:
-    """Return a clutch with the laws of a rule for the damaging stress of a life."""
+    """Return the clutch with a rule for the damaging stress: ``amplitude``, ``goodman``, else the mean stress."""
     choose, variant, method, keys = clutch.laws.made_by or ()
     chosen = keys - {*RULES} | ({rule} & {*RULES})
     if chosen == keys:
@@ -167,18 +167,21 @@ friction_group    pairs driving_pairs=bypass_pairs mean_radius inner_radius oute
 closing_spring    force=closing_force stiffness=closing_stiffness
 control_spring    force=control_force_made stiffness=control_stiffness
 control_unit      gain gain_slope wall_angle ball_circle_radius hub_diameter key_friction balls face_gap edge_clearance
-control_unit      ball_diameter=ball_diameter_standard allowable_contact_force sleeve_depth
-control_unit.contact  ball_modulus ball_poisson wall_modulus wall_poisson allowable_pressure
+control_unit      static_safety ball_diameter=ball_diameter_standard allowable_contact_force sleeve_depth
+control_unit.contact  ball_modulus ball_poisson wall_modulus wall_poisson
+control_unit.contact  allowable_pressure=allowable_pressure_static
 adjustment        margin nominal_torque=nominal_torque_wanted
 machine           power=motor_power speed=motor_speed ratio=drive_ratio efficiency=drive_efficiency
 machine           service_factor starting_torque_ratio
 shaft             diameter=shaft_diameter yield_strength
 drive             dynamic_factor
+drive.motor       breakdown_torque
+heat              lining
 fatigue           endurance_limit polar_section_modulus exponent base_cycles mean_stress_sensitivity
 fatigue           ultimate_strength
 """
 NAMES: dict[str, dict[str, str]] = {}
-"""Block of a spec → its keys → the quantities that they give; a key without a name is called as it is."""
+"""Block of a spec → key → name of the quantity that the key gives; without = both names are the same."""
 for _line in _NAMES.splitlines():
     _block, *_keys = _line.split()
     _named = (each.partition("=") for each in _keys)
@@ -196,7 +199,7 @@ def given(spec: Spec) -> dict[str, Any]:
             found |= {name: value for key, name in names.items() if (value := getattr(block, key)) is not None}
     found |= dict(_materials(spec))
     if "ball_circle_radius" in found:
-        found["balls_listed"] = tuple(spec.lists.balls or balls())
+        found["balls_listed"] = spec.lists.balls or balls()
     slope = found.get("gain_slope")
     if slope is not None and not (slope.any() if is_array(slope) else slope):
         del found["gain_slope"]  # a straight wall
@@ -211,14 +214,14 @@ def given(spec: Spec) -> dict[str, Any]:
 
 
 def _materials(spec: Spec) -> Iterator[tuple[str, float]]:
-    """Ranges of friction of the materials named."""
+    """Yield name and value of the smallest and the largest friction of each material that the spec names."""
     for path, block in spec.friction.blocks.items():
         names, (low, _, high) = NAMES[path], block.range
         yield from ((names["min"], low), (names["max"], high))
 
 
 def as_set(clutch: Clutch, **values: Any) -> Clutch:
-    """Return the same clutch with other values of some quantities; its springs and pockets stay as they are."""
+    """Return the clutch with other values of some quantities; its spring forces and gain slope stay as they are."""
     laws = clutch.laws
     kept = {name: clutch[name] for name in ("closing_force", "gain_slope") if name in clutch}
     if "control_force" in clutch:
@@ -230,10 +233,10 @@ def as_set(clutch: Clutch, **values: Any) -> Clutch:
 
 
 def build(spec: Spec | Mapping[str, Any]) -> Clutch:
-    """Return the clutch of ``spec``, a validated one or plain data of the same structure.
+    """Return the clutch of a validated spec, or of plain data of the same structure.
 
-    Raises SpecError: no valid spec; of numbers (arrays have NaN there) a gain below the threshold 2 R f_1/d, at which
-    the sleeve would leave its stop at zero torque, or no wall that holds the torque.
+    Raises SpecError if the spec is invalid. Numbers (arrays become NaN) also raise it if the gain is below the
+    threshold 2 R f_1/d, at which the sleeve leaves its stop without torque, or if no pocket wall holds the torque.
     """
     spec = spec if isinstance(spec, Spec) else make_spec(spec)
     clutch, unit = quantities_of(spec), spec.control_unit

@@ -1,10 +1,10 @@
-"""The laws of a clutch: one plain function for each quantity, named by it, its arguments named by what they are.
+"""Laws of a clutch: one plain function for each quantity, named after it, with arguments named after quantities.
 
-A law is arithmetic on whatever it is given: numbers, NumPy arrays, pint quantities, SymPy symbols. ``terms`` has
-symbol, SI unit and meaning of every name, a law's docstring the formula, its source and its validity.
-``engines.selection`` says which laws make up a clutch, ``engines.quantities`` calculates a name by them.
+A law is plain arithmetic on numbers, NumPy arrays, pint quantities or SymPy symbols. ``terms`` has symbol, SI unit and
+meaning of every name; the docstring of a law has its formula, source and validity. ``engines.selection`` selects the
+laws of a clutch, ``engines.quantities`` calculates quantities with them.
 
-Beside functions a module may hold: a number, which is taken where nothing is given; ``Same("x")``, another name of x;
-``Either(condition, yes, no)``; a mapping in capitals, laws that an option puts in the place of others; and ``CASES``,
-in which a quantity has the value of another one; ``SYMBOLS``, terms of names that mean something else in this module.
+Besides functions a module may hold: a number, the default of a quantity; ``Same("x")``, another name of x;
+``Either(condition, yes, no)``, a choice; a mapping in capitals, laws that an option replaces; ``CASES``, in which a
+quantity takes the value of another one.
 """

@@ -1,4 +1,4 @@
-"""Accuracy: one quotient of torques in several cases, and what it would be without feedback (handbook, chapter 3)."""
+"""Accuracy factor: largest over smallest torque in several cases, and its value without feedback (chapter 3)."""
 
 from .arrays import larger, place_of_largest, place_of_smallest, smaller
 from .wiring import Same
@@ -46,18 +46,40 @@ def accuracy_factor_of_path(bypass_pairs, controlled_pairs, gain, friction_drivi
     return largest * (1 + feedback * friction_driven_min) / (least * (1 + feedback * friction_driven_max))
 
 
-# where the torque may turn within the range: unlike materials at their means, behind curved pockets at f_L; on either
-# side of it T is monotone
+def trip_ratio_min(torque_min, running_torque):
+    """Least trip torque as a multiple of the rated torque, k_min = T_min/T_0.
+    Source: Definition; T_0 by the plate of the motor, without it the nominal torque of the machine. Validity: Slipping
+    clutch, friction within its range, set once."""
+    return torque_min / running_torque
+
+
+def trip_ratio_max(torque_max, running_torque):
+    """Largest trip torque as a multiple of the rated torque, k_max = T_max/T_0.
+    Source: Definition; T_0 by the plate of the motor, without it the nominal torque of the machine. Validity: As
+    k_min."""
+    return torque_max / running_torque
+
+
+def trip_ratio_ordinary(trip_ratio_min, conventional_accuracy_factor):
+    """Largest trip torque of an ordinary clutch in its place, as a multiple of the rated torque, k_о = k_min
+    K_т(C = 0).
+    Source: Identity: K_т of the ordinary clutch on the same least torque. Validity: Same least torque and friction;
+    with one material K_т(C = 0) = f_max/f_min."""
+    return trip_ratio_min * conventional_accuracy_factor
+
+
+# the torque may have an extreme within the range: with unlike materials at their means, behind curved pockets at f_L;
+# on either side of it T is monotone
 
 
 def _torque_min(torque_at_f_min, torque_between, torque_at_f_max):
-    """Smallest slip torque, at an end of the range or where the torque may turn.
+    """Smallest slip torque, at an end of the range or at the one point inside where the torque may have an extreme.
     Source: F11 (12); handbook, chapters 3 and 12. Validity: f_1 and f_2 move together; straight springs."""
     return smaller(torque_at_f_min, torque_between, torque_at_f_max)
 
 
 def _torque_max(torque_at_f_min, torque_between, torque_at_f_max):
-    """Largest slip torque, at an end of the range or where the torque may turn; of a jump the torque just before it.
+    """Largest slip torque, at an end of the range or at a possible extreme inside; at a jump the value before it.
     Source: F11 (12); handbook, chapters 3 and 12. Validity: f_1 and f_2 move together; straight springs."""
     return larger(torque_at_f_min, torque_between, torque_at_f_max)
 

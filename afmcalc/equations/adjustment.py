@@ -1,8 +1,8 @@
 """Adjustment: the closing-spring force for a nominal torque, by both methods (S19; handbook, chapter 4).
 
-``margin_in_spring`` is β_н as far as it is in the spring: with mean-friction only (S19; in S22 β_н divides the torque
-of the machine). The cases ``by_min`` and ``by_mean`` are the clutch set anew for its nominal torque, ``overload`` the
-clutch as it is, its nominal torque taken at f_min as S22 does.
+``margin_in_spring`` is the margin that the spring force includes: β_н with mean-friction, else 1 (S19; in S22 β_н
+divides the torque of the machine). In the cases ``by_min`` and ``by_mean`` the clutch is set anew for its nominal
+torque; in ``overload`` it stays as set, with its nominal torque at f_min, as in S22.
 """
 
 margin = 1.0

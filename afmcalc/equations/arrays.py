@@ -1,12 +1,11 @@
-"""The few steps of a law that are not plain arithmetic, for numbers, arrays and the symbols of an explanation alike.
+"""Functions for laws beyond plain arithmetic; they take numbers and arrays alike.
 
-No other module of the laws knows NumPy, and of numbers none imports it. An array holds one value for each clutch;
-what a law calculates at many frictions of one clutch (``spread``) lies along a first axis before that.
+No other module of the laws uses NumPy, and here it is imported only for arrays. An array holds one value for each
+clutch; values at many frictions of each clutch (``spread``) lie along an additional first axis.
 """
 
 import math
 from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
 from functools import reduce
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
 
@@ -28,36 +27,40 @@ def is_array(value: object) -> "TypeGuard[Floats]":
 
 def larger(*values: Any) -> Any:
     """Elementwise maximum."""
-    return _called("max", values, max, "maximum")
+    for value in values:
+        if value.__class__ is not float and is_array(value):
+            import numpy as np
+
+            return reduce(np.maximum, values)
+    return max(values)
 
 
 def smaller(*values: Any) -> Any:
     """Elementwise minimum."""
-    return _called("min", values, min, "minimum")
-
-
-def _called(name: str, values: tuple[Any, ...], of_numbers: Callable[..., Any], of_arrays: str) -> Any:
-    for value in values:
-        if hasattr(value, "called"):
-            return value.called(name, *values)
     if any(map(is_array, values)):
         import numpy as np
 
-        function = getattr(np, of_arrays)
-        return reduce(function, values) if len(values) > 1 else function(*values)
-    return of_numbers(*values)
+        return reduce(np.minimum, values)
+    return min(values)
 
 
 def _elementwise(name: str, of_arrays: str) -> Callable[[Any], Any]:
-    return lambda value: _called(name, (value,), getattr(math, name), of_arrays)
+    def function(value: Any) -> Any:
+        if is_array(value):
+            import numpy as np
+
+            return getattr(np, of_arrays)(value)
+        return getattr(math, name)(value)
+
+    return function
 
 
 sin, cos, tan = (_elementwise(name, name) for name in ("sin", "cos", "tan"))
-atan, square_root, logarithm = _elementwise("atan", "arctan"), _elementwise("sqrt", "sqrt"), _elementwise("log", "log")
+atan, logarithm = _elementwise("atan", "arctan"), _elementwise("log", "log")
 
 
 def chosen(condition: Any, yes: Callable[[], Any], no: Callable[[], Any]) -> Any:
-    """Elementwise choice of two functions without arguments; of numbers only the one chosen is called."""
+    """Elementwise choice of the results of two functions; without an array only the chosen one is called."""
     if is_array(condition):
         import numpy as np
 
@@ -67,7 +70,7 @@ def chosen(condition: Any, yes: Callable[[], Any], no: Callable[[], Any]) -> Any
 
 
 def quotient(numerator: Any, denominator: Any) -> Any:
-    """Quotient; where it divides by zero ±inf, by the sign of the numerator, of 0/0 inf."""
+    """Quotient; on division by zero ±inf with the sign of the numerator, and inf for 0/0."""
     if is_array(numerator) or is_array(denominator):
         import numpy as np
 
@@ -78,22 +81,18 @@ def quotient(numerator: Any, denominator: Any) -> Any:
     return numerator / denominator
 
 
-def place_of_smallest(values: Any, places: Any, tie: float = 1e-12) -> Any:
-    """Place of the smallest value: the first of those that are equal but for rounding."""
+def place_of_smallest(values: Any, places: Any) -> Any:
+    """Element of ``places`` at the smallest value; the first one if several are equal apart from rounding."""
     low, at = values[0], places[0]
     for value, place in zip(values[1:], places[1:], strict=True):
-        at = _where(value < low * (1 - tie), place, at)
+        at = _where(value < low - 1e-12 * abs(low), place, at)
         low = smaller(low, value)
     return at
 
 
-def place_of_largest(values: Any, places: Any, tie: float = 1e-12) -> Any:
-    """Place of the largest value: the last of those that are equal but for rounding."""
-    high, at = values[-1], places[-1]
-    for value, place in zip(values[-2::-1], places[-2::-1], strict=True):
-        at = _where(value > high * (1 + tie), place, at)
-        high = larger(high, value)
-    return at
+def place_of_largest(values: Any, places: Any) -> Any:
+    """Element of ``places`` at the largest value; the last one if several are equal apart from rounding."""
+    return place_of_smallest([-value for value in values[::-1]], places[::-1])
 
 
 def _where(condition: Any, yes: Any, no: Any) -> Any:
@@ -101,7 +100,7 @@ def _where(condition: Any, yes: Any, no: Any) -> Any:
 
 
 def next_listed(least: Any, listed: Any) -> Any:
-    """The smallest of an ascending list that is not below a value; NaN where there is none."""
+    """Smallest element of an ascending list that is not below ``least``; NaN if there is none."""
     if is_array(least):
         import numpy as np
 
@@ -110,15 +109,21 @@ def next_listed(least: Any, listed: Any) -> Any:
 
 
 def spread(low: Any, high: Any, count: int, *, ends: bool = True) -> Any:
-    """Values from one to another along a first axis: with the ends, or in the middles of so many equal parts."""
+    """``count`` values from ``low`` to ``high`` along a first axis: with the ends, or midpoints of equal parts."""
     import numpy as np
 
     shares = np.linspace(0, 1, count) if ends else (np.arange(count) + 0.5) / count
     return low + np.multiply.outer(shares, np.atleast_1d(high - low))
 
 
+def along_path(share: Any, low: Any, mean: Any, high: Any, bend: Any) -> Any:
+    """Value at a share (0…1) of a path of two straight parts: low at 0, mean at the share ``bend``, high at 1."""
+    below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
+    return low + below * (mean - low) + above * (high - mean)
+
+
 def beside(along: Any, value: Any) -> Any:
-    """Values along a first axis, and one more."""
+    """Values along a first axis with one more appended."""
     import numpy as np
 
     shape = np.broadcast_shapes(along.shape[1:], np.shape(value))
@@ -126,12 +131,12 @@ def beside(along: Any, value: Any) -> Any:
 
 
 def mean_along(values: Any) -> Any:
-    """Mean along the first axis; a number of one clutch."""
+    """Mean along the first axis; a float for a single clutch."""
     return _one(values.mean(axis=0))
 
 
 def largest_along(values: Any) -> Any:
-    """Largest value along the first axis; a number of one clutch."""
+    """Largest value along the first axis; a float for a single clutch."""
     return _one(values.max(axis=0))
 
 
@@ -140,7 +145,7 @@ def _one(values: Any) -> Any:
 
 
 def zero_of(falling: Callable[[Any], Any], end: Any) -> Any:
-    """Zero of a function that falls between 0 and ``end``, by bisection."""
+    """Zero of a decreasing function between 0 and ``end``, elementwise by bisection."""
     low, high = 0.0 * end, end
     for _ in range(60):
         middle = (low + high) / 2
@@ -150,34 +155,9 @@ def zero_of(falling: Callable[[Any], Any], end: Any) -> Any:
 
 
 def greatest(value: Values) -> float:
-    """Largest of the numbers, as one."""
+    """Largest element of a number or an array."""
     if is_array(value):
         import numpy as np
 
         return float(np.max(value))
     return float(value)
-
-
-def quiet_division(value: Values) -> AbstractContextManager[object]:
-    """Context in which arrays such as ``value`` divide by zero without a warning."""
-    if is_array(value):
-        import numpy as np
-
-        return np.errstate(divide="ignore", invalid="ignore")
-    return nullcontext()
-
-
-def finite(value: Values) -> Values:
-    """Return a number, or an array in which NaN may stand for no value.
-
-    Raises OverflowError: it is beyond the range of numbers.
-    """
-    if is_array(value):
-        import numpy as np
-
-        within = not np.isinf(value).any()
-    else:
-        within = math.isfinite(value)
-    if not within:
-        raise OverflowError
-    return value

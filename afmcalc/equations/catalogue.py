@@ -1,4 +1,4 @@
-"""The laws by name, with what their arguments, terms and docstrings say."""
+"""Catalogue of the laws by name: arguments, result, formula, source and validity, from docstrings and terms."""
 
 import inspect
 import pkgutil
@@ -9,23 +9,23 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any, NamedTuple
 
-from .terms import Term, read_terms, term_of
+from .terms import Term, term_in
 
 _NO_EQUATIONS = ("arrays", "catalogue", "terms", "wiring")
 
 
 class Equation(NamedTuple):
-    """One law, or one equation function."""
+    """One law and its documentation."""
 
     name: str
     """``module.function``."""
     function: Callable[..., Any]
     summary: str
-    """Summary: its docstring before ``Source:``."""
+    """Text of its docstring before ``Source:``, the noun and the formula."""
     source: str
-    """Text after ``Source:`` there."""
+    """Text after ``Source:``."""
     validity: str
-    """Text after ``Validity:``."""
+    """Text after ``Validity:``; may be empty."""
     arguments: dict[str, Term]
     result: Term
 
@@ -37,7 +37,7 @@ class Equation(NamedTuple):
 
 @cache
 def equations() -> dict[str, Equation]:
-    """Return every law that gives a number, by ``module.function``."""
+    """Return every law whose result is a number, by ``module.function``."""
     found = [equation_of(*law) for module in _modules() for law in _laws_of(module)]
     return {each.name: each for each in found if each.result.unit}
 
@@ -50,7 +50,7 @@ def _modules() -> Iterator[ModuleType]:
 
 
 def _laws_of(module: ModuleType) -> Iterator[tuple[str, Callable[..., Any]]]:
-    """Quantity and law of each function, those in mappings of options among them."""
+    """Yield quantity and law of each public function, including those in mappings of options."""
     parts = [vars(module), *(part for name, part in vars(module).items() if name.isupper() and isinstance(part, dict))]
     for part in parts:
         for name, law in part.items():
@@ -60,18 +60,10 @@ def _laws_of(module: ModuleType) -> Iterator[tuple[str, Callable[..., Any]]]:
 
 @cache
 def equation_of(quantity: str, function: Callable[..., Any]) -> Equation:
-    """Return what there is to say of the function that gives a quantity."""
+    """Return the documentation of the function that calculates a quantity."""
     module, name = function.__module__.rpartition(".")[2], function.__name__.lstrip("_")
     summary, _, rest = " ".join((function.__doc__ or "").split()).partition(" Source: ")
     source, _, validity = rest.partition(" Validity: ")
-    own = _symbols(function.__module__)
-    names = inspect.signature(function).parameters
-    arguments = {one: own.get(f"{name}.{one}") or own.get(one) or term_of(one) for one in names}
-    result = own.get(quantity) or term_of(quantity)
-    return Equation(f"{module}.{name}", function, summary, source, validity, arguments, result)
-
-
-@cache
-def _symbols(module: str) -> dict[str, Term]:
-    """Return the terms of a module's table ``SYMBOLS``: of ``name``, or of ``function.argument``, there alone."""
-    return read_terms(getattr(import_module(module), "SYMBOLS", ""))
+    of = f"{module}.{name}"
+    arguments = {one: term_in(of, one) for one in inspect.signature(function).parameters}
+    return Equation(of, function, summary, source, validity, arguments, term_in(of, quantity))

@@ -6,10 +6,11 @@ from .arrays import atan, chosen, cos, larger, next_listed, sin
 from .wiring import Same
 
 face_gap = edge_clearance = 0.002
-travel_max = 0.0
+travel_max = lining = 0.0
 ball_modulus = wall_modulus = 206e9
 ball_poisson = wall_poisson = 0.3
-allowable_pressure = 4.2e9
+allowable_pressure_static = 4.2e9
+static_safety = 1.0
 largest_driven_torque = Same("driven_torque_max")
 
 
@@ -35,9 +36,17 @@ def cos_wall_angle(wall_angle):
     return cos(wall_angle)
 
 
-def ball_radius(travel_max, face_gap, edge_clearance, sin_wall_angle):
-    """Ball radius for a travel, r_ш = (x_max + s + 2 y)/(2 sin α). Source: S21 (23). Validity: α > 0."""
-    return (travel_max + face_gap + 2 * edge_clearance) / (2 * sin_wall_angle)
+def wear_play(pairs, lining):
+    """Play for the wear of the pack, w_z = z s_w: as it wears the pressure disc comes so much nearer to the balls.
+    Source: Geometry. Validity: Direct clutches; without it the worn pack leaves part of its spring force to the
+    balls."""
+    return pairs * lining
+
+
+def ball_radius(travel_max, wear_play, face_gap, edge_clearance, sin_wall_angle):
+    """Ball radius for a travel, r_ш = (x_max + w_z + s + 2 y)/(2 sin α).
+    Source: S21 (23); the play w_z beside its travel is ours. Validity: α > 0."""
+    return (travel_max + wear_play + face_gap + 2 * edge_clearance) / (2 * sin_wall_angle)
 
 
 def ball_diameter_standard(ball_radius, balls_listed):
@@ -47,12 +56,12 @@ def ball_diameter_standard(ball_radius, balls_listed):
 
 
 def ball_radius_chosen(ball_diameter_standard, ball_radius):
-    """Radius of the ball chosen, d_ш/2; of no ball the smallest radius. Source: Definition."""
+    """Radius of the ball chosen, d_ш/2; without a large enough ball the radius needed. Source: Definition."""
     return chosen(ball_diameter_standard > 0, lambda: ball_diameter_standard / 2, lambda: ball_radius)
 
 
 def ball_diameter(ball_radius_chosen):
-    """Diameter of the ball chosen; of no ball the smallest diameter. Source: Definition."""
+    """Diameter of the ball chosen; without a large enough ball the diameter needed. Source: Definition."""
     return 2 * ball_radius_chosen
 
 
@@ -66,10 +75,10 @@ def ball_bore(ball_circle_radius, ball_diameter):
     return larger(2 * ball_circle_radius - ball_diameter, 0.0)
 
 
-def edge_clearance_standard(ball_radius_chosen, travel_max, face_gap, sin_wall_angle):
-    """Clearance that a given ball leaves, y = r_ш sin α − (x_max + s)/2: the inverse of (23).
+def edge_clearance_standard(ball_radius_chosen, travel_max, wear_play, face_gap, sin_wall_angle):
+    """Clearance that a given ball leaves, y = r_ш sin α − (x_max + w_z + s)/2: the inverse of (23).
     Source: S21 (23). Validity: α > 0."""
-    return ball_radius_chosen * sin_wall_angle - (travel_max + face_gap) / 2
+    return ball_radius_chosen * sin_wall_angle - (travel_max + wear_play + face_gap) / 2
 
 
 def pocket_depth(ball_radius_chosen, sin_wall_angle, face_gap):
@@ -78,11 +87,13 @@ def pocket_depth(ball_radius_chosen, sin_wall_angle, face_gap):
     return ball_radius_chosen / sin_wall_angle - face_gap / 2
 
 
-def pocket_depth_from_travel(ball_radius_chosen, sin_wall_angle, cos_wall_angle, travel_max, edge_clearance_standard):
-    """Pocket depth from the travel, h_2 = r_ш cos α cot α + x_max/2 + y; equal to h_1.
+def pocket_depth_from_travel(
+    ball_radius_chosen, sin_wall_angle, cos_wall_angle, travel_max, wear_play, edge_clearance_standard
+):
+    """Pocket depth from the travel, h_2 = r_ш cos α cot α + (x_max + w_z)/2 + y; equal to h_1.
     Source: S21 (22), (21). Validity: α > 0."""
     seated = ball_radius_chosen * cos_wall_angle * cos_wall_angle / sin_wall_angle
-    return seated + travel_max / 2 + edge_clearance_standard
+    return seated + (travel_max + wear_play) / 2 + edge_clearance_standard
 
 
 def pocket_depth_cut(ball_radius_chosen, face_gap):
@@ -129,6 +140,13 @@ def contact_modulus(ball_modulus, ball_poisson, wall_modulus, wall_poisson):
     """Contact modulus E_c from 1/E_c = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2.
     Source: Johnson, Contact Mechanics (1985), (4.2a). Validity: Elastic half-spaces."""
     return 1 / ((1 - ball_poisson * ball_poisson) / ball_modulus + (1 - wall_poisson * wall_poisson) / wall_modulus)
+
+
+def allowable_pressure(allowable_pressure_static, static_safety):
+    """Allowable contact pressure with a static safety factor, [p_0] = p_s/∛s_0: the force falls s_0 times.
+    Source: ISO 76: s_0 = F_0/F, the force as the cube of the pressure; p_s = 4200 MPa dents a ball by 10⁻⁴ d. Validity:
+    Ball and wall of hardened steel; makers of bearings ask for s_0 ≥ 1.5 under shocks."""
+    return allowable_pressure_static / static_safety ** (1 / 3)
 
 
 def contact_force_hertz(allowable_pressure, ball_radius_chosen, contact_modulus):

@@ -1,7 +1,7 @@
 """Indirect regulation by pockets whose wall steepens along the travel (handbook, chapter 12).
 
 The gain grows with the travel of the sleeve, C(x) = C + C_1 x, and so does κ. The balance of ``indirect`` then is a
-quadratic in x; of its roots the larger is stable, and the one a sleeve that leaves its stop comes to.
+quadratic equation in x; one root is stable, and a sleeve that leaves its stop moves to that.
 """
 
 import math
@@ -24,7 +24,7 @@ def is_seated(friction, friction_leaving):
 
 def slope_feedback(pairs, friction, gain_slope):
     """Feedback that a metre of travel adds, w = z f C_1.
-    Source: Handbook, chapter 12 (a = c_1 w). Validity: As ``gain_at``."""
+    Source: Handbook, chapter 12 (a = c_1 w). Validity: As ``gain_acting``."""
     return pairs * friction * gain_slope
 
 
@@ -65,17 +65,17 @@ def travel_moving(closing_force, normal_force_moving, closing_stiffness):
     return (closing_force - normal_force_moving) / closing_stiffness
 
 
-# over the range: the torque may turn where the sleeve leaves its stop
+# over the range: the torque may have an extreme where the sleeve leaves its stop
 
 
 def friction_leaving_in_range(friction_leaving, friction_min, friction_max):
-    """Friction at which the sleeve leaves its stop, or the end of the range that is nearer.
+    """Friction at which the sleeve leaves its stop, f_L limited to [f_min, f_max].
     Source: Handbook, chapter 12. Validity: f_min ≤ f_max."""
     return smaller(larger(friction_leaving, friction_min), friction_max)
 
 
 def friction_leaving_from_mean(friction_leaving, friction_mean, friction_max):
-    """Friction from the mean on at which the sleeve leaves its stop, or the end of the range that is nearer.
+    """Friction from the mean on at which the sleeve leaves its stop, f_L limited to [f_cp, f_max].
     Source: Handbook, chapter 12. Validity: f_cp ≤ f_max."""
     return smaller(larger(friction_leaving, friction_mean), friction_max)
 
@@ -130,8 +130,8 @@ def friction_unlocking(friction_max, hysteresis_ratio, friction_min):
 
 
 def torque_returning_min(torque_returning_at_f_min, torque_returning_at_unlocking):
-    """Smallest slip torque, friction falling from f_max under load.
-    Source: Handbook, chapter 12: while the sleeve returns the torque may rise. Validity: Straight springs."""
+    """Smallest slip torque, as friction falls from f_max under load: at f_min, or where the key lets the sleeve go.
+    Source: Handbook, chapter 12: while the sleeve returns, the torque may rise. Validity: Straight springs."""
     return smaller(torque_returning_at_f_min, torque_returning_at_unlocking)
 
 

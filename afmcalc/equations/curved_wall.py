@@ -1,7 +1,7 @@
-"""The wall of a curved pocket, in one sleeve; the ball stays seated in the other (handbook, chapter 12).
+"""Curved wall of a pocket in one sleeve; the ball stays seated in the other sleeve (handbook, chapter 12).
 
-In the cylindrical section at the ball circle: ξ, which is the travel, along the axis from the ball's centre at the
-stop, Y around the circle.
+Coordinates in the cylindrical section at the ball circle: ξ along the axis from the ball's centre at the stop, equal to
+the travel; Y around the circle.
 """
 
 import math
@@ -93,8 +93,8 @@ def pocket_width(travel_to_mouth, tan_wall_angle, path_steepening, ball_radius_c
 
 
 def friction_along_wall(friction_leaving_in_range, friction_max, friction_of_torque_max):
-    """Frictions at which the ball comes along the wall, 65 of them, and that of the largest torque.
-    Source: Handbook, chapter 12. Validity: Of a jump the place just before it."""
+    """Frictions at which the ball comes along the wall, 65 over the range, and that of the largest torque.
+    Source: Handbook, chapter 12. Validity: At a jump the place just before it."""
     before = larger(friction_of_torque_max * (1 - 1e-12), friction_leaving_in_range)
     return beside(spread(friction_leaving_in_range, friction_max, 65), before)
 

@@ -20,7 +20,7 @@ def torque(closing_force, mean_radius, bypass_pairs, controlled_pairs, gain, fri
     """Sustained slip torque, T = F_п R (z_1 f_1 + z_2 f_2)/(1 + C z_2 f_2).
     Source: F11 (9), (12), (13); S19 (1), (2); S22 (4), (16). Validity: Up to C = 1/(z_1 f_1max) this is also the
     largest torque of the slip; above it the bypass pairs may give a higher breakaway peak first (see
-    ``group_torque``)."""
+    ``breakaway_torque``)."""
     carried = bypass_pairs * friction_driving + controlled_pairs * friction_driven
     return closing_force * mean_radius * carried / (1 + gain * controlled_pairs * friction_driven)
 

@@ -1,4 +1,4 @@
-"""The drive in time: inertias, shaft, motor, and what sticks and slips between them (handbook, chapter 9).
+"""Motion of the drive: inertias, shaft, motor, sticking and slipping between them (handbook, chapter 9).
 
 All is reduced to the clutch shaft: motor side J_1 – clutch (indirect: J_h between discs and balls) – driven half J_2 –
 shaft (k, d) – tool. Every argument may be an array; shapes broadcast. Radians count as pure numbers.
@@ -67,8 +67,8 @@ def kloss_slip(breakdown_torque, breakdown_slip, torque):
 
 def sticking_torque(drive_torque, drive_inertia, load_torque, load_inertia):
     """Torque between two inertias that turn as one, T = (M J_2 + L J_1)/(J_1 + J_2).
-    Source: Handbook, chapter 9: Newton: (M − T)/J_1 = (T − L)/J_2. It is also T* of two inertias that slip on each
-    other. Validity: Both inertias > 0."""
+    Source: Handbook, chapter 9: Newton: (M − T)/J_1 = (T − L)/J_2. It is also T* in case V5, two free inertias
+    that slip on each other. Validity: Both inertias > 0."""
     return (drive_torque * load_inertia + load_torque * drive_inertia) / (drive_inertia + load_inertia)
 
 
@@ -94,52 +94,7 @@ def torque_growth(closing_force, mean_radius, bypass_pairs, controlled_pairs, ga
 
 
 def judder_damping(torque_growth, mean_radius, static_ratio, stribeck_speed):
-    """Damping that keeps a slow slip steady, d > f T'(f) R (r_s − 1)/v_s.
-    Source: Handbook, chapter 9: derived (V6): T falls with the sliding speed, −∂T/∂ω = R T'(f) f (r_s − 1)/v_s as v →
-    0. Validity: Steady slip, small swings of the driven half on its shaft."""
+    """Damping that keeps a slow slip steady, d > f T'(r_s f) R (r_s − 1)/v_s.
+    Source: Handbook, chapter 9: derived (V6): T falls with the sliding speed, −∂T/∂ω = R T'(r_s f) f (r_s − 1)/v_s as
+    v → 0. Validity: Steady slip, small swings of the driven half on its shaft."""
     return torque_growth * mean_radius * (static_ratio - 1) / stribeck_speed
-
-
-SYMBOLS = """\
-balance | N_eq | N | normal force in balance with the load
-breakdown_slip | s_b | 1 | slip at breakdown
-breakdown_torque | M_b | N*m | breakdown torque of the motor
-damping | d | N*m*s/rad | damping of the shaft
-damping_ratio | ζ | 1 | damping ratio of the driven half on the shaft
-decay | e | 1 | 1 at rest, 0 at high sliding speed
-deceleration | a | rad/s^2 | deceleration of the tool, ω_0/t_b
-drive_inertia | J_1 | kg*m^2 | driving inertia
-drive_torque | M | N*m | torque on the driving inertia
-driven_inertia | J_2 | kg*m^2 | inertia of the driven half
-inertia_torque | T_J | N*m |
-inner_diameter | d | m | inner diameter of the ring
-judder_damping | d_min | N*m*s/rad |
-kloss_slip | s | 1 | slip of the motor
-kloss_torque | M_1 | N*m | torque of the motor
-lag | τ | s | time by which the normal force lags the load
-load_inertia | J_2 | kg*m^2 | driven inertia
-load_torque | L | N*m | torque of the load on the driven inertia
-stop_torque.load_torque | T_0 | N*m | load before the event
-mass | m | kg | mass of the ring
-motor_slip | s | 1 | slip of the motor
-normal_force_rate | N' | N/s |
-outer_diameter | D | m | outer diameter of the ring
-ring_inertia | J | kg*m^2 |
-shaft_damping | d | N*m*s/rad | damping of the shaft
-shaft_torque | T_s | N*m |
-slip | s | 1 | slip of the motor
-slip_acceleration | v' | rad/s^2 |
-speed | ω | rad/s | speed of the motor side
-inertia_torque.speed | ω_0 | rad/s | speed before the lock
-static_ratio | r_s | 1 | static over sliding friction
-sticking_torque | T* | N*m |
-stiffness | k | N*m/rad | torsional stiffness of the shaft
-stop_torque | T_a | N*m |
-stribeck_ratio | f(v)/f | 1 |
-stribeck_speed | v_s | m/s | sliding speed over which static friction falls to sliding friction
-synchronous_speed | ω_s | rad/s | synchronous speed, reduced to the clutch
-kloss_slip.torque | M | N*m | torque of the motor
-torque_growth | f T'(f) | N*m | growth of the torque with friction
-twist | φ | rad | twist of the shaft
-twist_rate | φ' | rad/s | speed of the twist, ω_2 − ω_3
-"""  # noqa: E501

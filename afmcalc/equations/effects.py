@@ -16,8 +16,8 @@ def next_force_closing(normal_force, share, share_next):
 
 def next_force_opening(normal_force, share, share_next):
     """Normal force on the next pair when the balls unload the pack, N (1 + ε)/(1 − ε').
-    Source: Balance of the disc between them; handbook, chapter 13. Validity: Every disc moves towards the spring; N' is
-    at most the force the pack was closed with."""
+    Source: Balance of the disc between them; handbook, chapter 13. Validity: Every disc moves towards the spring; the
+    result is at most the force that closed the pack."""
     return normal_force * (1 + share) / (1 - share_next)
 
 
@@ -39,20 +39,8 @@ def force_lost_by_wear(stiffness, pairs, wear):
     return stiffness * pairs * wear
 
 
-SYMBOLS = """\
-ball_mass | m_ш | kg | mass of a ball
-centrifugal_thrust | ΔN | N |
-density | ρ | kg/m^3 | density
-force_lost_by_wear | ΔF | N |
-next_force_closing | N' | N | normal force on the next pair
-next_force_opening | N' | N | normal force on the next pair
-pi | π | 1 | circumference over diameter of a circle
-share | ε | 1 | share of its force that the spline holds, pair nearer to the spring
-share_next | ε' | 1 | share of its force that the spline holds, next pair
-speed | ω | rad/s | speed of rotation
-spline_friction | μ_s | 1 | friction of the disc in its spline
-spline_radius | r_s | m | radius of the spline
-spline_share | ε | 1 | share of its force that the spline holds, pair nearer to the spring
-stiffness | c_п | N/m | stiffness of the spring that follows the pack
-wear | δ | m | wear of a pair
-"""  # noqa: E501
+def key_share(pairs, mean_radius, friction, key_friction, key_diameter):
+    """Share of the force on the pack that the key of the pressure disc holds, e = 2 z R f f_7/d_7.
+    Source: S21: discs 4 sit on disc 5, whose key 7 passes the whole torque. Validity: The key slides as the sleeve
+    moves; with e ≥ 1 it locks itself."""
+    return 2 * pairs * mean_radius * friction * key_friction / key_diameter

@@ -2,7 +2,7 @@
 
 
 def run_down_time(inertia, speed, torque, motor_torque):
-    """Slip until the motor side stands, the tool being blocked, J_1 ω_0/(T − M_1).
+    """Time of slip until the motor side stands still, with the tool blocked, J_1 ω_0/(T − M_1).
     Source: Handbook, chapter 9, V1. Validity: T > M_1, both constant."""
     return inertia * speed / (torque - motor_torque)
 
@@ -84,49 +84,7 @@ def setting_loss_per_wear(stiffness, pairs, force):
 
 
 def time_between_trips(mass, specific_heat, cooling, logarithm):
-    """Time between trips after each of which the discs just reach a limit, m c λ/(α A_c).
-    Source: Handbook, chapter 10: one body that cools between trips, when every trip is as the last. Validity: ΔΘ <
-    Θ_max − Θ_0; the trip is short against the time between."""
+    """Time between trips at which each of them warms the discs just to the allowable temperature, m c λ/(α A_c).
+    Source: Handbook, chapter 10: one body that cools between trips, which are all alike. Validity: ΔΘ < Θ_max − Θ_0;
+    the trip is short against the time between."""
     return mass * specific_heat * logarithm / cooling
-
-
-SYMBOLS = """\
-ambient | Θ_0 | K | temperature of the surroundings
-area | A | m^2 | area of a pair
-cooling | α A_c | W/K | heat given off per kelvin
-density | ρ | kg/m^3 | density
-energy | Q | J | heat of a trip
-force | F | N | force on the pack at rest
-friction_area | A | m^2 | area of a pair
-heated_depth | l | m | depth to the middle of the disc
-inertia | J_1 | kg*m^2 | moment of inertia of the motor side
-lining | s_w | m | thickness of lining that a pair may lose by wear
-logarithm | λ | 1 | logarithm −ln(1 − ΔΘ/(Θ_max − Θ_0))
-mass | m | kg | mass of the discs that take the heat
-motor_torque | M_1 | N*m | torque of the motor
-pi | π | 1 | circumference over diameter of a circle
-power | P | W | power of the slip
-power_density | q | W/m^2 |
-rise | ΔΘ | K | rise of temperature by a trip
-run_down_time | t | s | duration of the slip
-setting_loss_per_wear | ΔF/(F δ) | 1/m |
-share_of_rise | η_Θ | 1 |
-slip_energy | Q | J | heat of a trip
-slip_power | P | W | power of the slip
-specific_heat | c | J/kg/K | specific heat
-specific_work | q_A | J/m^2 |
-speed | ω_0 | rad/s | slip speed as the slip begins
-slip_power.speed | ω | rad/s | speed of slip
-speed_after | ω | rad/s | speed of the motor side
-speed_end | ω | rad/s | slip speed as it ends
-stiffness | c_п | N/m | stiffness of the spring that follows the pack
-temperature | Θ | K | temperature that is reached
-temperature_limit | Θ_max | K | largest temperature the discs may have
-temperature_rise | ΔΘ | K | rise of temperature by a trip
-time | t | s | time
-time_between_trips | t_p | s |
-trips_per_time | ν | 1/s |
-trips_to_wear_out | n_w | 1 |
-trips_without_cooling | n_Θ | 1 |
-wear | w | m^3/J | volume worn per energy
-"""  # noqa: E501

@@ -1,7 +1,7 @@
 """Indirect regulation: the release force moves a sleeve that slackens the closing spring (S21; handbook, chapter 5).
 
-``net_gain_acting`` is κ while the sleeve moves off its stop, κ₊ in the case ``returning``; what was fixed at the
-setting takes ``net_gain``.
+``net_gain_acting`` is κ while the sleeve moves off its stop, κ₊ in the case ``returning``; values fixed at the setting
+depend on ``net_gain``.
 """
 
 from .arrays import larger, quotient, smaller
@@ -162,6 +162,7 @@ friction_of_torque_min, friction_of_torque_max = Same("friction_min"), Same("fri
 torque_min_from_mean, torque_max_from_mean = Same("torque_at_f_mean"), Same("torque_at_f_max")
 torque_min_worst_case, torque_max_worst_case = Same("torque_min"), Same("torque_max")
 travel_max = Same("travel_at_f_max")
+wear_play = 0.0
 running_torque = Same("machine_torque")
 accuracy_factor_hysteresis = Same("accuracy_factor_at_hysteresis")
 accuracy_factor_peak = Same("accuracy_factor")
@@ -241,7 +242,7 @@ CONTROL_FORCE_MADE = {
     "friction_leaving": Either("is_made", "friction_leaving_made", "friction_set"),
     "travel_moving": Either("is_made", "travel_as_made", "travel_as_set"),
 }
-"""The control spring has a force of its own; set anew (``by_min``, ``by_mean``) it follows S21 (14) again."""
+"""Laws for a given force of the control spring; in the cases ``by_min`` and ``by_mean`` it is by S21 (14) again."""
 STRAIGHT = {"equivalent_gain": _equivalent_gain, "accuracy_factor_as_set": _accuracy_factor_as_set}
 _SET = {"is_made": "never", "friction_set": "friction_{}", "closing_force": "closing_force_by_{}"}
 

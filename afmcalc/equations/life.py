@@ -1,8 +1,8 @@
-"""Fatigue life of a part that the load of the clutch swings (S19 (14)–(20); handbook, chapter 4).
+"""Fatigue life of a part under the varying load of the clutch (S19 (14)–(20); handbook, chapter 4).
 
-The case ``unprotected`` multiplies the load by the dynamic factor; ``forecast`` takes it from the mean friction on. By
-the papers' rule the whole band is one cycle; by the rules of amplitude each slip is one, 0 → T(f) → 0, and the
-damage is the mean of 256 slips over the range (Miner).
+The case ``unprotected`` multiplies the load by the dynamic factor; in ``forecast`` friction ranges from its mean to
+f_max. By the papers' rule a load cycle is T_min → T_max; by the rules of amplitude each slip is a cycle 0 → T(f) → 0,
+and the damage is the mean of 256 slips over the range (Miner).
 """
 
 import math
@@ -152,7 +152,7 @@ def _each_slip(damaging_stress):
     }
 
 
-AFTER_EVENT = {"dynamic_factor": Same("dynamic_factor_of_event")}
+AFTER_EVENT = {"dynamic_factor": Same("drive.dynamic_factor")}
 AMPLITUDE = _each_slip(_equivalent_stress_sensitivity)
 GOODMAN = _each_slip(_equivalent_stress_goodman)
 

@@ -50,4 +50,6 @@ def shear_yield_strength(yield_strength):
 
 
 GIVEN = {"running_torque": Same("motor_torque_at_clutch")}
-"""The plate of a motor is given: rated running is the load before an event."""
+"""Laws for a motor with a plate: the load before an event is its rated torque."""
+BREAKDOWN_GIVEN = {"starting_torque": Same("breakdown_torque")}
+"""Laws for a motor with a curve: while starting it passes its breakdown torque, more than at standstill."""

@@ -4,7 +4,7 @@ One material. S22 sets a clutch at f_min: its nominal torque and the machine's a
 whatever the method of the spec. u = (z − z_1) C f_min and v = (z − z_1) C f are the loop gains at f_min and at f.
 """
 
-from .arrays import larger
+from .arrays import chosen, larger, smaller
 from .wiring import Same
 
 
@@ -24,6 +24,32 @@ def potential_torque(pairs, closing_force, mean_radius, friction, margin, loop_g
     between bypass and controlled pairs."""
     share = margin + (margin - 1) * loop_gain_at_f_min
     return pairs * closing_force * mean_radius * friction * share / (margin * (1 + loop_gain_at_f_min))
+
+
+def distance_to_gain_limit(bypass_pairs, gain, friction):
+    """Distance of the bypass pairs' loop gain from its limit, 1 − z_1 C f. Source: F11 (20). Validity: z_1 ≥ 1."""
+    return 1 - bypass_pairs * gain * friction
+
+
+def force_bypass_first(closing_force, gain, mean_radius, distance_to_gain_limit, machine_torque_at_overload):
+    """Normal force under T_н.маш, bypass pairs carrying first, N = (F_п − C T_н.маш/R)/(1 − z_1 C f), F_п at most.
+    Source: F11: the balls bear what the bypass pairs do not hold. Validity: Below slip; N = F_п where z_1 C f ≥ 1."""
+    left = closing_force - gain * machine_torque_at_overload / mean_radius
+    return chosen(
+        distance_to_gain_limit > 0, lambda: smaller(closing_force, left / distance_to_gain_limit), lambda: closing_force
+    )
+
+
+def potential_torque_bypass_first(pairs, force_bypass_first, mean_radius, friction):
+    """Torque the pack could carry under T_н.маш where the bypass pairs carry first, T_п = z R f N.
+    Source: F11's loading; (22) shares the load z_1 : z_2 instead. Validity: One material."""
+    return pairs * mean_radius * friction * force_bypass_first
+
+
+def potential_torque_bound(pairs, closing_force, mean_radius, friction):
+    """Upper bound of the trip torque, z R f F_п: the balls give the spring no relief yet.
+    Source: Handbook, chapter 6. Validity: Any sharing of the load and any lag."""
+    return pairs * mean_radius * friction * closing_force
 
 
 def potential_torque_risen(potential_torque, loop_gain, risen_load):
@@ -87,13 +113,13 @@ def actuation_torque_max(actuation_torque_published_at_f_max, expected_torque_at
 
 
 def friction_at_equal_potential(friction_min, margin, loop_gain_at_f_min):
-    """Friction at which T_п = T_н.маш, f_min/(β_н + (β_н − 1) u): one end of the interval where T_ср < T_муф.
+    """Friction at which T_п = T_н.маш, f_min/(β_н + (β_н − 1) u): the first end of the interval where T_ср < T_муф.
     Source: S22 (17). Validity: At or below f_min; clip to the friction range."""
     return friction_min / (margin + (margin - 1) * loop_gain_at_f_min)
 
 
 def friction_at_unit_loop_gain(reduced_gain):
-    """Friction at which v = 1, 1/((z − z_1) C): the other end of the interval where T_ср < T_муф.
+    """Friction at which the loop gain v is 1, 1/((z − z_1) C): the second end of the interval where T_ср < T_муф.
     Source: S22 (17). Validity: C > 0."""
     return 1 / reduced_gain
 

@@ -1,7 +1,7 @@
-"""The control unit of an indirect clutch in motion: a torsion spring that loses a share of every swing (section 9).
+"""Motion of the control unit of an indirect clutch: a torsion spring with friction (handbook, chapter 9).
 
-φ is the turn of the balls' one half against the other, x the travel of the sleeve, R φ/C of a straight wall. While the
-sleeve moves off its stop the friction at the key counts as κ, while it returns as κ₊ (``indirect.net_gain``).
+φ is the turn of one half with pockets against the other, x the travel of the sleeve, R φ/C for a straight wall. With
+friction at the key the gain is κ while the sleeve moves off its stop, κ₊ while it returns (``indirect.net_gain``).
 """
 
 
@@ -81,29 +81,3 @@ def centrifugal_moment(mass, mean_radius, gain, gain_slope, travel_rate):
     Source: Handbook, chapter 9: x'' = (R φ'' − C_1 x'²)/C, from C x' = R φ' with C = C_0 + C_1 x. Validity: The balls
     stay on the wall."""
     return mass * mean_radius * gain_slope * travel_rate * travel_rate / gain
-
-
-SYMBOLS = """\
-ball_torque | T_b | N*m | torque through the balls
-ball_torque_moving | T_b | N*m | torque through the balls
-centrifugal_moment | M_m | N*m |
-closing_force | F_п1 | N | closing-spring force at the stop
-drive_inertia | J_1 | kg*m^2 | driving inertia
-drive_torque | M | N*m | torque on the driving inertia
-friction_pairs | zf | 1 | pairs times friction
-load_inertia | J_2 | kg*m^2 | driven inertia
-load_torque | L | N*m | torque of the load on the driven inertia
-mass | m | kg | mass of the sleeve
-slip_torque_at_stop.net_gain | κ or κ₊ | 1 | net gain while the sleeve leaves its stop or returns
-normal_force_at_stop | N | N | normal force on the pairs
-sleeve_inertia | μ | kg*m^2 | inertia of the sleeve's mass, counted in the turn of the balls
-slip_torque_at_stop | T_f | N*m |
-spring_moment | S | N*m | moment of both springs
-tensed_force | F_2 | N | force of the control spring where the sleeve is
-torque_alone | T_b0 | N*m | torque that the balls would pass without friction of the pack
-torque_share | j | 1 | share of the pack's torque that the balls pass
-torsional_stiffness | k_T | N*m/rad |
-travel_rate | x' | m/s | speed of the sleeve
-turn | φ | rad | turn of the balls
-turn_rate | φ' | rad/s | speed of the turn of the balls
-"""  # noqa: E501

@@ -72,7 +72,7 @@ def stack_length(parallel, series, free_height, thickness):
 
 
 def stack_force_with_friction(force, parallel, surface_friction, edge_friction):
-    """Force of a stack that friction holds, n F/[1 − w_M (n − 1) − w_R]; on the way back both signs are the other.
+    """Force of a stack that friction holds, n F/[1 − w_M (n − 1) − w_R]; when unloading both signs are reversed.
     Source: DIN EN 16984; handbook, chapter 11. Validity: w_M (n − 1) + w_R < 1."""
     return force / (1 - surface_friction * (parallel - 1) - edge_friction)
 
@@ -120,7 +120,7 @@ def coil_mass(density, wire_diameter, coil_diameter, turns, pi):
 
 
 def coil_endurance(amplitude, mean, ultimate):
-    """Shear stress that alternates about 0 and a wire bears for ever, S_se = S_sa/(1 − S_sm/S_su).
+    """Fully reversed shear stress that a wire bears for ever, S_se = S_sa/(1 − S_sm/S_su).
     Source: Shigley, sec. 10-9 (Goodman's line through Zimmerli's point 1957). Validity: S_sm < S_su."""
     return amplitude / (1 - mean / ultimate)
 
@@ -143,68 +143,3 @@ def coil_buckling_deflection(free_length, modulus_ratio, root):
     """Deflection at which a coil spring without guide buckles, s_K = L_0 (1 − √q)/[2 (1 − G/E)].
     Source: EN 13906-1 (Haringx 1948); handbook, chapter 11. Validity: q ≥ 0."""
     return free_length * (1 - root**0.5) / (2 * (1 - modulus_ratio))
-
-
-SYMBOLS = """\
-amplitude | S_sa | Pa | amplitude of a shear stress that is borne for ever
-bending | K_b | 1 | factor of bending: of I K_3, of II −K_3, of III −K_3/δ, of IV K_3/δ, of OM 3/π
-coil_buckling_deflection | s_K | m |
-coil_buckling_root | q | 1 | what stands under the root in the deflection of buckling
-coil_correction | k_τ | 1 | factor of the coil's curvature, 1 under a static load
-coil_diameter | D | m | mean diameter of the coil
-coil_endurance | S_se | Pa | shear stress that alternates about 0 and is borne for ever
-coil_least_gap | S_a | m |
-coil_mass | m | kg | mass of the spring
-coil_solid_length | L_c | m |
-coil_stiffness | R | N/m |
-coil_stress | τ | Pa | shear stress
-coil_upper_stress | τ_O | Pa |
-cone_height | h_0 | m | l_0 − t, with flats l_0 − t'
-correction | k_τ | 1 | factor of the coil's curvature, 1 under a static load
-deflection | s | m | deflection of the disc
-density | ρ | kg/m^3 | density
-diameter_ratio | δ | 1 | outer over inner diameter
-disc_factor_bending | K_3 | 1 |
-disc_factor_flats | K_4 | 1 | factor of the flats; 1 without
-disc_factor_load | K_1 | 1 | factor of the load
-disc_factor_membrane | K_2 | 1 |
-disc_flats_first | c_1 | 1 | first coefficient of the flats
-disc_flats_second | c_2 | 1 | second coefficient of the flats
-disc_force | F | N | force of the spring
-disc_stiffness | k | N/m |
-disc_stress | σ | Pa | stress at an edge, tension positive
-edge_friction | w_R | 1 | friction of the edges; on the way back −w_R
-endurance | S_se | Pa | shear stress that alternates about 0 and is borne for ever
-factor_flats | K_4 | 1 | factor of the flats; 1 without
-factor_load | K_1 | 1 | factor of the load
-first | c_1 | 1 | first coefficient of the flats
-force | F | N | force of the spring
-stack_force_with_friction.force | n F | N | force of the stack without friction
-free_height | l_0 | m | free height of a disc
-free_length | L_0 | m | length without load
-inner_diameter | D_i | m | inner diameter of a disc
-logarithm | ln δ | 1 | logarithm of the diameter ratio
-lower_stress | τ_U | Pa | least shear stress of the stroke, with k_τ
-mean | S_sm | Pa | mean of the shear stress that is borne for ever
-membrane | K_m | 1 | factor of the membrane: of edge I and II K_2, of III and IV (K_2 − 2 K_3)/δ, of OM 0
-modulus | E | Pa | Young's modulus
-modulus_ratio | G/E | 1 | shear modulus over Young's modulus
-outer_diameter | D_e | m | outer diameter of a disc
-parallel | n | 1 | discs nested in each other, in parallel
-pi | π | 1 | circumference over diameter of a circle
-poisson | ν | 1 | Poisson's ratio
-reduced_thickness | t' | m | reduced thickness as made
-ring_mass | m | kg | mass of the spring
-root | q | 1 | what stands under the root in the deflection of buckling
-seating | ν | 1 | factor of the seating, ½ between parallel plates
-second | c_2 | 1 | second coefficient of the flats
-series | i | 1 | such packs against each other
-shear_modulus | G | Pa | shear modulus
-stack_force_with_friction | F_R | N |
-stack_length | L_0 | m | length without load
-surface_friction | w_M | 1 | friction of the cones on each other; on the way back −w_M
-thickness | t | m | thickness of the disc; with flats t'
-turns | n | 1 | active coils
-ultimate | S_su | Pa | shear strength
-wire_diameter | d | m | wire diameter
-"""  # noqa: E501

@@ -1,8 +1,12 @@
-"""Symbol, SI unit and meaning of every quantity, once; results, explanations and the units of a check read them here.
+"""Symbol, SI unit and meaning of every quantity, once, from ``terms.txt``: for results, explanations, units of checks.
 
-A unit is "1" of a pure number, empty of what is no quantity: a yes or no, a spring, a list.
+The unit is "1" for a pure number and empty for a condition, spring or list. In modules whose functions are called
+directly (``drive``, ``heat``, …) a name may have a meaning of its own, ``heat.speed``, or in one function alone,
+``heat.slip_power.speed``. A fourth column names the command that shows the quantity among its details: a law in a
+module beside this one and a row there suffice for a new quantity in that command, explanations, sweeps and Python.
 """
 
+from importlib.resources import files
 from typing import NamedTuple
 
 
@@ -16,302 +20,33 @@ class Term(NamedTuple):
     meaning: str
 
 
-_TABLE = """\
-accuracy_factor | K_т | 1 | accuracy factor
-accuracy_factor_actual | K_т,act | 1 | actual accuracy factor with the published T_ср, S22 (19)
-accuracy_factor_as_set | K_т | 1 | accuracy factor of a control spring set by S21 (14)
-accuracy_factor_by_ratios | K_т | 1 | accuracy factor
-accuracy_factor_equilibrium | K_т,eq | 1 | accuracy factor with the equilibrium torque
-accuracy_factor_expected | K_т,exp | 1 | expected accuracy factor, S22 (18)
-accuracy_factor_hysteresis | K_т,h | 1 | accuracy factor under a load that lasts, T_max/T_ret,min
-accuracy_factor_of_path | K_т | 1 | accuracy factor along the common path of f_1 and f_2
-accuracy_factor_peak | K_т,p | 1 | accuracy factor by breakaway peaks (upper bound)
-accuracy_factor_worst_case | K_т,w | 1 | accuracy factor, f_1 of the bypass and f_2 of the other pairs independent
-actuation_factor | A | 1 | published over expected actuation torque
-actuation_torque_equilibrium | T_eq | N*m | actuation torque at equilibrium, without misprint M12
-actuation_torque_max | T_act | N*m | the larger of T_ср and T_муф at f_max
-actuation_torque_published | T_ср | N*m | actuation torque as published, S22 (14)
-allowable_contact_force | [F_n] | N | allowable normal force on one ball
-allowable_pressure | p_0,allow | Pa | allowable maximum contact pressure
-balance |  |  | balance of the forces on the sleeve
-ball_bore | 2r − d_ш | m | diameter of the circle inside the balls
-ball_circle_radius | r | m | radius of the ball circle
-ball_diameter | d_ш | m | ball diameter
-ball_diameter_needed | 2 r_ш | m | smallest ball diameter
-ball_diameter_standard | d_ш | m | ball chosen: given, or the next standard one
-ball_modulus | E_1 | Pa | elastic modulus of the ball
-ball_pitch | t_ш | m | distance between the centres of neighbouring balls
-ball_poisson | ν_1 | 1 | Poisson's ratio of the ball
-ball_radius | r_ш | m | smallest ball radius
-ball_radius_chosen | r_ш | m | ball radius
-balls | n | 1 | number of balls
-balls_listed |  | m | diameters of balls to choose from
-base_cycles | N_0 | 1 | base cycles of the S-N line
-bend_of_path | s_cp | 1 | share of the common path at which both frictions have their means
-breakaway_torque | P | N*m | breakaway torque, upper bound
-bypass_pairs | z_1 | 1 | pairs that bypass the control unit
-can_hold_torque |  |  | whether there is a wall that holds the torque
-circumferential_force | F_o | N | circumferential force on all the balls
-closing_disc |  |  | disc springs of the closing spring
-closing_force | F_п | N | closing-spring force as set
-closing_force_by_mean | F_п,2 | N | closing-spring force set at the mean friction, with margin
-closing_force_by_min | F_п,1 | N | closing-spring force set at f_min
-closing_spring |  |  | closing spring as it is set
-closing_stiffness | c_1 | N/m | stiffness of the closing spring
-constant_torque_slope | C_1* | 1/m | growth of the gain with travel at which pockets hold the torque
-contact_force | F_n | N | largest normal force on one ball
-contact_force_at_ball | F_n | N | normal force on one ball
-contact_force_hertz | [F_n]_H | N | normal force on one ball at the allowable contact pressure
-contact_modulus | E_c | Pa | contact modulus of ball and wall
-contact_pressure | p_0 | Pa | largest contact pressure of ball and wall (Hertz)
-contact_pressure_at_ball | p_0 | Pa | largest contact pressure where the ball is
-contact_radius_at_ball | R_e | m | radius of a ball that bears as much on a flat
-control_disc |  |  | disc springs of the control spring
-control_force | F_п2 | N | control-spring force as set
-control_force_back | F_2(x) | N | control-spring force where the sleeve is, friction falling under load
-control_force_made | F_п2 | N | control-spring force as made
-control_force_set | F_п2 | N | control-spring force that just holds the sleeve at its stop at the setting
-control_force_there | F_2(x) | N | control-spring force where the sleeve is
-control_spring |  |  | control spring as it is set
-control_stiffness | c_2 | N/m | stiffness of the control spring
-controlled_pairs | z_2 | 1 | pairs whose torque passes the balls
-conventional_accuracy_factor | K_т,0 | 1 | accuracy factor of an ordinary clutch in its place
-cos_wall_angle | cos α | 1 | cosine of the wall angle
-counted_damage | D | 1 | damage of a slip as far as it counts
-cycles | N_ц | 1 | cycles to failure of the side that fails first
-cycles_extrapolated | N_ц | 1 | cycles to failure
-cycles_of_band | N_ц | 1 | cycles to failure
-cycles_of_fatigue | N_ц | 1 | cycles to failure
-cycles_of_line | N_ц | 1 | cycles to failure
-cycles_of_mean_damage | N_ц | 1 | cycles to failure
-cycles_of_side | N_ц | 1 | cycles to failure
-damage | 1/N_ц | 1 | damage of one cycle
-damaging_stress | τ_eq | Pa | damaging stress
-disc_bore | 2 r_i | m | inner diameter of the friction surface
-discriminant | D | 1 | discriminant of S22 (17)
-drive_efficiency | η | 1 | efficiency between motor and clutch
-drive_ratio | i | 1 | speed of the motor over that of the clutch
-driven_torque | T_2 | N*m | torque of the controlled pairs, which passes the balls
-driven_torque_max | T_2,max | N*m | largest torque that passes the balls
-driving_torque | T_1 | N*m | torque of the bypass pairs
-dynamic_factor | k_д | 1 | dynamic factor by which the unprotected side is loaded more
-edge_clearance | y | m | clearance asked for
-edge_clearance_standard | y_st | m | clearance with the ball chosen
-endless | ∞ | 1 | no limit
-endurance_limit | τ_limb | Pa | endurance limit
-equivalent_gain | C_eff | 1 | gain of the all-driving clutch with the same torque curve
-expected_torque | T_муф | N*m | expected slip torque; lower bound of the tripping torque
-exponent | m_τ | 1 | exponent of the S-N line
-extreme_points |  |  | torques and frictions among which are the extremes
-face_gap | s | m | gap between the faces
-force_ratio | F_п1/F_п2 | 1 | spring force set at f_min over that set at the mean friction, without margin
-friction | f | 1 | coefficient of friction
-friction_along_wall | f_w | 1 | frictions at which the ball comes along the wall
-friction_at_equal_potential | f_low | 1 | friction at which T_п = T_н.маш
-friction_at_unit_loop_gain | f_high | 1 | friction at which v = 1
-friction_between | f_turn | 1 | friction (f_1) where the torque may turn within the range
-friction_bound | f_lim | 1 | friction below which S22 (10) is positive
-friction_driven | f_2 | 1 | friction of the driven pairs
-friction_driven_least | f_2,0 | 1 | friction of the controlled pairs that the path begins with
-friction_driven_max | f_2max | 1 | largest friction of the controlled pairs
-friction_driven_mean | f_2cp | 1 | mean friction of the controlled pairs
-friction_driven_min | f_2min | 1 | smallest friction of the controlled pairs
-friction_driven_set | f_2set | 1 | friction of the controlled pairs at the setting
-friction_driven_slips | f_2 | 1 | friction of the controlled pairs in each slip
-friction_driving | f_1 | 1 | friction of the driving pairs
-friction_driving_least | f_1,0 | 1 | friction of the bypass pairs that the path begins with
-friction_driving_max | f_1max | 1 | largest friction of the bypass pairs
-friction_driving_mean | f_1cp | 1 | mean friction of the bypass pairs
-friction_driving_min | f_1min | 1 | smallest friction of the bypass pairs
-friction_driving_set | f_1set | 1 | friction of the bypass pairs at the setting
-friction_driving_slips | f_1 | 1 | friction of the bypass pairs in each slip
-friction_leaving | f_L | 1 | friction at which the sleeve leaves its stop
-friction_leaving_from_mean | f_L | 1 | friction from the mean on at which the sleeve leaves its stop
-friction_leaving_in_range | f_L | 1 | friction within the range at which the sleeve leaves its stop
-friction_leaving_made | f_L | 1 | friction at which the sleeve leaves its stop
-friction_max | f_max | 1 | largest coefficient of friction
-friction_mean | f_cp | 1 | mean coefficient of friction
-friction_min | f_min | 1 | smallest coefficient of friction
-friction_of_torque_max | f(T_max) | 1 | friction (f_1) where it is largest
-friction_of_torque_min | f(T_min) | 1 | friction (f_1) where it is smallest
-friction_ratio_max | n | 1 | f_2max/f_1max
-friction_ratio_min | p | 1 | f_2min/f_1min
-friction_set | f_set | 1 | friction at the setting (f_min or f_cp)
-friction_slips | f | 1 | friction in each slip
-friction_slips_least | f_0 | 1 | smallest friction of the slips
-friction_unlocking | f_u | 1 | friction at which the key lets the sleeve go
-gain | C | 1 | feedback gain
-gain_acting | C(x) | 1 | gain where the sleeve has travelled to
-gain_limit | C_max | 1 | largest gain at which the law describes the slip
-gain_slope | C_1 | 1/m | how the gain grows with the sleeve's travel
-gain_threshold | 2R f_1/d | 1 | gain at which feedback begins
-hub_diameter | d | m | hub diameter at the key
-hysteresis_ratio | κ₊/κ | 1 | factor by which friction must fall before the sleeve moves back
-inner_radius | r_i | m | inner radius of the friction surface
-is_broken |  |  | whether the largest load breaks the part
-is_endless |  |  | whether fatigue sets no limit
-is_held_at_stop |  |  | whether the control spring keeps the sleeve at its stop
-is_locked |  |  | whether the key keeps the sleeve where it was at f_max
-is_made |  |  | whether the control spring has a force of its own
-is_reseated |  |  | whether the sleeve is back at its stop
-is_seated |  |  | whether the sleeve is at its stop
-jumping_slope | C_1,j | 1/m | growth of the gain with travel above which the sleeve jumps off its stop
-key_friction | f_1 | 1 | friction coefficient at the key
-key_friction_force | F_тр | N | friction force of the key on the sleeve
-largest_driven_torque | T | N*m | torque that passes the balls
-load_factor | k | 1 | factor of the load: 1, or the dynamic factor
-load_rise | ΔT' | N*m | load rise until slip
-load_rise_max | ΔT_max | N*m | load rise until slip at f_min
-load_risen | T_н.маш + ΔT | N*m | load
-loop_gain | v | 1 | loop gain at f
-machine_torque | T_н.маш | N*m | nominal torque of the machine
-margin | β_н | 1 | torque margin
-margin_in_spring | β_п | 1 | torque margin as far as it is in the spring
-mean_damage | D_m | 1 | mean damage of a slip over f_min … f_max
-mean_diameter | 2 R_cp | m | mean friction diameter
-mean_pressure | p | Pa | surface pressure in the mean
-mean_radius | R_cp | m | mean friction radius
-mean_stress | τ_m | Pa | mean stress of the cycle
-mean_stress_sensitivity | ψ_τ | 1 | sensitivity to the mean stress (model amplitude)
-mid_torque | T_mid | N*m | torque at the middle of the band
-motor_power | P_н | W | rated power of the motor
-motor_speed | ω_н | rad/s | rated speed of the motor
-motor_torque | M_н | N*m | rated torque of the motor, P_н/ω_н
-motor_torque_at_clutch | T_дв | N*m | rated torque of the motor at the clutch
-net_gain | κ | 1 | C − 2 R f_1/d, gain net of the key's friction
-net_gain_acting | κ | 1 | net gain; κ₊ while the sleeve returns
-net_gain_back | κ₊(x) | 1 | net gain where the sleeve is, friction falling under load
-net_gain_returning | κ₊ | 1 | C + 2 R f_1/d
-net_gain_there | κ(x) | 1 | net gain where the sleeve is
-never |  |  | no
-no_slope | C_1 | 1/m | growth of the gain with travel where no wall holds the torque
-nominal_torque | T_н | N*m | nominal torque of the clutch
-nominal_torque_ratio | K_п | 1 | nominal torque over that of a base clutch whose pairs are all controlled, of equal spring force and gain
-nominal_torque_wanted | T_н | N*m | nominal torque of the clutch
-normal_force | N | N | normal force on the pairs
-normal_force_let_go | N | N | normal force once the key has let the sleeve go
-normal_force_moving | N | N | normal force on the pairs
-normal_force_moving_back | N | N | normal force while the sleeve moves back
-normal_force_returning | N | N | normal force, friction falling under load
-normal_force_seated | N | N | normal force on the pairs
-nothing | 0 | 1 | nothing
-onset_torque | T_1(0) | N*m | torque that the bypass pairs carry alone, before the balls take a share
-optimal_reduced_gain | (zC)_opt | 1 | reduced gain with the best accuracy by the published T_ср, 1/f_max; T_eq has no optimum
-outer_diameter | 2 r_o | m | outer diameter of the friction surface
-outer_radius | r_o | m | outer radius of the friction surface
-pack_force_at_rest | N(0) | N | force on the pack of the clutch at rest
-pairs | z | 1 | friction pairs
-pairs_threshold | z_lim | 1 | number of pairs above which the band set at f_min is the narrower, S19 (12)
-path_around | Y | m | centre of the ball, around the circle
-path_steepening | Y'' | 1/m | second derivative of the path of the ball's centre
-peak_pressure | p_i | Pa | surface pressure at the inner edge
-pocket_depth | h_1 | m | pocket depth to the virtual apex, for the ball chosen (the smallest where none is)
-pocket_depth_cut | h_c | m | pocket depth to cut: the ball's lowest point, where the walls end
-pocket_depth_from_travel | h_2 | m | pocket depth from the travel
-pocket_width | b | m | width of the pocket's mouth at the face
-polar_section_modulus | W_p | m^3 | polar section modulus
-potential_torque | T_п | N*m | potential torque: what the clutch could carry while T_н.маш loads it; upper bound of the tripping torque
-potential_torque_gain | T'_п − T_п | N*m | potential torque above that of the all-driving clutch of equal spring, gain and margin
-potential_torque_risen | T_п(ΔT) | N*m | potential torque under it, S22 (6), (9); at slip it is the load
-reduced_gain | z_2 C | 1 | reduced gain
-reduced_gain_of_pairs | z C | 1 | reduced gain of all pairs
-release_force | F_p | N | release force
-risen_load | ΔT | N*m | rise of the load above the nominal torque of the machine
-running_torque | T_0 | N*m | load in rated running
-scatter | ΔT | N*m | torque scatter band
-scatter_of_one_material | ΔT | N*m | torque scatter band of one material
-scatter_of_side | ΔT' | N*m | torque scatter band on the side in question
-scatter_ratio | ΔT_2/ΔT_1 | 1 | band set at the mean friction over that set at f_min
-service_factor | K_р | 1 | service factor of the machine
-shaft_diameter | d_в | m | diameter of the shaft
-shear_stress | τ | Pa | shear stress
-shear_yield_strength | τ_т | Pa | yield strength in shear
-side_torque | T' | N*m | torque of the side in question
-sin_half_pitch | sin(π/n) | 1 | sine of half the pitch angle of n balls
-sin_wall_angle | sin α | 1 | sine of the wall angle
-sleeve_depth | B | m | thickness, along the axis, of the sleeve the pockets are cut into
-sleeve_stiffness | D | N/m | stiffness against which the sleeve moves
-sleeve_stiffness_curved | D' | N/m | stiffness that takes the place of D
-sleeve_stiffness_there | D | N/m | stiffness against which the sleeve moves as it leaves its stop
-slope_feedback | w | 1/m | feedback that a metre of travel adds, z f C_1
-slope_in_ratio_max | ∂K_т/∂n | 1 | slope of K_т in n = f_2max/f_1max, f_2max moving, F11 (18)
-slope_in_ratio_min | ∂K_т/∂p | 1 | slope of K_т in p = f_2min/f_1min, f_2min moving, F11 (22)
-starting_torque | T_пуск | N*m | largest torque at the clutch at a direct start
-starting_torque_ratio | m_п | 1 | largest torque of the motor at the start over its rated torque
-stays_off |  |  | whether a sleeve that has jumped off its stop has not yet jumped back
-stop_reaction | S | N | reaction of the stop on the sleeve
-stop_reaction_seated | S | N | reaction of the stop on the sleeve
-stress_amplitude | τ_a | Pa | amplitude of the cycle
-stress_high | τ_max | Pa | largest stress of the cycle
-stress_low | τ_min | Pa | smallest stress of the cycle
-tan_wall_angle | tan α | 1 | wall angle from the axis
-tan_wall_angle_at_ball | tan α | 1 | tangent of the wall angle where the ball is
-tangent_stiffness | k_t | N/m | stiffness of the balance where the sleeve is; D of a straight pocket
-tangent_stiffness_squared | k_t² | N^2/m^2 | square of the stiffness of the balance where the sleeve is
-torque | T | N*m | slip torque
-torque_asked_for | T_маш | N*m | torque that the machine asks for
-torque_between | T_turn | N*m | slip torque where it may turn within the range
-torque_high | T_high | N*m | largest torque of the load
-torque_low | T_low | N*m | smallest torque of the load
-torque_low_of_side | T_min | N*m | smallest torque of the load on the side in question
-torque_max | T_max | N*m | largest slip torque
-torque_max_from_mean | T_max,cp | N*m | largest slip torque from the mean friction on
-torque_max_worst_case | T_max,w | N*m | largest slip torque, f_1 and f_2 independent
-torque_min | T_min | N*m | smallest slip torque
-torque_min_from_mean | T_min,cp | N*m | smallest slip torque from the mean friction on
-torque_min_worst_case | T_min,w | N*m | smallest slip torque, f_1 and f_2 independent
-torque_per_force | a | m | slip torque per spring force
-torque_returning | T_ret | N*m | slip torque, friction falling again from f_max under load
-torque_returning_min | T_ret,min | N*m | smallest slip torque, friction falling under load
-torque_returning_turn | T_ret | N*m | smallest torque while the sleeve returns
-travel | x | m | axial travel of the sleeve
-travel_as_made | x | m | axial travel of the sleeve
-travel_as_set | x | m | axial travel of the sleeve
-travel_max | x_max | m | largest travel of the sleeve
-travel_moving | x | m | axial travel of the sleeve off its stop
-travel_returning | x | m | axial travel of the sleeve, friction falling under load
-travel_to_mouth | ξ_m | m | travel at which the ball would touch the edge of the pocket
-turning_points |  |  | points of smallest and largest torque while the sleeve moves
-turning_points_from_mean |  |  | the same from the mean friction on
-ultimate_strength | τ_u | Pa | ultimate strength in shear
-undercut_radius | ρ_0 | m | radius of a ball that undercuts the curved wall: all smaller ones run on it
-unity | 1 | 1 | one
-wall_angle | α | rad | wall angle of the pockets; of a curved wall at the stop
-wall_angle_at_ball | α | rad | wall angle where the ball is
-wall_angle_max | α_max | rad | wall angle at the largest travel
-wall_around | Y_w | m | wall, around the circle
-wall_axial | ξ_w | m | wall, along the axis
-wall_modulus | E_2 | Pa | elastic modulus of the pocket wall
-wall_poisson | ν_2 | 1 | Poisson's ratio of the pocket wall
-web | e | m | web between neighbouring pockets at the face
-yield_strength | σ_т | Pa | yield strength of the shaft in tension
-"""  # noqa: E501
+def _rows() -> list[list[str]]:
+    """Rows of ``terms.txt``: names, symbol, unit, meaning, and and perhaps the command that shows them as details."""
+    table = files(__package__).joinpath("terms.txt").read_text(encoding="utf-8")
+    return [[part.strip() for part in row.split("|")] for row in table.splitlines()]
 
 
-def read_terms(table: str) -> dict[str, Term]:
-    """Return the rows ``name | symbol | unit | meaning`` of a table by name."""
-    rows = (row.split("|") for row in table.splitlines())
-    return {name.strip(): Term(*(part.strip() for part in parts)) for name, *parts in rows}
-
-
-TERMS = read_terms(_TABLE)
-"""Name of a quantity → what it is called."""
+_ALL = {name: Term(*row[:3]) for names, *row in _rows() for name in names.split()}
+DETAILS = {name: row[3] for names, *row in _rows() if len(row) > 3 for name in names.split()}
+"""Quantity without a field of its own in the result → command that shows it among its details."""
+TERMS = {name: term for name, term in _ALL.items() if "." not in name}
+"""Term of each quantity of a clutch, by name."""
 
 CASES = {
     "f_min": "f_min", "f_mean": "f_cp", "f_max": "f_max", "setting": "f_set", "rest": "f = 0", "leaving": "f_L",
     "leaving_in_range": "f_L", "leaving_from_mean": "f_L", "unlocking": "f_u", "returning": "returning",
     "by_min": "set at f_min", "by_mean": "set at f_cp", "overload": "T_н at f_min", "unprotected": "unprotected side",
-    "forecast": "from f_cp", "f_min_max": "f_1min, f_2max", "f_max_min": "f_1max, f_2min", "low": "T_low",
+    "forecast": "f ≥ f_cp", "f_min_max": "f_1min, f_2max", "f_max_min": "f_1max, f_2min", "low": "T_low",
     "high": "T_high", "slips": "each slip", "each_slip": "each slip", "along_wall": "along the wall",
     **dict.fromkeys(("worst_case", "peak", "hysteresis", "expected", "actual", "equilibrium"), ""),
 }  # fmt: skip
-"""Case → how an explanation calls it; empty where the quantity in this case has a row of its own."""
+"""Case → its name in explanations; empty if quantities in this case have rows of their own."""
 _SYMBOLS = {"returning": "κ₊", "by_min": "F_п,1", "by_mean": "F_п,2", "overload": "f_min"}
-"""Case → what a symbol in it is followed by, where that is shorter."""
+"""Case → text in brackets after a symbol, if shorter than that of ``CASES``."""
 
 
 def term_of(name: str) -> Term:
-    """Return what a quantity is called; one in a case such as ``torque_at_f_max`` as T(f_max)."""
+    """Return symbol, unit and meaning of a quantity; in a case such as ``torque_at_f_max`` the symbol is T(f_max)."""
     if name in TERMS:
         return TERMS[name]
     quantity, _, case = name.rpartition("_at_")
@@ -321,6 +56,12 @@ def term_of(name: str) -> Term:
     return Term(f"{own.symbol}({_SYMBOLS.get(case, CASES[case])})", own.unit, own.meaning)
 
 
+def term_in(function: str, name: str) -> Term:
+    """Term of a quantity as argument or result of ``module.function``."""
+    module = function.partition(".")[0]
+    return _ALL.get(f"{function}.{name}") or _ALL.get(f"{module}.{name}") or term_of(name)
+
+
 def quantity_of(name: str) -> str:
-    """Return the quantity that one in a case is of: ``torque`` of ``torque_at_f_max``."""
+    """Return the name without its case: ``torque`` for ``torque_at_f_max``; names with a row of their own unchanged."""
     return name if name in TERMS else quantity_of(name.rpartition("_at_")[0])

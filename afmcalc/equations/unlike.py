@@ -1,6 +1,6 @@
-"""Unlike materials in the two groups of a differentiated clutch: the torque may also turn at the mean (F11)."""
+"""Unlike materials in the groups of a differentiated clutch: torque may have an extreme at the mean friction (F11)."""
 
-from .arrays import larger, smaller, spread
+from .arrays import along_path, larger, smaller, spread
 from .wiring import Same
 
 
@@ -94,20 +94,16 @@ def friction_driving_slips(friction_driving_least, friction_driving_mean, fricti
     """Frictions f_1 of slips that are uniformly distributed along the common path, or from the means on, 256 of them.
     Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: f_1 and f_2 move together, to their
     means and on from there."""
-    return _along_path(friction_driving_least, friction_driving_mean, friction_driving_max, bend_of_path)
+    share = spread(0.0, 1.0, 256, ends=False)
+    return along_path(share, friction_driving_least, friction_driving_mean, friction_driving_max, bend_of_path)
 
 
 def friction_driven_slips(friction_driven_least, friction_driven_mean, friction_driven_max, bend_of_path):
     """Frictions f_2 of slips that are uniformly distributed along the common path, or from the means on, 256 of them.
     Source: Handbook, chapter 4; S19 forecasts from the mean friction on. Validity: f_1 and f_2 move together, to their
     means and on from there."""
-    return _along_path(friction_driven_least, friction_driven_mean, friction_driven_max, bend_of_path)
-
-
-def _along_path(least, mean, largest, bend):
     share = spread(0.0, 1.0, 256, ends=False)
-    below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
-    return least + below * (mean - least) + above * (largest - mean)
+    return along_path(share, friction_driven_least, friction_driven_mean, friction_driven_max, bend_of_path)
 
 
 def bend_of_path(friction_driving_least, friction_driving_mean, friction_driving_max, friction_driven_least,

@@ -1,4 +1,4 @@
-"""Entries of a table of laws that are no functions."""
+"""Entries of a table of laws other than functions: other names and choices."""
 
 from typing import NamedTuple
 
@@ -10,7 +10,7 @@ class Same(NamedTuple):
 
 
 class Either(NamedTuple):
-    """A choice between two quantities by a third; of numbers only the chosen one is calculated."""
+    """Choice between two quantities by a condition; if that is no array only the chosen one is calculated."""
 
     condition: str
     yes: str

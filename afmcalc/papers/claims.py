@@ -1,12 +1,14 @@
 """Claims and figures of the papers, recomputed from their formulas.
 
-Figures are recalculated with the misprints mended.
+Figures are recomputed with corrected formulas where the paper has misprints.
 """
 
 from collections.abc import Mapping
 from functools import cache
 from importlib import import_module
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
 
 from ..errors import AfmcalcError
 from ..findings import Finding, finding
@@ -28,10 +30,10 @@ class PaperAxis(NamedTuple):
 
 
 class PaperCurve(NamedTuple):
-    """One curve, or a row of points, in SI units."""
+    """One curve, or a set of points, in SI units."""
 
     number: str
-    """Its number in the paper."""
+    """Number of the curve in the paper; empty if the paper does not number it."""
     label: str
     x: list[float]
     y: list[float]
@@ -44,32 +46,32 @@ class PaperFigure(NamedTuple):
     name: str
     title: str
     panels: list[list[PaperCurve]]
-    """Curves, one list per pair of axes."""
+    """Curves of each panel; a panel is one pair of axes."""
     x: PaperAxis
-    """Common to all panels."""
+    """Abscissa, common to all panels."""
     y: list[PaperAxis]
     """The ordinate of each panel."""
     inputs: str
-    """Inputs as printed."""
+    """Inputs as printed in the paper."""
     corrections: list[str]
-    """Misprints mended, with their numbers."""
+    """Misprints that are corrected here, with their numbers."""
     assumed: str = ""
-    """Inputs that the paper does not print, as chosen here."""
+    """Inputs that the paper does not print, with the values chosen here."""
 
 
 class Recomputed(NamedTuple):
-    """One claim recomputed."""
+    """Result of recomputing one claim."""
 
-    values: Mapping[str, object]
-    """Numbers of its sentence in ``claims.toml``."""
-    as_printed: bool
-    """True if it follows from the inputs as printed."""
-    corrected: bool = False
-    """True if it follows with the correction."""
-    deviation: float | None = None
-    """Computed over printed, less 1."""
+    values: Mapping[str, Any]
+    """Values for the fields in the text ``computed`` of the claim in ``claims.toml``."""
+    as_printed: Any
+    """True if the claim follows from the formulas and inputs as printed."""
+    corrected: Any = False
+    """True if the claim follows once a misprint is corrected."""
+    deviation: Any = None
+    """Relative deviation, computed/printed − 1; None without a printed number."""
     undecided: bool = False
-    """True if the paper leaves open the inputs that decide it."""
+    """True if the paper leaves open the inputs that decide whether the claim is true."""
 
     @property
     def verdict(self) -> Verdict:
@@ -80,13 +82,13 @@ class Recomputed(NamedTuple):
 
 
 def paper_figure(name: str) -> PaperFigure:
-    """Calculate a figure of the papers.
+    """Figure of a paper, recomputed.
 
     Args:
         name: paper and number, such as ``"S22-3"``.
 
     Raises:
-        AfmcalcError: no such figure, or one that shows a scheme and no formula.
+        AfmcalcError: there is no such figure, or the figure is a scheme without formula.
     """
     wanted = name.upper().replace(" ", "-")
     if wanted not in FIGURES:
@@ -94,8 +96,6 @@ def paper_figure(name: str) -> PaperFigure:
             "no figure {name!r}{hint}; there are: {figures}",
             name=name, hint=did_you_mean(wanted, FIGURES), figures=", ".join(FIGURES),
         )  # fmt: skip
-    import numpy as np
-
     entry = data("figures.toml")[wanted]
     paper, _, number = wanted.partition("-")
     curves = iter(getattr(import_module(f".{PAPERS[paper]}", __package__), f"figure_{number}")())
@@ -109,8 +109,15 @@ def paper_figure(name: str) -> PaperFigure:
     return PaperFigure(wanted.replace("-", " fig. "), **entry | axes | {"panels": panels})
 
 
-def near(computed: float, printed: float, digits: float) -> bool:
-    """True if a computed number rounds to the printed one: ``digits`` is a unit in its last place."""
+def _plain(value: Any) -> Any:
+    """Value with arrays and tuples replaced by lists."""
+    if isinstance(value, list | tuple):
+        return [_plain(each) for each in value]
+    return value.tolist() if isinstance(value, np.ndarray | np.generic) else value
+
+
+def near(computed: Any, printed: float, digits: float) -> Any:
+    """True if a computed number differs from the printed number by at most ``digits``."""
     return abs(computed - printed) <= digits
 
 
@@ -166,20 +173,20 @@ class ReproduceResult(Answer):
 
 @cache
 def recorded_claims() -> list[dict[str, str]]:
-    """Claims of the papers, with the verdict on record; a different one means the formulas have changed."""
+    """Claims of the papers with their recorded verdicts; if a verdict differs now, the formulas have changed."""
     return data("claims.toml")["claim"]
 
 
 def claims(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
-    """Recompute what the papers print, in the order of its numbers, and the curves of their figures.
+    """Recompute the claims of the papers, in the order of their numbers, and the curves of their figures.
 
     Args:
-        papers: keys of the papers wanted; empty for all.
-        figures: figures such as ``S22-3`` whose curves are wanted with their points; None for the curves of all
-            figures of those papers without points.
+        papers: keys of the papers; empty for all papers.
+        figures: figures, such as ``S22-3``, whose curves are returned with points; None for the curves of all figures
+            of ``papers``, without points.
 
     Raises:
-        AfmcalcError: no such paper or figure.
+        AfmcalcError: there is no such paper or figure.
     """
     check_papers(papers)
     modules = [import_module(f".{PAPERS[paper]}", __package__) for paper in papers or PAPERS]
@@ -190,7 +197,7 @@ def claims(papers: list[str], figures: list[str] | None = None) -> tuple[Reprodu
                 module, entry["id"].lower(), None
             ):  # p1 of a paper's module recomputes its claim P1
                 found = recompute()
-                text = filled(entry["computed"], found.values)
+                text = filled(entry["computed"], {name: _plain(each) for name, each in found.values.items()})
                 own = {"computed": text, "deviation": found.deviation, "verdict": found.verdict}
                 rows.append(Row(**{"correction": None, **entry, **own}))
                 if found.verdict != entry["verdict"]:
@@ -210,7 +217,7 @@ def claims(papers: list[str], figures: list[str] | None = None) -> tuple[Reprodu
 
 
 def _curves(figure: PaperFigure) -> list[CurveRow]:
-    """Sum up the curves of a figure."""
+    """Rows that summarise the curves of a figure: first, smallest, largest and last value of each curve."""
     x = figure.x.symbol or translate(figure.x.name)
     return [
         CurveRow(

@@ -1,7 +1,11 @@
-"""Фокин and others 2011 (F11): curves of figure 2, and the claims P13–P16 and P23 about it."""
+"""Фокин and others 2011 (F11): curves of figure 2, and the claims P13–P16, P23, P47 and P48 about the figure.
+
+Ratios of friction: n = f_2max/f_1max, p = f_2min/f_1min, m = f_1max/f_1min (driven pairs f_2, driving pairs f_1).
+"""
 
 import math
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 
@@ -10,26 +14,26 @@ from ..equations.arrays import Values
 from .claims import Recomputed
 
 RANGES = ((0.10, 0.6), (0.14, 0.7), (0.16, 0.7), (0.16, 0.8))
-"""f_1min and f_1max of curves 1–4."""
+"""Smallest and largest friction of the driving pairs, f_1min and f_1max, for curves 1–4."""
 CONTROLLED, GAIN = 6, 1.25
 _ALONG = np.linspace(0.5, 1.5, 101)
-"""n of the figure."""
+"""Values of the ratio n, the abscissa of the figure."""
 
 
-def factor(n: Values, p: Values, low: Values, high: Values, bypass: int = 1) -> Values:
-    """K_т of curves 1–4."""
+def factor(n: Values, p: Values, low: Values, high: Values, bypass: int = 1) -> Any:
+    """Accuracy factor K_т of curves 1–4."""
     return unlike.accuracy_factor_by_ratios(bypass, CONTROLLED, GAIN, n, p, low, high)
 
 
 def line(low: float, high: float) -> float:
-    """K_т of lines 5–7: one material; F11 counts only the driven pairs in z."""
-    return float(accuracy.accuracy_factor_of_path(0, CONTROLLED, GAIN, low, low, high, high))
+    """Accuracy factor K_т of lines 5–7, for one material; F11 counts only the driven pairs in z."""
+    return accuracy.accuracy_factor_of_path(0, CONTROLLED, GAIN, low, low, high, high)
 
 
 def figure_2() -> Iterator[tuple[Values, Values]]:
-    """K_т over n = f_2max/f_1max, formula (17); lines 5–7 one material."""
+    """Accuracy factor K_т over n = f_2max/f_1max: curves 1–4 by (17), lines 5–7 for one material."""
     ratios = _meeting_lines()
-    # line 4 has no pair; it takes p of curve 3, which has its f_1min
+    # curve 4 has no line to meet; it has the ratio p of curve 3, whose f_1min is the same
     for limits, p in zip(RANGES, [*ratios, ratios[-1]], strict=True):
         yield _ALONG, factor(_ALONG, p, *limits)
     for limits in RANGES[:3]:
@@ -37,41 +41,41 @@ def figure_2() -> Iterator[tuple[Values, Values]]:
 
 
 def p13() -> Recomputed:
-    """Curves 1–3 rise with n, line 4 is level."""
-    two, one = ([float(factor(1.5, 1, *own, z1) - factor(0.5, 1, *own, z1)) for own in RANGES] for z1 in (2, 1))
+    """Judge the claim that curves 1–3 rise with the ratio n and that curve 4 is level."""
+    two, one = ([factor(1.5, 1, *own, z1) - factor(0.5, 1, *own, z1) for own in RANGES] for z1 in (2, 1))
     as_described = [min(rises[:3]) > 0 and abs(rises[3]) < 1e-12 for rises in (two, one)]
     return Recomputed({"two": two, "one": one}, *as_described)
 
 
 def p14() -> Recomputed:
-    """Unlike materials beat one material for p > 1, except at n = 1.5 where they are level."""
+    """Judge the claim that unlike materials are better than one material for p > 1, and equally good at n = 1.5."""
     ranges = RANGES[:3]
     meet, lines = _meeting_lines(), [line(*limits) for limits in ranges]
 
-    def as_described(bypass: int) -> bool:
+    def as_described(bypass: int) -> Any:
         curves = [factor(_ALONG, p, *limits, bypass) - line(*limits) for p, limits in zip(meet, ranges, strict=True)]
         return all(np.all(curve[:-1] < 0) and abs(curve[-1]) < 1e-6 for curve in map(np.asarray, curves))
 
     values = {
         "meet": meet,
         "lines": lines,
-        "early": [float(np.interp(line(*limits), factor(_ALONG, 1.01, *limits), _ALONG)) for limits in ranges],
-        "at": [float(factor(1.5, 1.2, *limits)) for limits in ranges],
-        # K_т tends to a limit as n grows: above the p of that limit no n breaks even
+        "early": [np.interp(line(*limits), factor(_ALONG, 1.01, *limits), _ALONG) for limits in ranges],
+        "at": [factor(1.5, 1.2, *limits) for limits in ranges],
+        # K_т tends to a limit as n grows; if p is larger than at this limit, no n gives the K_т of the line
         "last": [_break_even(1e12, *limits) for limits in ranges],
     }
     return Recomputed(values, as_described(2), as_described(1))
 
 
-def _meeting_lines() -> list[float]:
-    """Return p with which curves 1–3 meet their lines 5–7 at n = 1.5."""
+def _meeting_lines() -> list[Any]:
+    """Values of the ratio p with which curves 1–3 meet their lines 5–7 at n = 1.5."""
     return [_break_even(1.5, *limits) for limits in RANGES[:3]]
 
 
 def _break_even(n: float, low: float, high: float) -> float:
-    """Return p where the curve at n meets the line of the same friction."""
+    """Value of the ratio p with which the curve meets the line of the same friction range at the ratio n."""
     ratios = np.linspace(1, 2, 10001)
-    return float(np.interp(-line(low, high), -factor(n, ratios, low, high), ratios))
+    return np.interp(-line(low, high), -factor(n, ratios, low, high), ratios)
 
 
 def _elasticity(function: Callable[[float], Values]) -> float:
@@ -80,7 +84,7 @@ def _elasticity(function: Callable[[float], Values]) -> float:
 
 
 def p15() -> Recomputed:
-    """P and m matter less than n."""
+    """Judge the claim that the ratios p and m have less effect on K_т than the ratio n."""
     low, high = RANGES[0]
     values = {
         "in_n": _elasticity(lambda t: factor(t, 1, low, high)),
@@ -93,30 +97,46 @@ def p15() -> Recomputed:
 
 
 def p16() -> Recomputed:
-    """The loss of accuracy, read as the level of K_т, is greatest at small p and n = 1.2…1.5, on curve 1."""
+    """Judge the claim that accuracy is lowest (K_т largest) at small p and n = 1.2…1.5, on curve 1."""
     at = (0.5, 1.0, 1.2, 1.5)
 
-    def as_described(bypass: int) -> bool:
-        curves = [[[float(factor(n, p, *limits, bypass)) for n in at] for p in (0.8, 1.0, 1.2)] for limits in RANGES]
+    def as_described(bypass: int) -> Any:
+        curves = [[[factor(n, p, *limits, bypass) for n in at] for p in (0.8, 1.0, 1.2)] for limits in RANGES]
         small, large = curves[0][0], curves[0][-1]
         others = max(max(levels) for limits in curves[1:] for levels in limits)
         return min(small[2:]) > max(*small[:2], *large, others)
 
     values = {
         "at": at,
-        "small": [float(factor(n, 0.8, *RANGES[0])) for n in at],
-        "level": [float(factor(n, 1, *RANGES[0])) for n in at],
-        "slopes": [float(unlike.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0])) for n in at],
+        "small": [factor(n, 0.8, *RANGES[0]) for n in at],
+        "level": [factor(n, 1, *RANGES[0]) for n in at],
+        "slopes": [unlike.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0]) for n in at],
     }
     return Recomputed(values, as_described(2), as_described(1))
 
 
 def p23() -> Recomputed:
-    """Accuracy rises with p, on every curve."""
+    """Judge the claim that accuracy rises with the ratio p on every curve."""
 
-    def slopes(bypass: int, n: Values = 1.0, p: Values = 1.0) -> list[Values]:
+    def slopes(bypass: int, n: Values = 1.0, p: Values = 1.0) -> list[Any]:
         return [unlike.slope_in_ratio_min(bypass, CONTROLLED, GAIN, n, p, *limits) for limits in RANGES]
 
     n, p = np.meshgrid(np.linspace(0.5, 1.5, 21), np.linspace(0.5, 2, 31))
-    falls = [all(np.all(np.asarray(slope) < 0) for slope in slopes(bypass, n, p)) for bypass in (2, 1)]
+    falls = [all(np.all(slope < 0) for slope in slopes(bypass, n, p)) for bypass in (2, 1)]
     return Recomputed({"two": slopes(2), "one": slopes(1)}, *falls)
+
+
+def p47() -> Recomputed:
+    """Judge the claim that unlike materials can be more accurate than one material."""
+
+    def factors(n: float, p: float, bypass: int = 1) -> list[Any]:
+        return [factor(n, p, *limits, bypass) for limits in RANGES[:3]]
+
+    better: list[Any] = [np.all(np.less(factors(1.0, 1.2, z1), factors(1.0, 1.0, z1))) for z1 in (2, 1)]
+    return Recomputed({"alike": factors(1.0, 1.0), "p": factors(1.0, 1.2), "n": factors(0.8, 1.0)}, *better)
+
+
+def p48() -> Recomputed:
+    """Judge the claim that a ratio n above 1 raises the accuracy and a ratio n below 1 lowers it."""
+    curves = [[factor(n, 1, *limits) for n in (0.8, 1.0, 1.2)] for limits in RANGES]
+    return Recomputed({"first": curves[0], "last": curves[-1]}, all(curve[0] > curve[1] > curve[2] for curve in curves))

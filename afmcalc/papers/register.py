@@ -1,4 +1,4 @@
-"""The register: every formula of the papers, what implements or covers it, and the papers' misprints."""
+"""Register of all formulas of the papers, each with its function or proof, and of the papers' misprints."""
 
 import tomllib
 from functools import cache
@@ -16,7 +16,7 @@ class Formula(Result):
     """One formula of a paper."""
 
     id: str = described("formula")
-    status: Literal["as printed", "mended", "covered", "not recoverable"] = described("status")
+    status: Literal["as printed", "recovered", "mended", "covered"] = described("status")
     misprint: str | None = described("misprint")
     function: str | None = described("equation function")
     proof: str | None = described("proof", detail=True)
@@ -37,7 +37,9 @@ class Misprint(Result):
     why: str = described("why")
     proof: str | None = described("proof", detail=True)
     status: Literal["in print", "as extracted", "criticism", "repeats another", "withdrawn"] = described("status")
-    certainty: Literal["proved", "contradicts its own text", "as extracted", "modelling"] = described("certainty")
+    certainty: Literal["proved", "contradicts its own text", "as extracted", "modelling", "withdrawn"] = described(
+        "certainty"
+    )
     quote: str | None = described("in the words of the paper", optional=True, detail=True)
     reading: str | None = described("right if read as", optional=True, detail=True)
     repeats: str | None = described("repeats", optional=True, detail=True)
@@ -61,22 +63,22 @@ def register() -> list[Formula]:
 
 @cache
 def misprints() -> list[Misprint]:
-    """Misprints in the order of their numbers; a withdrawn one keeps its own."""
+    """Misprints in the order of their numbers; withdrawn misprints keep their numbers."""
     return [Misprint(**{"status": "in print", "proof": None, **entry}) for entry in data("misprints.toml")["misprint"]]
 
 
 def data(name: str) -> dict[str, Any]:
-    """Read one of the lists of this package."""
+    """Data of a TOML file of this package."""
     return tomllib.loads(files("afmcalc.papers").joinpath(name).read_text(encoding="utf-8"))
 
 
 def references() -> dict[str, str]:
-    """Key → reference as the user's language writes it, in the order of the list."""
+    """Key of a source → reference in the user's language, in the order of the list."""
     return {key: entry[spoken()] for key, entry in _sources().items()}
 
 
 def citations() -> dict[str, tuple[str, bool]]:
-    """Key → how texts name the source, a regular expression, and whether the name stays beside its number."""
+    """Key of a source → (pattern of its citations, True if the name of the source stays beside a formula's number)."""
     return {key: (entry["cited"], entry.get("name_stays", False)) for key, entry in _sources().items()}
 
 
@@ -86,7 +88,7 @@ def _sources() -> dict[str, Any]:
 
 
 def check_papers(papers: list[str]) -> None:
-    """Refuse a paper that there is not. Raises AfmcalcError: no such paper."""
+    """Check the keys of papers. Raises AfmcalcError if there is no such paper."""
     for paper in papers:
         if paper not in PAPERS:
             raise AfmcalcError(
@@ -101,14 +103,14 @@ def is_numbered(formula: Formula) -> bool:
 
 
 def is_accounted(formula: Formula) -> bool:
-    """True if a function implements the formula or an identity covers it."""
+    """True if a function implements the formula, other formulas cover it, or a proof backs it."""
     return formula.function is not None or formula.covered_by is not None or formula.proof is not None
 
 
 def papers(papers: list[str], ids: list[str], *, show_misprints: bool = False) -> tuple[EquationsResult, list[Finding]]:
-    """Look up papers, or formulas such as ``S21 (15)``, in the register, all where none are asked for.
+    """Return formulas of the register by paper or by id, such as ``S21 (15)``; without arguments all formulas.
 
-    Raises AfmcalcError: no such paper or formula.
+    Raises AfmcalcError if there is no such paper or formula.
     """
     check_papers(papers)
     chosen = [entry for entry in register() if not papers or entry.id.split()[0] in papers]

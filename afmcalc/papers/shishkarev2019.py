@@ -1,4 +1,4 @@
-"""Шишкарёв 2019 (S19): curves of figure 2, and the claims P1–P4, P17 and P24–P26."""
+"""Шишкарёв 2019 (S19): curves of figure 2, and the claims P1–P4, P17, P24–P26, P38–P40 and P49."""
 
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
@@ -14,18 +14,18 @@ _BAND: Any = adjustment.DIRECT_ONE_MATERIAL["scatter_of_one_material"]
 _BANDS: Any = adjustment.DIRECT["scatter_ratio"]
 
 LEAST, MEAN = 200.0, 600.0
-"""T_min and T_cp, N·m."""
+"""Smallest torque T_min, and torque at mean friction T_cp, N·m."""
 PAIRS, FIRST, SECOND = (12, 15, 19, 22), (500.0, 700.0, 900.0, 1100.0), (627.0, 811.0, 1008.0, 1223.0)
-"""z, and ΔT of both settings, N·m."""
+"""Numbers of pairs z, and scatter bands ΔT with the first and with the second adjustment method, N·m."""
 
 
-def cycles(band: Values, least: float = LEAST) -> Values:
-    """N of (20) over the scatter band, with the data of fig. 2."""
+def cycles(band: Values, least: float = LEAST) -> Any:
+    """Life N over the scatter band, by (20) with the data of fig. 2."""
     return life.cycles_of_band(400e6, 15e-6, least, band, 6, 1e7)
 
 
-def forecast(band: Values) -> Values:
-    """N of curve 2: the load swings from T_cp to T_max, so 2 T_min + ΔT becomes T_cp + T_min + ΔT."""
+def forecast(band: Values) -> Any:
+    """Life N of curve 2: the load swings from T_cp to T_max, so that 2 T_min + ΔT becomes T_cp + T_min + ΔT."""
     return cycles(band + LEAST - MEAN, MEAN)
 
 
@@ -44,44 +44,45 @@ _MAX = 1 / _GAIN
 
 
 def _arm(friction: float, pairs: int) -> float:
-    """g(f) of the clutch with one bypass pair."""
-    return float(direct.torque(1.0, 1.0, 1, pairs - 1, _GAIN, friction, friction))
+    """Ratio g(f) of the torque to F_п R at a friction, for the clutch with one bypass pair."""
+    return direct.torque(1.0, 1.0, 1, pairs - 1, _GAIN, friction, friction)
 
 
 def p1() -> Recomputed:
-    """Threshold of the number of pairs."""
-    as_printed, mended = (float(_THRESHOLD(1, gain, _MIN, _MEAN, _MARGIN)) for gain in (_GAIN, 1.4))
+    """Judge the printed number of pairs above which the first method's scatter band is narrower than the second's."""
+    as_printed, mended = (_THRESHOLD(1, gain, _MIN, _MEAN, _MARGIN) for gain in (_GAIN, 1.4))
     values = {"as_printed": as_printed, "mended": mended}
     return Recomputed(values, near(as_printed, 9.23, 0.01), near(mended, 9.23, 0.01), as_printed / 9.23 - 1)
 
 
 def p2() -> Recomputed:
-    """Fall of life over the band."""
-    times = float(cycles(500) / cycles(1100))
+    """Judge the printed ratio by which life falls over the scatter bands of fig. 2."""
+    times = cycles(500) / cycles(1100)
     deviation = times / 21.54 - 1
     return Recomputed({"times": times}, abs(deviation) < 0.01, deviation=deviation)
 
 
 def p3() -> Recomputed:
-    """Curve 2 against curve 1."""
+    """Judge the printed ratio of the life of curve 1 to that of curve 2."""
     torques = [(MEAN + LEAST + band) / (2 * LEAST + band) for band in (500, 1100)]
-    lives = [float(cycles(band) / forecast(band)) for band in (500, 1100)]
+    lives = [cycles(band) / forecast(band) for band in (500, 1100)]
     mended = near(torques[0], 1.44, 0.01) and near(torques[1], 1.3, 0.05)
     return Recomputed({"torques": torques, "lives": lives}, near(lives[0], 1.44, 0.01), mended, lives[1] / 1.3 - 1)
 
 
 def p4() -> Recomputed:
-    """Bands of both methods over the number of pairs."""
+    """Judge the printed scatter bands of both methods, and the claim that they grow with the number of pairs."""
     printed = SECOND[0] / FIRST[0]
-    ratios = [float(_BANDS(_MARGIN, _arm(_MIN, z), _arm(_MEAN, z))) for z in PAIRS]
-    bands = [float(_BAND(1.0, 1.0, z, z - 1, _GAIN, _MIN, _MAX)) for z in PAIRS]
-    grows = bool(np.all(np.diff(bands) > 0))
-    as_printed = grows and near(ratios[0], printed, 0.001)
-    return Recomputed({"bands": bands, "ratios": ratios}, as_printed, deviation=ratios[0] / printed - 1)
+    ratios = [_BANDS(_MARGIN, _arm(_MIN, z), _arm(_MEAN, z)) for z in PAIRS]
+    bands = [_BAND(1.0, 1.0, z, z - 1, _GAIN, _MIN, np.linspace(_MIN, _MAX, 50)[1:]) for z in PAIRS]
+    grows = np.all(np.diff(bands, axis=0) > 0, axis=0)
+    values = {"bands": [band[-1] for band in bands], "ratios": ratios}
+    as_printed = np.any(grows) and near(ratios[0], printed, 0.001)
+    return Recomputed(values, as_printed, deviation=ratios[0] / printed - 1)
 
 
 def p17() -> Recomputed:
-    """The bands of P4 and T_cp, and the K_т that follows from them."""
+    """Judge whether the printed mean torque T_cp fits T_min, and find the K_т that the scatter bands of P4 imply."""
     ceiling = LEAST * _MEAN / _MIN
     values = {
         "implied": [(LEAST + band) / LEAST for band in FIRST],
@@ -93,30 +94,65 @@ def p17() -> Recomputed:
 
 
 def _ends(pairs: int, margin: float, setting: float) -> tuple[float, float]:
-    """T_max and T_min of a clutch set for a nominal torque of 1 at a friction, with a margin."""
+    """Largest and smallest torque of a clutch set at the friction ``setting`` for nominal torque 1 times margin."""
     force = adjustment.closing_force(1.0, margin, _arm(setting, pairs))
     return force * _arm(_MAX, pairs), force * _arm(_MIN, pairs)
 
 
-def _ratios(of: Callable[[float, float], float], pairs: Iterable[int] = PAIRS) -> list[float]:
-    """Ratios of ``of(T_max, T_min)``, second method over first."""
+def _ratios(of: Callable[[float, float], float], pairs: Iterable[int] = PAIRS) -> list[Any]:
+    """Ratio of ``of(T_max, T_min)`` by the second method to its value by the first, for each number of pairs."""
     return [of(*_ends(z, _MARGIN, _MEAN)) / of(*_ends(z, 1.0, _MIN)) for z in pairs]
 
 
 def p24() -> Recomputed:
-    """K_т does not depend on the method."""
+    """Judge the claim that the accuracy factor K_т does not depend on the adjustment method."""
     ratios = _ratios(accuracy.accuracy_factor)
     return Recomputed({"ratios": ratios}, all(near(ratio, 1, 1e-12) for ratio in ratios), deviation=ratios[0] - 1)
 
 
 def p25() -> Recomputed:
-    """The first method's band is the wider one on the unprotected side."""
-    first, second = ([float(life.side_torque(1.5, band)) for band in bands] for bands in (FIRST, SECOND))
+    """Judge the claim that the first method's scatter band is wider than the second's on the unprotected side."""
+    first, second = ([life.side_torque(1.5, band) for band in bands] for bands in (FIRST, SECOND))
     wider = all(wide > narrow for wide, narrow in zip(first, second, strict=True))
     return Recomputed({"first": first, "second": second, "ratios": _ratios(accuracy.scatter)}, wider)
 
 
 def p26() -> Recomputed:
-    """The middle of the band is lower with the first method."""
-    ratios, below = (_ratios(accuracy.mid_torque, pairs) for pairs in (PAIRS, (8,)))
-    return Recomputed({"ratios": ratios, "pairs": PAIRS, "below": below}, min(ratios) > 1)
+    """Judge the claim that the middle of the scatter band is lower with the first method."""
+    return _where_narrower(accuracy.mid_torque)
+
+
+def _where_narrower(of: Callable[[float, float], float]) -> Recomputed:
+    """Judge the claim that a torque is lower with the first method, for more and for fewer pairs than by (12)."""
+    ratios, below = (_ratios(of, pairs) for pairs in (PAIRS, (8,)))
+    return Recomputed({"ratios": ratios, "pairs": PAIRS, "below": below}, min(ratios + below) > 1, min(ratios) > 1)
+
+
+def p38() -> Recomputed:
+    """Judge the claim that the largest torque is lower with the first method."""
+    return _where_narrower(max)
+
+
+def p39() -> Recomputed:
+    """Judge the claim that both sides have the same number of load cycles, since each trip loads both."""
+    trips = 400 + 200 * np.sin(np.arange(1000.0))
+    swings = np.diff([trips, life.side_torque(1.5, trips)])
+    protected, unprotected = np.sum(np.diff(np.sign(swings)) < 0, axis=1)
+    lives = cycles(500) / cycles(1.5 * 500, 1.5 * LEAST)
+    return Recomputed({"protected": protected, "unprotected": unprotected, "lives": lives}, protected == unprotected)
+
+
+def p40() -> Recomputed:
+    """Judge the claim that the least number of pairs is inversely proportional to the gain."""
+    pairs = [_THRESHOLD(1, gain, _MIN, _MEAN, _MARGIN) for gain in (_GAIN, 2 * _GAIN)]
+    own, controlled = pairs[0] / pairs[1], (pairs[0] - 1) / (pairs[1] - 1)
+    values = {"pairs": pairs, "own": own, "controlled": controlled}
+    return Recomputed(values, near(own, 2, 1e-9), near(controlled, 2, 1e-9), own / 2 - 1)
+
+
+def p49() -> Recomputed:
+    """Judge the claim that the life N falls as T_min grows, as T_max grows, and as both grow together."""
+    highest = LEAST + 500
+    raised = ((1.1 * LEAST, highest), (LEAST, 1.1 * highest), (1.1 * LEAST, 1.1 * highest))
+    lives = [cycles(500) / cycles(high - low, low) for low, high in raised]
+    return Recomputed({"lives": lives}, min(lives) > 1)

@@ -1,4 +1,4 @@
-"""Rendering: one walk over a result gives a document; each format writes the document."""
+"""Rendering: a result is laid out once as a document, which each format writes."""
 
 from .formats import FORMATS, renderer
 

@@ -9,18 +9,27 @@ from ..messages import latin, localized, printable, spoken, translate, with_unit
 from ..units import ENGINEER, in_unit, per_si, typeset
 
 CHOICES: dict[str, dict[str, str]] = {"engineer": ENGINEER, "si": {}}
-"""Which units people choose → SI unit to the one shown, where it is another."""
+"""Choice of units → SI unit → unit shown to people, if this is not the SI unit."""
 _chosen = ContextVar("units", default=ENGINEER)
 
 
 @contextmanager
 def shown_in(name: str) -> Iterator[None]:
-    """Show quantities in the units of that name, one of ``CHOICES``, until the end of the block."""
+    """Show quantities in the units ``name``, a key of ``CHOICES``, until the end of the ``with`` block."""
     before = _chosen.set(CHOICES[name])
     try:
         yield
     finally:
         _chosen.reset(before)
+
+
+def shown_unit(unit: str) -> str:
+    """Name of the unit that is shown to people in place of an SI unit.
+
+    >>> shown_unit("N"), shown_unit("kg*m^2")
+    ('kN', 'kg*m^2')
+    """
+    return _chosen.get().get(unit, unit)
 
 
 def display_unit(unit: str) -> str:
@@ -29,11 +38,11 @@ def display_unit(unit: str) -> str:
     >>> display_unit("N"), display_unit("kg*m^2")
     ('kN', 'kg·m²')
     """
-    return "–" if unit == "1" else translate(typeset(_chosen.get().get(unit, unit)), "unit")
+    return "–" if unit == "1" else translate(typeset(shown_unit(unit)), "unit")
 
 
 def converted(value: float, unit: str) -> float:
-    """Return a value (SI) in the unit shown to people, a temperature on its scale.
+    """Return a value (SI) in the unit shown to people; a temperature is converted to the scale of that unit.
 
     >>> converted(2000.0, "N"), converted(300.15, "K abs")
     (2.0, 27.0)
@@ -42,24 +51,31 @@ def converted(value: float, unit: str) -> float:
     return in_unit(value, shown) if shown else value
 
 
-def display(value: object, unit: str) -> str:
-    """Return ``value`` (SI) in the unit shown to people, to 5 significant figures.
+_DIGITS = 5
+_ESTIMATED = dict.fromkeys(("J", "J/m^2", "W/m^2", "K", "K abs", "1/h", "kg", "kg*m^2"), 3)
+"""SI unit of a quantity that rests on estimates (heat, temperature, mass) → its significant figures."""
+
+
+def display(value: object, unit: str, digits: int = 0) -> str:
+    """Return ``value`` (SI) in the unit shown to people, to ``digits`` figures; 0: as many as its unit requires.
 
     >>> display(2000.0, "N"), display(0.1, "m"), display(None, "1"), display(123456.7, "1")
     ('2', '100', '–', '123460')
+    >>> display(8963.12, "J"), display(340.153, "K abs"), display(340.153, "K abs", 5), display(45565.4, "1", 3)
+    ('8.96', '67', '67.003', '45600')
     >>> with shown_in("si"):
     ...     display(2000.0, "N"), display_unit("N"), display(293.15, "K abs")
-    ('2000', 'N', '293.15')
+    ('2000', 'N', '293')
     """
     if value is None:
         return "–"
     if isinstance(value, list):
-        return (" … " if unit else "; ").join(display(item, unit) for item in value)
+        return (" … " if unit else "; ").join(display(item, unit, digits) for item in value)
     if isinstance(value, bool):
         return translate("yes" if value else "no", "value")
     if not isinstance(value, int | float):
         return printable(worded(str(value)))
-    return significant(converted(value, unit))
+    return significant(converted(value, unit), digits or _ESTIMATED.get(unit, _DIGITS))
 
 
 def measured(value: object, unit: str) -> str:
@@ -68,11 +84,11 @@ def measured(value: object, unit: str) -> str:
     >>> measured(2000.0, "N"), measured(0.5, "1")
     ('2 kN', '0.5')
     """
-    return with_unit(display(value, unit), display_unit(unit))
+    return with_unit(display(value, unit, _DIGITS), display_unit(unit))
 
 
 def headed(name: str, unit: str) -> str:
-    """Return the name of a quantity with its unit as shown to people, where it has one.
+    """Return the name of a quantity, with its unit as shown to people unless it is a pure number.
 
     >>> headed("force", "N"), headed("gain", "1")
     ('force, kN', 'gain')
@@ -82,10 +98,10 @@ def headed(name: str, unit: str) -> str:
 
 
 def worded(text: str) -> str:
-    """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
+    """Return a text of a result in the language of the user, translated as a whole, else between semicolons."""
     if spoken() == "en":
         return _IN_ENGLISH.get(text) or (latin(text) if " " in text else text)
-    # one word may be a name; a sentence is none
+    # a single word may be a name, a sentence is no name
     for context in ("value", "", "comment", "name") if " " in text else ("value", "unit"):
         if (told := translate(text, context)) != text:
             return told
@@ -104,25 +120,25 @@ _IN_ENGLISH = {
     "each-adjusted": "each clutch adjusted",
     "simulate": "simulation of the event",
 }
-"""Values that are words of the spec or of JSON → what people are told."""
+"""Word that is a value in a spec or in JSON → words shown to people instead."""
 
 
-def significant(value: float) -> str:
-    """Five significant figures, plain between 1e-4 and 1e7, with an exponent beyond.
+def significant(value: float, digits: int = _DIGITS) -> str:
+    """Significant figures, plain between 1e-4 and 1e7, with an exponent beyond.
 
     >>> significant(0.00012345678), significant(1e12), significant(100000.0)
     ('0.00012346', '1e+12', '100000')
     """
     if value == 0 or not math.isfinite(value):
         return "0" if value == 0 else str(value)
-    rounded = float(f"{value:.5g}")
+    rounded = float(f"{value:.{digits}g}")
     if 1e-4 <= abs(rounded) < 1e7:
         return localized(f"{rounded:.10f}".rstrip("0").rstrip("."))
-    return localized(f"{value:.5g}")
+    return localized(f"{value:.{digits}g}")
 
 
 def estimate(value: float, error: float, unit: str) -> str:
-    """Return a value with its standard error in the engineer's unit: the error to two figures, the value to its last.
+    """Return a value with its standard error in the engineer's unit: both to the second figure of the error.
 
     >>> estimate(258.1534, 0.08938, "N*m"), estimate(9.3523e14, 1.3563e12, "1"), estimate(0.0, 5e-6, "1")
     ('258.153 ± 0.089', '(9.352 ± 0.014)e+14', '0 ± 5e-06')

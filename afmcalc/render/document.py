@@ -1,4 +1,4 @@
-"""One walk over a result: single values, triples, tables. Every format for people, CSV and the report write this."""
+"""Layout of a result: single values, triples, tables. All formats for people, CSV and the report write this layout."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -9,13 +9,13 @@ from ..messages import translate
 from ..result import OpenTriple, Result, Series, Shown, Triple, shown_as
 
 ENDS = {"min": "at f_min", "mean": "at mean f", "max": "at f_max"}
-"""Field of a triple → at which friction it is."""
+"""Field of a triple → its friction, in the words of a heading."""
 _with_details = ContextVar("with_details", default=False)
 
 
 @contextmanager
 def with_details(asked: bool) -> Iterator[None]:
-    """Lay out what people get only when they ask for details, until the end of the block."""
+    """If ``asked``, include the columns of details in layouts made inside the ``with`` block."""
     before = _with_details.set(asked)
     try:
         yield
@@ -24,7 +24,7 @@ def with_details(asked: bool) -> Iterator[None]:
 
 
 class Column(NamedTuple):
-    """A quantity: its one value, its values over friction, or its value in each row of a table."""
+    """Quantity with one value, with three values (at f_min, mean f, f_max), or with a value for each table row."""
 
     path: str
     symbol: str
@@ -33,28 +33,28 @@ class Column(NamedTuple):
     values: list[Any]
     shown: Shown = Shown()
     units: list[str] | None = None
-    """SI units of the values, where they are not all in ``unit``."""
+    """SI unit of each value, if ``unit`` does not hold for all values."""
     words: Sequence[str | None] = ()
-    """Word that formats for people show instead of each value; None: the value."""
+    """Word shown to people in place of each value; None: the value itself is shown."""
     errors: Sequence[Any] = ()
-    """Standard errors of the values, where they have any."""
+    """Standard error of each value, if the values have standard errors."""
     hidden: bool = False
-    """True if formats for people leave the column out, because another column shows it."""
+    """True if formats for people leave the column out: it is a detail, or another column shows its values."""
 
 
 class Table(NamedTuple):
-    """Columns of equal length; ``axes`` of them, from the left, are coordinates."""
+    """Columns of equal length; the first ``axes`` of them are coordinates."""
 
     title: str
     columns: list[Column]
     axes: int = 0
     shown: Shown = Shown()
     path: str = ""
-    """Path of the list."""
+    """Path of the list in the result."""
 
 
 class Document(NamedTuple):
-    """A result laid out."""
+    """Layout of a result."""
 
     singles: list[Column]
     steps: list[Any]
@@ -122,7 +122,7 @@ def _is_left_out(column: Column) -> bool:
 
 
 def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
-    """Return a column for every field of records of one type, with its errors; a triple stays in one column."""
+    """Return a column, with standard errors, for every field of records of one type; a triple takes one column."""
     fields = type(records[0]).model_fields
     shown_by_name = {name: shown_as(info) for name, info in fields.items()}
     error_fields = {shown.error_of: name for name, shown in shown_by_name.items()}
@@ -146,7 +146,7 @@ def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
 
 
 def _word(record: Result, name: str, shown: Shown) -> str | None:
-    """Word that people read instead of a field's value; None: the value."""
+    """Words shown to people in place of a field's value; None: the value itself is shown."""
     value = getattr(record, name)
     if shown.in_words is None or not isinstance(value, str | list):
         return record.words(name)
@@ -168,7 +168,7 @@ def _records(records: Sequence[Result]) -> Table:
                 for end, at in ENDS.items()
             ]
         elif isinstance(column.values[0], list) and any(isinstance(one, Result) for one in column.values[0]):
-            continue  # records of a record are for programs
+            continue  # only JSON has records inside records
         elif isinstance(column.values[0], dict):
             columns += [
                 column._replace(
@@ -184,8 +184,10 @@ def _records(records: Sequence[Result]) -> Table:
 
 
 def _sweep(sweeps: Sequence[Series]) -> Table:
-    """Lay out series over one grid: the coordinate of each series, then the answers, which are the same in all."""
-    axes = [Column(sweep.path, sweep.parameter, sweep.path, sweep.unit, sweep.values) for sweep in sweeps]
+    """Table of sweeps over one grid: the coordinates of each sweep, then the results, which are the same for all."""
+    axes = [
+        Column(sweep.path, sweep.parameter, sweep.path, sweep.unit, sweep.values, Shown(digits=5)) for sweep in sweeps
+    ]
     first, *_ = sweeps
     answers = [
         column._replace(values=column.values[0], words=())

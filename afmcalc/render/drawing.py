@@ -1,6 +1,6 @@
-"""A drawing as data: shapes in millimetres, each on a layer that says what it is; ``svg`` and ``dxf`` write it.
+"""A drawing as data: shapes in millimetres, each on a layer for its kind; ``svg`` and ``dxf`` write the drawing.
 
-The axis of x runs to the right, that of y upwards.
+The x axis runs to the right, the y axis upwards.
 """
 
 import math
@@ -16,33 +16,33 @@ from .symbols import split
 
 Point: TypeAlias = tuple[float, float]
 Rectangle: TypeAlias = tuple[float, float, float, float]
-"""Left, right, low, high."""
+"""Left, right, lower and upper coordinate of a rectangle."""
 
 
 class Layer(NamedTuple):
-    """How the lines of a layer look; millimetres on paper."""
+    """Style of the lines and areas of a layer; millimetres on paper."""
 
     about: str
     colour: str
     number: int
-    """Of the colour among AutoCAD's."""
+    """Index of the colour in AutoCAD."""
     width: float
     line: str = "CONTINUOUS"
-    """One of ``DASHES``, else whole."""
+    """Line type, one of ``DASHES`` or continuous."""
     fill: float = 0.0
-    """Opacity that its areas are filled with."""
+    """Opacity of areas on the layer."""
     hides: bool = False
-    """True if its areas hide what is painted before them: they are filled with the colour of the paper."""
+    """True if areas on the layer hide what was painted before: their fill is the colour of the paper."""
 
     @property
     def face(self) -> str:
-        """Colour of its areas."""
+        """Fill colour of areas on the layer."""
         return PAPER if self.hides else self.colour
 
 
 HIDDEN, CENTRE, GHOST = "HIDDEN2", "CENTER2", "DIVIDE2"
 DASHES = {HIDDEN: (1.4, 0.7), CENTRE: (3.2, 0.7, 0.5, 0.7), GHOST: (2.5, 0.5, 0.35, 0.5, 0.35, 0.5)}
-"""Type of a line → lengths of its dashes and gaps, mm on paper."""
+"""Line type → lengths of its dashes and gaps, mm on paper."""
 LAYERS: dict[str, Layer] = {
     "faces": Layer("friction faces, from their end", SHADE, 8, 0.18, fill=0.28),
     "discs": Layer("friction discs, one a pair", COLOURS[0], 5, 0.18, fill=0.3),
@@ -67,11 +67,11 @@ LAYERS: dict[str, Layer] = {
     "title": Layer("title block", INK, 7, 0.25),
     "frame": Layer("frame of the sheet", INK, 7, 0.7),
 }
-"""Name → look, in the order they are painted."""
+"""Name of a layer → its style, in the order of painting."""
 
 
 class Region(NamedTuple):
-    """Closed contours; every second one within another is a hole."""
+    """Area within closed contours; a contour inside another contour is a hole."""
 
     layer: str
     contours: tuple[tuple[Point, ...], ...]
@@ -95,27 +95,27 @@ class Circle(NamedTuple):
     radius: float
     part: str = ""
     hole: float = 0.0
-    """Radius of what its area leaves out; 0: nothing."""
+    """Radius of its concentric hole; 0: none."""
 
 
 class Inscription(NamedTuple):
-    """A text that begins, has its middle or ends at a place, on its base line."""
+    """Text with its start, middle or end at a point on its base line."""
 
     text: str
     at: Point
     height: float
-    """Size of the text, millimetres of the drawing: its capital letters are 0.7 as high."""
+    """Font size, mm of the drawing; capital letters are 0.7 as high."""
     anchor: str = "start"
     """``start``, ``middle`` or ``end``."""
     upright: bool = False
-    """True if it reads from below upwards."""
+    """True if the text runs upwards."""
     ours: bool = True
-    """True if symbols in it are set as such; what a user wrote is set as it is."""
+    """True if symbols in the text get subscripts; False for a text of the user."""
     layer: str = "dimensions"
 
 
 class Length(NamedTuple):
-    """A dimension between two points, its line along x at a height ``line``, or upright along y at an x."""
+    """Dimension of a length; the dimension line is at y = ``line`` or, if ``upright``, at x = ``line``."""
 
     label: str
     height: float
@@ -126,12 +126,12 @@ class Length(NamedTuple):
     key: str = ""
     about: str = ""
     shrunk: float = 1.0
-    """Scale of what is drawn smaller than the rest of the drawing."""
+    """Scale of the view that has the dimension, relative to the rest of the drawing."""
     layer: str = "dimensions"
 
 
 class Diameter(NamedTuple):
-    """A dimension across a circle, at an angle to x in degrees."""
+    """Dimension across a circle; the dimension line is at ``angle`` degrees to the x axis."""
 
     label: str
     height: float
@@ -143,7 +143,7 @@ class Diameter(NamedTuple):
 
 
 class Angle(NamedTuple):
-    """A dimension between two lines from an apex, anticlockwise from the first to the second."""
+    """Dimension of the angle between two lines from an apex, anticlockwise from the first line to the second."""
 
     label: str
     height: float
@@ -151,7 +151,7 @@ class Angle(NamedTuple):
     first: Point
     second: Point
     radius: float
-    """Of its arc."""
+    """Radius of the dimension arc."""
     layer: str = "dimensions"
 
 
@@ -160,33 +160,33 @@ Dimension: TypeAlias = Length | Diameter | Angle
 Shape: TypeAlias = Simple | Dimension
 
 WIDTH = 175.0
-"""Width of a drawing that is as wide as the text of a page, mm on paper."""
+"""Width of a drawing that fills the text width of a page, mm on paper."""
 TEXT = 3.2
-"""Size of its texts, mm on paper: nine points."""
+"""Size of texts in a drawing, mm on paper: nine points."""
 _LETTER = 0.62
-"""Width of a letter over the size of the text, at most about."""
+"""Upper estimate of the width of a letter, relative to the font size."""
 _LONG, _HALF = 0.55, 0.14
-"""Length and half width of the head of an arrow, over the size of the text."""
+"""Length and half width of an arrowhead, relative to the font size."""
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """Shapes, and the rectangle that holds them: left, bottom, right, top, mm."""
+    """Shapes, and the rectangle that encloses them: left, bottom, right, top, mm."""
 
     shapes: Sequence[Shape]
     frame: tuple[float, float, float, float]
     width: float = WIDTH
-    """On paper, mm."""
+    """Width on paper, mm."""
     cells: int = 0
-    """Number of shapes at its end that are a part list."""
+    """Number of shapes, at the end of ``shapes``, that form the part list."""
 
     @property
     def unit(self) -> float:
-        """Millimetres of the drawing that one of the paper is."""
+        """Millimetres of the drawing for one millimetre of paper."""
         return (self.frame[2] - self.frame[0]) / self.width
 
     def captioned(self, title: str, name: str, caption: str) -> "Drawing":
-        """Return it with a title and a name above it and a caption below."""
+        """Drawing with a title and a name above it and a caption below."""
         left, bottom, right, top = self.frame
         size = TEXT * self.unit
         row, inset = 1.4 * size, left + 0.5 * size
@@ -198,7 +198,7 @@ class Drawing:
         return replace(self, shapes=(*self.shapes, *texts), frame=frame)
 
     def without_table(self) -> "Drawing":
-        """Return it without its part list."""
+        """Drawing without its part list."""
         *shapes, first = self.shapes[: len(self.shapes) - self.cells + 1]
         assert isinstance(first, Inscription)
         left, _, right, top = self.frame
@@ -212,7 +212,7 @@ class Drawing:
 
 
 def exploded(shape: Shape) -> list[Simple]:
-    """Return the lines, arrows and text of a dimension, anything else as it is."""
+    """Lines, arrows and text of a dimension; any other shape as it is."""
     match shape:
         case Length():
             return _length(shape)
@@ -267,7 +267,7 @@ def _length(shape: Length) -> list[Simple]:
 
 
 def arrow(tip: Point, tail: Point, height: float, layer: str = "dimensions") -> Region:
-    """Head of an arrow beside texts of a height."""
+    """Arrowhead at ``tip``, of a size that suits texts of ``height``."""
     long = math.dist(tip, tail)
     along, across = ((end - start) / long * height for start, end in zip(tip, tail, strict=True))
     back = tip[0] + _LONG * along, tip[1] + _LONG * across
@@ -276,7 +276,7 @@ def arrow(tip: Point, tail: Point, height: float, layer: str = "dimensions") -> 
 
 
 def leader(text: str, tip: Point, knee: Point, height: float) -> list[Simple]:
-    """Arrow from a text to its place."""
+    """Leader from a text to ``tip``: an arrow with a horizontal shelf at ``knee``."""
     hand = math.copysign(1, knee[0] - tip[0])
     shelf = knee[0] + hand * text_width(text, height), knee[1]
     at = min(knee[0], shelf[0]), knee[1] + 0.3 * height
@@ -285,7 +285,7 @@ def leader(text: str, tip: Point, knee: Point, height: float) -> list[Simple]:
 
 
 def tenths(value: float) -> str:
-    """Length that was calculated (m), in millimetres to a tenth.
+    """Calculated length (m) as text in millimetres, to a tenth.
 
     >>> tenths(0.0994561), tenths(0.1)
     ('99.5', '100')
@@ -294,18 +294,18 @@ def tenths(value: float) -> str:
 
 
 def text_width(text: str, height: float) -> float:
-    """Width that a text of a height takes, about and at most."""
+    """Upper estimate of the width of a text."""
     return sum((0.7 if low else 1.0) * len(piece) for piece, low in split(text)) * _LETTER * height
 
 
 def corners(box: Rectangle) -> tuple[Point, ...]:
-    """Return the corners of a rectangle, from the lower left one on."""
+    """Corners of a rectangle, anticlockwise from the lower left."""
     left, right, low, high = box
     return (left, low), (right, low), (right, high), (left, high)
 
 
 def outlines(boxes: Sequence[Rectangle]) -> tuple[tuple[Point, ...], ...]:
-    """Return the closed contours of what rectangles cover together, each with what is covered to its left."""
+    """Closed contours of the union of rectangles, each with the covered area to its left."""
     xs, ys = (sorted({box[side + end] for box in boxes for end in (0, 1)}) for side in (0, 2))
     covered = {
         (i, j)
@@ -322,7 +322,7 @@ def outlines(boxes: Sequence[Rectangle]) -> tuple[tuple[Point, ...], ...]:
     contours = []
     while edges:
         at, turns, level = min(edges), [], None
-        while at in edges:  # until it is where it began
+        while at in edges:  # until the contour closes
             onward = edges[at].pop()
             if not edges[at]:
                 del edges[at]

@@ -1,7 +1,7 @@
 """A drawing as DXF R2010, in true millimetres.
 
-LibreCAD takes a font by the name of its text style, sizes of dimensions from the header, and the pattern of a hatch
-unturned: so the style is called as its font, header and dimension style both have the sizes, and hatches are lines.
+LibreCAD takes the font from the name of the text style and the sizes of dimensions from the header, and cannot rotate
+hatch patterns: so the text style is named after its font, the header repeats the dimension style, hatches are lines.
 """
 
 import io
@@ -17,16 +17,16 @@ if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
 
 _STYLE, _FONT = "lc_opengost-br", "arial.ttf"
-"""Text style, and its font elsewhere: both have Greek and Cyrillic letters."""
+"""Text style, named after its font in LibreCAD, and the font elsewhere: both have Greek and Cyrillic letters."""
 _TEXT, _STEP, _DENSE = 3.5, 3.0, 1.0
-"""Height of the text of a dimension, and from one line of a hatch to the next, mm on paper."""
+"""Height of dimension texts, distance of hatch lines, and distance of dense hatch lines, mm on paper."""
 _CAPITAL = 0.7
-"""Height of a letter, which DXF takes for the size of a text."""
+"""Height of a capital letter over the font size; the text height in DXF is the height of capitals."""
 _ALIGNED = {"start": "LEFT", "middle": "CENTER", "end": "RIGHT"}
 
 
 def dxf(drawing: Drawing) -> bytes:
-    """Write a drawing: the same one gives the same bytes."""
+    """DXF file of a drawing; the same drawing gives the same bytes."""
     import ezdxf
     from ezdxf import units
     from ezdxf.filemanagement import new
@@ -53,8 +53,12 @@ def dxf(drawing: Drawing) -> bytes:
             layer.dxf.lineweight, layer.description = round(100 * look.width), translate(look.about)
             for shape in shapes:
                 _add(document.modelspace(), shape, drawing.unit)
+        left, bottom, right, top = drawing.frame
+        document.set_modelspace_vport(
+            top - bottom, ((left + right) / 2, (bottom + top) / 2)
+        )  # what is in view at first
         document.header.custom_vars.append("Creator", CREATOR)
-        # else in the order of a set, which changes from run to run
+        # sorted, because the order of a set changes from run to run
         for kind in sorted({entity.dxftype() for entity in document.entitydb.values()}):
             document.classes.add_class(kind)
         stream = io.StringIO()
@@ -100,7 +104,7 @@ def _add(space: "Modelspace", shape: Shape, unit: float) -> None:
 
 
 def _style(height: float, shrunk: float = 1.0, **more: float) -> dict[str, Any]:
-    """Dimension style of texts of a height, of what is drawn ``shrunk``."""
+    """Dimension style with texts of ``height``; it shows the true lengths of a view drawn at the scale ``shrunk``."""
     return {"dimstyle": "SHOP", "override": {"dimscale": _CAPITAL * height / _TEXT, "dimlfac": 1 / shrunk} | more}
 
 
@@ -114,14 +118,14 @@ def _write(space: "Modelspace", text: Inscription) -> None:
 
 
 def _plain(text: str) -> str:
-    """Text without subscripts, which DXF has none of."""
+    """Text with subscripts as plain letters, because DXF has no subscripts."""
     return printable("".join(piece for piece, _ in split(text)))
 
 
 def _hatch(
     space: "Modelspace", contours: Iterable[Sequence[Point]], angle: float, step: float, on: dict[str, Any]
 ) -> None:
-    """Hatch what is within closed contours."""
+    """Draw hatch lines inside closed contours."""
     from ezdxf.math import Vec2
     from ezdxf.render.hatching import HatchBaseLine, hatch_polygons
 

@@ -1,7 +1,7 @@
-"""Drawings for the shop on a sheet A3 with a frame, a title block and notes: the sleeves with pockets, the clutch.
+"""Shop drawings on an A3 sheet with frame, title block and notes: the sleeves with pockets, the clutch.
 
-They are in true millimetres: what is of the sheet (texts, arrows, frame) is as much smaller than on paper as the
-drawing is larger there.
+Parts are drawn in true millimetres; the sheet (texts, arrows, frame) is scaled instead, by the inverse of the scale of
+the drawing.
 """
 
 import math
@@ -34,24 +34,24 @@ from .plot import pocket_drawing as pockets
 from .plot.section_drawing import section as laid_out
 
 _TITLE_TEXT, _TEXT, _SMALL, _LETTER, _LINE = 7.0, 5.0, 3.5, 0.54, 4.2
-"""Sizes of titles, text and notes on paper, mm; width of a letter over them, at most about; from note to note."""
+"""Sizes of titles, text and notes on paper, mm; largest letter width over font size; line spacing of notes, mm."""
 _SCALES = [*map(Fraction, ("20", "10", "5", "4", "2.5", "2", "1", "1/2", "0.4", "1/4", "1/5", "1/10", "1/20", "1/50"))]
 _WIDE, _HIGH, _TITLE = 420, 297, (185, 55)
 _LEFT, _EDGE = 20, 5
-"""Margins of the sheet, mm: to the left, and all others."""
+"""Margins of the sheet, mm: the left margin, and each of the other margins."""
 
 
 class ShopSheet:
-    """A sheet around a drawing: places on paper are millimetres from its lower left corner."""
+    """A sheet around a drawing; places on paper are millimetres from the lower left corner of the sheet."""
 
     scale = Fraction(1)
     origin = 0.0, 0.0
-    """Where on paper the origin of the drawing is."""
+    """Place of the drawing's origin on paper, mm."""
 
     def __init__(
         self, spec: Spec, title: str, said: Sequence[str], *below: str, mass: str = "", material: str | None = ""
     ) -> None:
-        """Reserve what title block and notes need: of the spec, as ``said``, and ``below`` without numbers."""
+        """Reserve the space of title block and notes: the numbered notes of the spec and ``said``, then ``below``."""
         shop = spec.drawing or ShopNotes()
         told_first = [
             shop.hardness and say("hardness of the pocket walls {hardness}", hardness=shop.hardness),
@@ -74,24 +74,24 @@ class ShopSheet:
 
     @property
     def unit(self) -> float:
-        """Millimetres of the drawing that one of the paper is."""
+        """Millimetres of the drawing for one millimetre of paper."""
         return float(1 / self.scale)
 
     def at(self, x: float, y: float) -> Point:
-        """Place of the drawing at a place of the paper."""
+        """Point of the paper, mm, in drawing coordinates."""
         return (x - self.origin[0]) * self.unit, (y - self.origin[1]) * self.unit
 
     @property
     def text(self) -> float:
-        """Height of its texts, mm of the drawing."""
+        """Font size of the texts, mm of the drawing."""
         return _TEXT * self.unit
 
     def length(self, value: float) -> str:
-        """Length that was calculated (m), in millimetres as its tolerance has it, else to a tenth."""
+        """Calculated length (m) as text in mm, with as many decimals as the tolerance in the spec, else to a tenth."""
         return localized(f"{round(1e3 * value, self.places):.9g}")
 
     def drawing(self, shapes: Sequence[Shape]) -> Drawing:
-        """Return shapes with frame, title block and notes."""
+        """Drawing of the shapes with frame, title block and notes."""
         frame = *self.at(0, 0), *self.at(_WIDE, _HIGH)
         return Drawing([*shapes, *self._surround()], frame, _WIDE)
 
@@ -125,7 +125,7 @@ class ShopSheet:
 
 
 def largest_scale(size: Point, free: Point) -> Fraction:
-    """Return the largest scale at which something fits into a part of the paper, or the smallest there is."""
+    """Largest standard scale at which ``size`` fits into ``free``, both in mm; else the smallest standard scale."""
     fits = (scale for scale in _SCALES if all(a * scale <= b for a, b in zip(size, free, strict=True)))
     return next(fits, _SCALES[-1])
 
@@ -136,7 +136,7 @@ def _stated(scale: Fraction) -> str:
 
 
 def notes(drawing: ShopDrawing) -> list[str]:
-    """Texts that stand beside a drawing."""
+    """Notes of a pocket drawing."""
     ball = drawing.synthesis
     if ball.wall_angle_max is None:
         wall = say("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
@@ -152,6 +152,8 @@ def notes(drawing: ShopDrawing) -> list[str]:
             "pocket {width:.1f mm} wide at the face, cut to {depth:.1f mm}; ball {ball:.5g mm}, gap {gap:g mm}",
             width=ball.pocket_width, depth=ball.pocket_depth_cut, ball=ball.ball_diameter, gap=ball.face_gap,
         ),
+        *([say("drawn with the pack worn: as new the sleeves are {apart:.4g mm} apart, with {play:.4g mm} of play",
+               apart=ball.face_gap + ball.wear_play, play=ball.wear_play)] if ball.wear_play else []),
         *([say("{ball}, of a grade for the designer to set", ball=ball.ball_designation)]
             if ball.ball_designation else []),
         wall,
@@ -162,7 +164,7 @@ def notes(drawing: ShopDrawing) -> list[str]:
 
 
 def pocket(drawing: ShopDrawing) -> Drawing:
-    """Draw two sleeves that mate in the section at the ball circle, where the origin is, and the first from its end."""
+    """Draw both sleeves in section at the ball circle (origin: the ball's centre), and the first sleeve in end view."""
     unit, sleeve = drawing.synthesis, drawing.sleeve
     back, side = (1e3 * end for end in drawing.extent)
     outer = sleeve.outer_diameter * 1e3
@@ -222,7 +224,7 @@ def pocket(drawing: ShopDrawing) -> Drawing:
 
 
 def _roughness(sheet: ShopSheet, drawing: ShopDrawing) -> Iterator[Shape]:
-    """Say how rough the walls are."""
+    """Draw the roughness symbol of the pocket walls, if the spec gives their roughness."""
     unit, k, groove = drawing.synthesis, sheet.unit, drawing.sleeve.groove * 500
     floor, (back, side) = 1e3 * (unit.face_gap / 2 + unit.pocket_depth_cut), (1e3 * end for end in drawing.extent)
     if rough := (drawing.spec.drawing or ShopNotes()).roughness:
@@ -237,7 +239,7 @@ def _roughness(sheet: ShopSheet, drawing: ShopDrawing) -> Iterator[Shape]:
 
 
 def _end_view(sheet: ShopSheet, drawing: ShopDrawing, centre: Point, shrunk: float) -> Iterator[Shape]:
-    """Draw the first sleeve from its pockets, with all of them on their circle, smaller than the section."""
+    """Draw the first sleeve seen from its pockets, at the scale ``shrunk`` relative to the section."""
     unit, sleeve, k, given = drawing.synthesis, drawing.sleeve, sheet.unit, drawing.spec.control_unit
     count, circle, text = (given and given.balls) or 1, unit.ball_circle_radius, sheet.text
     rim, bore, end, pitch, ball = (
@@ -278,7 +280,7 @@ def _end_view(sheet: ShopSheet, drawing: ShopDrawing, centre: Point, shrunk: flo
 
 
 def section(clutch: ClutchSection, spec: Spec) -> Drawing:
-    """Draw the whole clutch as ``plot section`` lays it out."""
+    """Draw the whole clutch, laid out by ``plot.section_drawing``."""
     page = laid_out(clutch)
     drawing = page.panels[0]
     shop = spec.drawing or ShopNotes()

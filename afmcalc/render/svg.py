@@ -1,15 +1,16 @@
-"""A drawing as SVG whose numbers are millimetres, y downwards."""
+"""SVG of a drawing; numbers in the SVG are millimetres, and the y axis points downwards."""
 
 from collections.abc import Iterable
 from html import escape
 
+from ..errors import need
 from ..messages import printable
 from .drawing import DASHES, LAYERS, Circle, Drawing, Inscription, Length, Point, Region, Simple, Stroke, exploded
-from .symbols import split
+from .symbols import lowered, marked
 
 
 def svg(drawing: Drawing, title: str = "") -> str:
-    """Write a drawing, as wide as it is on paper."""
+    """SVG of a drawing, as wide as it is on paper."""
     left, bottom, right, top = drawing.frame
     unit = drawing.unit
     hatches = {shape.hatch for shape in drawing.shapes if isinstance(shape, Region) and shape.hatch}
@@ -38,11 +39,11 @@ def svg(drawing: Drawing, title: str = "") -> str:
     return "\n".join([*filter(None, parts), "</svg>", ""])
 
 
-def picture(drawing: Drawing, ending: str, title: str = "") -> bytes:
-    """Return a file of a drawing, on white: as SVG, or set from that by Typst with the fonts of matplotlib."""
-    text = svg(drawing, title)
+def picture(text: str, ending: str) -> bytes:
+    """File of an SVG on white: the SVG itself, or PNG or PDF set by Typst with the fonts of matplotlib."""
     if ending == "svg":
         return text.encode()
+    need("pdf", "typst")
     import typst
     from matplotlib import get_data_path
 
@@ -72,16 +73,13 @@ def _simple(shape: Simple) -> str:
 
 
 def _text(text: Inscription) -> str:
-    """Set a text with its subscripts."""
-    at, shown, lowered, pieces = _path([text.at]), printable(text.text), False, ""
-    for piece, low in split(shown) if text.ours else [(shown, False)]:
-        drop = "" if low == lowered else ' dy=".18em"' if low else ' dy="-.126em"'
-        size, lowered = ' font-size="70%"' if low else "", low
-        pieces += f"<tspan{drop}{size}>{escape(piece, quote=False)}</tspan>"
+    """SVG text with its subscripts."""
+    at, letters = _path([text.at]), marked(text.text) if text.ours else printable(text.text)
+    shown = lowered(escape(letters, quote=False))
     turn = f' transform="rotate(-90 {at})"' if text.upright else ""
     x, y = at.split()
     size = f'font-size="{_n(text.height)}"'
-    return f'<text x="{x}" y="{y}" {size} stroke="none" text-anchor="{text.anchor}"{turn}>{pieces}</text>'
+    return f'<text x="{x}" y="{y}" {size} stroke="none" text-anchor="{text.anchor}"{turn}>{shown}</text>'
 
 
 def _pattern(angle: float, unit: float) -> str:
@@ -96,5 +94,5 @@ def _path(points: Iterable[Point]) -> str:
 
 
 def _n(value: float) -> str:
-    """A number to the tenth of a micrometre."""
+    """Number as text, to 0.1 µm."""
     return f"{round(value, 4) + 0.0:.4f}".rstrip("0").rstrip(".")

@@ -1,15 +1,15 @@
-"""The papers' symbols, written ``K_т`` in the results, set with real subscripts."""
+"""The papers' symbols, which results write like ``K_т``, set with real subscripts."""
 
 import re
 
 from ..messages import native, printable
 
 _SUBSCRIPT = re.compile(r"(?<![^\W_]{3})_([^\W_²³⁶]+(?:[.,][^\W_²³⁶]+)*)")
-"""A symbol has a letter or two before its subscript: ``control_unit.gain`` is a key."""
+"""Pattern of a subscript after at most two letters: ``control_unit.gain`` is a key of the spec, not a symbol."""
 
 
 def split(text: str, ours: bool = True) -> list[tuple[str, bool]]:
-    """Split a text into pieces and whether each is a subscript; what is quoted is not ours and stays as it is.
+    """Pieces of a text, each with True if it is a subscript; a quotation (``ours`` is False) stays as printed.
 
     >>> split("ΔT_2/ΔT_1")
     [('ΔT', False), ('2', True), ('/ΔT', False), ('1', True)]
@@ -24,16 +24,26 @@ def split(text: str, ours: bool = True) -> list[tuple[str, bool]]:
     return [(piece, bool(number % 2)) for number, piece in enumerate(pieces) if piece]
 
 
-def mathtext(text: str) -> str:
-    """Set a text of our own (labels, symbols) for matplotlib.
+DOWN, UP = "\u2062", "\u2063"
+"""Zero-width marks before and after a subscript in a plot; ``printable`` escapes them in texts of a user."""
 
-    >>> mathtext("K_т")
-    'K$_{T}$'
+
+def marked(text: str) -> str:
+    """Text with marks around its subscripts, for matplotlib, which measures the text, and for ``lowered``.
+
+    >>> marked("K_т") == f"K{DOWN}T{UP}"
+    True
     """
-    return "".join(f"$_{{{piece}}}$" if low else literal(piece) for piece, low in split(text))
+    return "".join(f"{DOWN}{piece}{UP}" if low else printable(piece) for piece, low in split(text))
 
 
-def literal(text: str) -> str:
-    """Keep matplotlib from reading anything into a text of the user's (the name of a spec), or hiding it (``_x``)."""
-    shown = printable(text)
-    return (f" {shown}" if shown.startswith("_") else shown).replace("$", r"\$")
+def lowered(content: str) -> str:
+    """Content of an SVG text with its marked subscripts set lower and smaller.
+
+    >>> lowered("F"), lowered(marked("K_т"))
+    ('F', '<tspan>K</tspan><tspan dy=".18em" font-size="70%">T</tspan><tspan dy="-.126em"></tspan>')
+    """
+    if DOWN not in content:
+        return content
+    below, above = '</tspan><tspan dy=".18em" font-size="70%">', '</tspan><tspan dy="-.126em">'
+    return f"<tspan>{content.replace(DOWN, below).replace(UP, above)}</tspan>"

@@ -1,12 +1,11 @@
 """From document to tables of text cells and lines of text, shared by all formats for people and the report."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import compress
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from ..findings import Finding
-from ..messages import named, native, printable, say, translate, with_unit
+from ..messages import deferred, named, native, printable, say, translate, with_unit
 from ..result import Output
 from .amounts import display, display_unit, estimate, headed, measured, worded
 from .document import ENDS, Column, Document, Table
@@ -19,24 +18,27 @@ class TextTable(NamedTuple):
     header: list[str]
     rows: list[list[str]]
     numeric: list[bool]
-    """True if each column is set flush right."""
+    """True for each column that is set flush right."""
     source: Table | None = None
     legend: str = ""
-    """Line above the table: what is the same in all rows."""
+    """Line above the table with the values that are the same in all rows."""
     meanings: str = ""
-    """Line above the table: what the symbols in the header mean."""
+    """Line above the table with the meanings of the symbols in the header."""
 
 
 def title(output: Output) -> str:
-    """Heading of an output: what was calculated, for which clutch."""
+    """Heading of an output: command, name and variant of the clutch."""
     spec = {} if output.result.of_several else output.spec or {}
     variant = translate(str(spec.get("variant") or ""), "value")
     about = " – ".join(printable(str(part)) for part in (named(spec.get("name")), variant) if part)
-    return f"{output.command}: {about}" if about else output.command
+    heading = output.result.code if output.command == "mend" else output.command
+    return f"{heading}: {about}" if about else heading
 
 
 def lead(output: Output) -> str:
-    """Return the verdict on each clutch that was checked, which stands before the tables; else nothing."""
+    """Text before the tables: the verdict on each checked clutch, the meaning of a finding, or an empty text."""
+    if output.command == "mend":
+        return output.result.lead
     if output.command == "compare":
         lines = dict[str, None]()
         for row in output.result.clutches:
@@ -49,7 +51,7 @@ def lead(output: Output) -> str:
 
 
 def blocks(laid_out: Document) -> list[TextTable]:
-    """Return single values, then triples, then tables."""
+    """Tables of the single values, of the triples, and of the lists, in this order."""
     values, triples = (
         [(column, cells(column)) for column in columns if not column.hidden]
         for columns in (laid_out.singles, laid_out.triples)
@@ -57,12 +59,12 @@ def blocks(laid_out: Document) -> list[TextTable]:
     tables = [quantities([translate("Value")], values)] if values else []
     tables += [quantities([*map(translate, ENDS.values())], triples)] if triples else []
     if not laid_out.steps:
-        tables += [_table(part) for table in laid_out.tables if not table.shown.data for part in _parts(table)]
+        tables += [_table(table) for table in laid_out.tables if not table.shown.data]
     return tables
 
 
 def quantities(heads: Sequence[str], lines: Iterable[tuple[Column, Sequence[str]]], title: str = "") -> TextTable:
-    """Table of a quantity in each row, its cells below ``heads`` between its name and its unit."""
+    """Table with a quantity in each row: symbol, name, cells below ``heads``, unit."""
     rows = [
         [native(column.symbol), column.name, *texts, display_unit(column.units[0] if column.units else column.unit)]
         for column, texts in lines
@@ -72,7 +74,7 @@ def quantities(heads: Sequence[str], lines: Iterable[tuple[Column, Sequence[str]
 
 
 def cells(column: Column) -> list[str]:
-    """Values of a column as people see them, with their standard errors."""
+    """Displayed values of a column, with their standard errors."""
     if column.shown.is_unit:
         return [display_unit(unit) for unit in column.units or column.values]
     if column.shown.code:
@@ -83,35 +85,14 @@ def cells(column: Column) -> list[str]:
     words = column.words or [None] * len(column.values)
     missing = worded(column.shown.null)
     texts = [
-        translate(word or "") or (missing if value is None else display(value, unit))
+        translate(word or "") or (missing if value is None else display(value, unit, column.shown.digits))
         for value, unit, word in zip(column.values, units, words, strict=True)
     ]
     return [*map(native, texts)] if column.path.endswith("symbol") else texts
 
 
-def _parts(table: Table) -> Iterator[Table]:
-    """Split a table by the column ``by``: one table for each value in it; without ``by`` the table itself."""
-    keys = next((column.values for column in table.columns if column.path == table.shown.by), None)
-    if keys is None:
-        yield table
-        return
-    for key in dict.fromkeys(keys):
-        mask = [other == key for other in keys]
-        yield table._replace(
-            columns=[
-                column._replace(
-                    values=[*compress(column.values, mask)],
-                    units=column.units and [*compress(column.units, mask)],
-                    words=[*compress(column.words, mask)],
-                    errors=[*compress(column.errors, mask)],
-                )
-                for column in table.columns
-            ]
-        )
-
-
 _LONG = 3
-"""Number of rows above which a table leaves out the columns of details."""
+"""Number of rows above which a table leaves out columns marked ``detail``."""
 
 
 def _table(table: Table) -> TextTable:
@@ -139,7 +120,7 @@ def _table(table: Table) -> TextTable:
 
 
 def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
-    """Part the columns of a table whose rows differ from those that say the same in all; these as a line of text."""
+    """Columns whose cells differ between rows, and a line of text with the cells that are the same in all rows."""
     kept, same = list[Column](), list[str]()
     for column in columns:
         text, *others = cells(column)
@@ -155,7 +136,7 @@ _NUMBER = re.compile(r"(\(?[-−]?\d+(?:\xa0\d{3})*|–)(.*)")
 
 
 def padded(block: TextTable) -> TextTable:
-    """Pad the cells of numeric columns to one width, their decimal points below each other."""
+    """Table with the cells of numeric columns padded to one width and aligned at the decimal point."""
     columns = zip(block.header, *block.rows, strict=True)
     texts = [_pointed(column) if right else column for column, right in zip(columns, block.numeric, strict=True)]
     header, *rows = (list(line) for line in zip(*texts, strict=True))
@@ -163,7 +144,7 @@ def padded(block: TextTable) -> TextTable:
 
 
 def _pointed(column: Sequence[str]) -> list[str]:
-    """Set a heading and numbers flush right by their decimal points; text below them flush right as it is."""
+    """Cells of a numeric column, heading first, with numbers aligned at the decimal point, other texts flush right."""
     heading, *texts = column
     numbers = [_NUMBER.fullmatch(text) for text in texts]
     tail = max((len(number[2]) for number in numbers if number), default=0)
@@ -175,14 +156,14 @@ def _pointed(column: Sequence[str]) -> list[str]:
 
 
 def unfolded(tables: Iterable[TextTable]) -> list[TextTable]:
-    """Return tables, with their records as columns where these are always compared side by side."""
+    """Return the tables; a table marked ``across`` is turned: its records become columns."""
     return [_turned(block) if block.source is not None and block.source.shown.across else block for block in tables]
 
 
 def _turned(block: TextTable) -> TextTable:
-    """Set the records of a table side by side, quantities as rows.
+    """Turned table: the records side by side, the quantities as rows.
 
-    Text that is the same in all records goes into the title; the first column whose text differs gives the new header.
+    Text that is the same in all records goes into the title; the first column whose text differs is the new header.
     """
     assert block.source is not None
     shared: list[str] = []
@@ -198,7 +179,7 @@ def _turned(block: TextTable) -> TextTable:
 
 
 def step_lines(laid_out: Document) -> list[str]:
-    """Lines of an explanation, for each step: name, formula, numbers, value with source, and how the print differs."""
+    """Lines of an explanation, for each step: name, formula, numbers, value with source, difference from the print."""
     lines = []
     for step in laid_out.steps:
         at = say(" at {place}", place=step.at) if step.at else ""
@@ -215,25 +196,28 @@ def step_lines(laid_out: Document) -> list[str]:
 
 
 def told_apart(step: Any, steps: Sequence[Any]) -> list[str]:
-    """Setting of the spring and side of a step, where steps of the same quantity differ in them."""
-    alike = [other for other in steps if (other.function, other.symbol) == (step.function, step.symbol)]
+    """Spring setting and side of a step, if steps of the same quantity differ in them."""
+    alike = [other for other in steps if other.symbol == step.symbol]
     names = [name for name in _APART if len({getattr(other, name) for other in alike}) > 1]
-    return [translate(_APART[name][value]) for name in names if (value := getattr(step, name))]
+    return [translate(_APART[name][getattr(step, name)]) for name in names]
 
 
-_APART: Mapping[str, Mapping[str, str]] = {
-    "setting": {"min-friction": "set at f_min", "mean-friction": "set at mean f"},
-    "side": {"protected": "protected side", "unprotected": "unprotected side"},
-}
+_APART: Mapping[str, Mapping[str | None, str]] = {
+    "setting": {
+        None: deferred("springs as made"), "min-friction": deferred("springs set anew at f_min"),
+        "mean-friction": deferred("springs set anew at mean f"),
+    },
+    "side": {None: "protected side", "unprotected": "unprotected side"},
+}  # fmt: skip
 
 
 def ranked(findings: Iterable[Finding]) -> list[Finding]:
-    """Return findings, the gravest first."""
+    """Findings sorted by level, errors first."""
     return sorted(findings, key=lambda finding: ("error", "warning", "info").index(finding.level))
 
 
 def findings_lines(findings: Iterable[Finding]) -> list[str]:
-    """One line per finding, gravest first."""
+    """One line per finding, errors first."""
     return [
         printable(f"{translate(f.level, 'value')}: {f.message} [{f.code}{', ' + f.path if f.path else ''}]")
         for f in ranked(findings)

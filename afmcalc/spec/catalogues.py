@@ -1,147 +1,271 @@
-"""Catalogues that ship: disc springs of DIN EN 16983, balls of ISO 3290-1, friction materials with their sources."""
+"""Catalogues of friction materials with sources, disc springs and balls: lists that ship, or the user's own lists."""
 
 import re
-import tomllib
-from collections.abc import Mapping, Sequence
-from csv import reader
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from csv import DictReader, Error
 from decimal import Decimal
 from functools import cache
-from importlib.resources import files
-from itertools import islice
-from typing import Any, NamedTuple
+from os import PathLike
+from pathlib import Path
+from typing import Annotated, Any, Literal, NamedTuple, TypeVar
 
+from pydantic import AfterValidator, BeforeValidator, ValidationError
+
+from ..errors import AfmcalcError, SpecError
 from ..messages import say
+from .fields import (
+    Broken,
+    Coefficient,
+    Key,
+    Length,
+    Name,
+    RuledBlock,
+    Stress,
+    greater,
+    key,
+    keys_below,
+    required,
+)
+from .parse import Source, check_size, text_of, toml_of
+from .problems import problems_in
+from .quantity import Quantity
+
+Celsius = Annotated[float, Quantity("K abs", gt=0), AfterValidator(lambda kelvin: round(kelvin - 273.15, 6))]
+Names = Annotated[
+    tuple[Name, ...],
+    BeforeValidator(lambda given: [each.strip() for each in given.split(";")] if isinstance(given, str) else given),
+]
 
 
-class Disc(NamedTuple):
-    """One size, SI."""
+class Row(RuledBlock):
+    """Row of a list of friction materials or disc springs."""
 
-    series: str
-    """A, B or C: stiff, middle, soft; of a list of one's own what the disc is called."""
-    outer_diameter: float
-    inner_diameter: float
-    thickness: float
-    reduced_thickness: float | None
-    """Thickness as made with flats, of discs thicker than 6 mm."""
-    free_height: float
-    printed_force: float | None
-    """Force printed in the standard, at ¾ of the cone height, N."""
-    source: str = ""
-    """Source of a disc of one's own list."""
-    designation: str = ""
-    """Designation of one's own list, such as by a standard of one's country."""
+    name: Name = required("what it is called")
+    source: Name = required("short name of its source")
 
-    @property
-    def name(self) -> str:
-        """Name in the standard, or in one's own list."""
-        return self.series if self.source else f"{self.series} {self.outer_diameter / 1e-3:g}"
+
+class Material(Row):
+    """Friction material, a row of the catalogue or the worst case of several; SI, temperatures in °C."""
+
+    description: Name = required("material")
+    condition: Literal["dry", "in oil"]
+    friction_min: Coefficient
+    friction_max: Coefficient
+    pressure_min: Stress | None = key("lower end of the printed range of the allowable pressure")
+    pressure_max: Stress | None = key("its upper end")
+    temperature_min: Celsius | None = key("lower end of the printed range of the allowable temperature")
+    temperature_max: Celsius | None = key("its upper end")
+    also: Names = key("other names of it", default=())
+    citation: Name | None = key("the source in full; default its short name")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """Yield the broken rules: a range must have both ends, the lower end first."""
+        for name in ("friction", "pressure", "temperature"):
+            low, high = getattr(self, f"{name}_min"), getattr(self, f"{name}_max")
+            if (low is None) != (high is None) or (low is not None and low > high):
+                yield "", say("{name}_min and {name}_max: both are needed, the lower one first", name=name)
+
+
+SNAPS = 1.4
+"""Largest ratio of cone height to thickness at which the force of a disc spring is monotone (√2, rounded down)."""
+
+
+class DiscSpring(RuledBlock):
+    """A disc spring."""
+
+    outer_diameter: Length = required("outer diameter of a disc", "D_e")
+    inner_diameter: Length = required("inner diameter of a disc", "D_i")
+    thickness: Length = required("thickness of a disc", "t")
+    reduced_thickness: Length | None = key("thickness of a disc with flats", "t'")
+    free_height: Length = required("height of a disc without load", "l_0")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """Yield the broken rules: a disc spring must be a cone, and must not snap through."""
+        broken = [
+            *greater("outer_diameter", self.outer_diameter, "inner_diameter", self.inner_diameter),
+            *greater("free_height", self.free_height, "thickness", self.thickness),
+            *greater("thickness", self.thickness, "reduced_thickness", self.reduced_thickness),
+        ]
+        yield from broken
+        if not broken and self.free_height - self.thickness > SNAPS * self.thickness:
+            most = (1 + SNAPS) * self.thickness
+            yield "free_height", say("must be at most {most:.5g} m: a higher disc snaps through", most=most)
+
+
+class Disc(Row, DiscSpring):
+    """One size of disc spring in a list, SI."""
+
+    designation: Name = key("designation in a list of parts; default name and source", default="")
 
     @property
     def title(self) -> str:
-        """Name in a list of parts."""
-        if self.designation:
-            return self.designation
-        return f"{self.name} ({self.source})" if self.source else f"DIN EN 16983 {self.name}"
+        """Designation of the disc spring in a part list."""
+        return self.designation or f"{self.name} ({self.source})"
 
-    @property
-    def cone_height(self) -> float:
-        """l_0 − t, m."""
-        return self.free_height - self.thickness
+
+class Lists(NamedTuple):
+    """The user's own lists; None: the list that ships with the program."""
+
+    materials: dict[str, Material] | None = None
+    discs: tuple[Disc, ...] | None = None
+    balls: tuple[float, ...] | None = None
+
+
+R = TypeVar("R", bound=Row)
+_HERE = Path(__file__).parent
+
+
+@cache
+def friction_materials() -> dict[str, Material]:
+    """Every material that ships with the program, by name."""
+    return materials_in(_HERE / "materials.toml")
 
 
 @cache
 def discs() -> tuple[Disc, ...]:
-    """Every size, in the order of the data file."""
-    text = files("afmcalc.spec").joinpath("disc-springs.csv").read_text(encoding="utf-8")
-    discs = []
-    for series, *lengths, force in islice(reader(text.splitlines()), 1, None):
-        # millimetres to the last digit, so that 25.4 mm is 0.0254 m
-        outer, inner, thickness, reduced, height = (float(f"{mm or 0}e-3") for mm in lengths)
-        discs.append(Disc(series, outer, inner, thickness, reduced or None, height, float(force) if force else None))
-    return tuple(discs)
+    """Every disc spring of DIN EN 16983."""
+    return discs_in(_HERE / "disc-springs.csv")
 
 
 @cache
 def balls() -> tuple[float, ...]:
     """Nominal diameters of balls by ISO 3290-1 in ascending order, m."""
-    text = files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8")
-    return tuple(sorted(float(line) / 1000 for line in text.splitlines() if line[:1].isdigit()))
+    return balls_in(_HERE / "balls.csv")
+
+
+def materials_in(file: str | PathLike[str]) -> dict[str, Material]:
+    """All materials of a file, by name."""
+    return {row.name: row for row in _rows(text_of(file), "materials", Material)}
+
+
+def discs_in(file: str | PathLike[str]) -> tuple[Disc, ...]:
+    """All disc springs of a file."""
+    return (*_rows(text_of(file), "discs", Disc),)
+
+
+def _rows(source: Source, table: str, model: type[R]) -> Iterator[R]:
+    """Validated rows of a list, TOML or CSV."""
+    given: list[tuple[str, Mapping[str, object]]] = []
+    if source.lower().endswith(".csv"):
+        try:
+            given = [(row.pop("name", ""), row) for row in DictReader(_lines(source), restkey="", restval="")]
+        except Error as error:
+            raise AfmcalcError("{label}: is no CSV: {why}", label=source, why=error) from None
+    else:
+        data = toml_of(source)
+        check_size(data, source)
+        listed = data.pop(table, {})
+        if isinstance(listed, dict) and not data:
+            given = [(name, row) for name, row in listed.items() if isinstance(row, dict)]
+    if not given:
+        raise AfmcalcError(
+            "{label}: is no list of {table}: TOML has a table [{table}.NAME] for each and nothing else, CSV a heading "
+            "and a line",
+            label=source,
+            table=table,
+        )
+    taken = set[str]()
+    for name, cells in given:
+        label, columns = f"{source}: {name}", dict(_columns(cells, keys_below(model))) | {"name": name}
+        try:
+            row = model.model_validate(columns)
+        except ValidationError as error:
+            raise SpecError(label, *problems_in(error, columns, model)) from None
+        names = {plain(each) for each in (name, *getattr(row, "also", ()), getattr(row, "designation", "") or name)}
+        if not name or taken & names:
+            why = say("every row has a name of its own, which no other row has")
+            raise AfmcalcError("{label}: {why}", label=label, why=why)
+        taken |= names
+        yield row
+
+
+def _columns(cells: Mapping[str, object], keys: Mapping[str, Key]) -> Iterator[tuple[str, object]]:
+    """Names and values of a row; the unit in a heading is added to the value, a pair becomes _min and _max."""
+    for heading, cell in cells.items():
+        name, _, unit = heading.partition("_")
+        if isinstance(cell, list) and cell and f"{name}_min" in keys:
+            yield from _columns({f"{name}_min_{unit}": cell[0], f"{name}_max_{unit}": cell[-1]}, keys)
+            continue
+        column = next((each for each in keys if f"{heading}_".startswith(f"{each}_")), heading)
+        unit, text = heading[len(column) + 1 :], str(cell).strip()
+        if column not in keys or (unit and keys[column].unit is None):
+            yield heading, cell
+        elif unit and text:
+            yield column, f"{text} {'degC' if unit == 'C' else unit}"
+        elif text:
+            number = keys[column].unit and re.fullmatch(r"\d+(\.\d+)?", text)
+            yield column, float(text) if number else text if isinstance(cell, str) else cell
+
+
+def balls_in(file: str | PathLike[str]) -> tuple[float, ...]:
+    """Ball diameters of a file in ascending order, m; numbers are in mm.
+
+    Raises:
+        FileError: the file cannot be read.
+        AfmcalcError: the file is no list of balls.
+    """
+    source = text_of(file)
+    listed: object
+    if source.lower().endswith(".csv"):
+        heading, *cells = [line.strip() for line in _lines(source)] or [""]
+        listed = [float(cell) if re.fullmatch(r"[\d.]+", cell) else cell for cell in cells if heading == "diameter_mm"]
+    else:
+        listed = toml_of(source).get("diameters")
+    if not isinstance(listed, list) or not listed:
+        raise AfmcalcError(
+            "{label}: is no list of balls: TOML has diameters = [5, 6, 6.35] in mm, CSV the heading diameter_mm "
+            "and a line for each",
+            label=source,
+        )
+    return (*sorted(_diameter(item, source) for item in listed),)
+
+
+def _diameter(item: object, label: str) -> float:
+    """Diameter of a ball, m, from a number in mm or a string with a unit."""
+    try:
+        size = Quantity("m", gt=0).read(item)
+    except ValueError as error:
+        raise AfmcalcError("{label}: {item!r:.80}: {why}", label=label, item=item, why=error) from None
+    return size if isinstance(item, str) else size / 1000
+
+
+def _lines(source: Source) -> list[str]:
+    return [line for line in source.text.splitlines() if line.strip() and not line.startswith("#")]
+
+
+def own_lists(named: object) -> Lists:
+    """Lists read from the files named in a table [catalogues]."""
+    given: Mapping[str, object] = named if isinstance(named, Mapping) else {}
+    return Lists(**{name: read(file) for name, read in _READ.items() if isinstance(file := given.get(name), str)})
+
+
+_READ: dict[str, Any] = {"materials": materials_in, "discs": discs_in, "balls": balls_in}
 
 
 def ball_designation(diameter: float) -> str | None:
-    """Designation of a ball, but for its grade; None of a size that is no standard one."""
-    # inch sizes to three decimals, in specs as in lists of balls: 11.1125 is 11.112, 20.6375 is 20.638
+    """Designation of a ball without its grade; None if the size is not in the standard."""
+    # specs and lists of balls round inch sizes to three decimals: 11.1125 is 11.112, 20.6375 is 20.638
     sizes = (float(Decimal(f"{size * 1e3:.9g}").quantize(Decimal("0.001"))) for size in balls())
     size = next((size for size in sizes if abs(diameter * 1e3 - size) < 1e-3), None)
     return None if size is None else say("ball {diameter:.6g} mm, ISO 3290-1", diameter=size)
 
 
-class Material(NamedTuple):
-    """One row of the catalogue, SI; or the worst of several."""
-
-    name: str
-    description: str
-    condition: str
-    friction_min: float
-    friction_max: float
-    pressure_min: float | None
-    """Lower end of the allowable surface pressure's printed range, Pa."""
-    pressure_max: float | None
-    """Upper end, Pa."""
-    temperature_min: float | None
-    """Lower end of the allowable temperature's printed range, °C."""
-    temperature_max: float | None
-    """Upper end, °C."""
-    source: str
-    """Short name of the source."""
-    citation: str
-    """The source in full."""
-    also: tuple[str, ...]
-    """Other names that are read as this one."""
-
-
-@cache
-def friction_materials() -> dict[str, Material]:
-    """Every material by name, in the order of the data file."""
-    data = tomllib.loads(files("afmcalc.spec").joinpath("materials.toml").read_text(encoding="utf-8"))
-    materials: dict[str, Material] = {}
-    for name, row in data["materials"].items():
-        source = data["sources"][row["source"]]
-        pressure: list[float | None] = [kpa * 1e3 for kpa in row.get("pressure_kPa", ())] or [None]
-        temperature: list[float | None] = [float(celsius) for celsius in row.get("temperature_C", ())] or [None]
-        materials[name] = Material(
-            name=name, description=row["description"], condition=row["condition"], friction_min=row["friction"][0],
-            friction_max=row["friction"][1], pressure_min=pressure[0], pressure_max=pressure[-1],
-            temperature_min=temperature[0], temperature_max=temperature[-1], source=source["short"],
-            citation=source["full"], also=tuple(row.get("also", ())),
-        )  # fmt: skip
-    return materials
-
-
-class Lists(NamedTuple):
-    """Lists of one's own; None: the one that ships."""
-
-    materials: dict[str, Material] | None = None
-    discs: tuple[Disc, ...] | None = None
-    balls: list[float] | None = None
-
-
 def material_named(name: str, listed: Mapping[str, Material]) -> Material | None:
-    """Return the material of a name, or of another that is read as it, capitals, spaces and hyphens aside."""
+    """Material by one of its names, ignoring capitals, spaces and hyphens; None if the list has no such name."""
     read_as = (row for row in listed.values() if plain(name) in map(plain, (row.name, *row.also)))
     return listed.get(name) or next(read_as, None)
 
 
 def plain(name: str) -> str:
-    """Return a name as it is compared with others."""
-    return re.sub(r"[\W_]+", "", name.casefold().replace("ё", "е"))
+    """Name reduced to small letters, digits and decimal points, for comparison."""
+    return re.sub(r"(?!(?<=\d)[.,]\d)[\W_]", "", name.casefold().replace("ё", "е"))
 
 
 def worst_of(materials: Sequence[Material]) -> Material:
-    """One material as bad as the worst of several in everything that any of them tells."""
+    """Worst case of several materials: widest friction range, lowest limits; None for a limit that no material has."""
     least: dict[str, Any] = {}
     for name in ("friction_min", "pressure_min", "pressure_max", "temperature_min", "temperature_max"):
         told = (getattr(each, name) for each in materials)
         least[name] = min((value for value in told if value is not None), default=None)
     names, most = ", ".join(each.name for each in materials), max(each.friction_max for each in materials)
-    return materials[0]._replace(name=names, friction_max=most, **least)
+    return materials[0].model_copy(update={"name": names, "friction_max": most, **least})

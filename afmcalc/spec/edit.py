@@ -1,13 +1,15 @@
-"""A spec with other values of some of its keys, and its text: the one that was read, its comments and order kept."""
+"""Specs with other values of some keys, and their text: the original text with its comments and order."""
 
+import json
 import os
+import re
 from collections.abc import Iterable, Mapping
+from os import PathLike
 from typing import Any, TypeVar
 
 from pydantic import BaseModel
 
 from ..equations.arrays import Values
-from ..messages import say
 from ..units import table
 from ..variants import foreign_keys
 from .keys import keys
@@ -28,13 +30,13 @@ control_spring.stiffness = control_spring.disc control_spring.coil; fatigue.pola
 shaft.diameter = fatigue.polar_section_modulus; friction.min friction.mean friction.max = friction.material;
 friction.driving.min friction.driving.mean friction.driving.max = friction.driving.material;
 friction.driven.min friction.driven.mean friction.driven.max = friction.driven.material""")
-"""Key → keys it stands in for: where it is set, they are taken out of the spec."""
+"""Key → other keys that are removed from the spec when the key is set."""
 
 M = TypeVar("M", bound=BaseModel)
 
 
 def value_at(spec: Spec, path: str) -> Any:
-    """Return the value at ``path`` as given; None when absent."""
+    """Value at a dotted path as given; None if the spec does not give it."""
     value: Any = spec
     for part in path.split("."):
         value = getattr(value, part, None)
@@ -42,7 +44,7 @@ def value_at(spec: Spec, path: str) -> Any:
 
 
 def replaced(spec: Spec, paths: Iterable[str]) -> dict[str, str]:
-    """Return the keys of the spec that those at ``paths`` stand in for, each with the one that does."""
+    """Path of a replaced key of the spec → key among ``paths`` that replaces it."""
     given = set(paths)
     return {
         other: path
@@ -53,16 +55,21 @@ def replaced(spec: Spec, paths: Iterable[str]) -> dict[str, str]:
 
 
 def without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
-    """Return the spec without the keys that those at ``paths`` stand in for; friction of a material as numbers."""
-    gone: dict[str, object] = dict.fromkeys(replaced(spec, paths))
-    for material in [path for path in gone if path.endswith(".material")]:
+    """Spec without the keys that ``paths`` replace; the friction of a replaced material stays as numbers."""
+    return with_values(spec, _instead(spec, paths))
+
+
+def _instead(spec: Spec, paths: Iterable[str]) -> dict[str, object]:
+    """Values to set with the keys at ``paths``: None for replaced keys, numbers for the friction of a material."""
+    values: dict[str, object] = dict.fromkeys(replaced(spec, paths))
+    for material in [path for path in values if path.endswith(".material")]:
         group = material.removesuffix(".material")
-        gone[f"{group}.min"], _, gone[f"{group}.max"] = value_at(spec, group).range
-    return with_values(spec, gone)
+        values[f"{group}.min"], _, values[f"{group}.max"] = value_at(spec, group).range
+    return values
 
 
 def with_values(model: M, values: Mapping[str, object]) -> M:
-    """Copy a spec with unvalidated values (numbers, arrays, None) at some paths; each of its blocks is copied once."""
+    """Copy of a spec with unvalidated values (numbers, arrays, None) at some paths."""
     update: dict[str, Any] = {}
     below: dict[str, dict[str, object]] = {}
     for path, value in values.items():
@@ -76,12 +83,12 @@ def with_values(model: M, values: Mapping[str, object]) -> M:
 
 
 def with_key(spec: Spec, path: str, value: Values) -> Spec:
-    """Copy a spec with an unvalidated value (real, or an array) for a key, and without what the key stands in for."""
+    """Copy of a spec with an unvalidated value (number or array) of a key, without the keys that the key replaces."""
     return with_values(without_replaced(spec, [path]), {path: value})
 
 
 def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:
-    """Return the validated spec with other values of some keys, None for none, and without what they stand in for."""
+    """Validated spec with other values of some keys (None removes a key), without the keys that these replace."""
     given = [path for path, value in values.items() if value is not None]
     data = without_replaced(spec, given).model_dump(exclude_none=True)
     for path, value in values.items():
@@ -90,71 +97,64 @@ def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:
 
 
 def as_written(spec: Spec) -> Spec:
-    """Return the spec as it reads once it is written to a file: no number has more digits than count."""
+    """Spec as read back from its file: numbers rounded to the digits that are written."""
     return make_spec(written(resolved(spec)), spec.label)
 
 
-def as_variant(spec: Spec, variant: str) -> Spec:
-    """Build the spec of the same pack as another variant, without keys that it does not have, if nothing is lacking."""
-    data = resolved(spec) | {"variant": variant}
-    for path in foreign_keys(given_in(data), variant):
+def candidate(spec: Spec, changes: Mapping[str, Any]) -> Spec:
+    """Spec with the ``changes`` (path → value), without [search] and without keys foreign to its variant.
+
+    Raises SpecError if the changed spec is invalid.
+    """
+    data = resolved(without_replaced(spec, changes)) | {"search": None}
+    for path, value in changes.items():
+        put(data, path, value)
+    for path in foreign_keys(given_in(data), data["variant"]):
         put(data, path, None)
-    return make_spec(data, say("as {variant}", variant=variant))
+    return make_spec(data, spec.label.but(changes))
 
 
-def with_nominal_torque(spec: Spec, nominal_torque: float) -> Spec:
-    """Return the spec with its spring set for a nominal torque."""
-    return with_key(spec, "adjustment.nominal_torque", nominal_torque)
+def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, path: str | PathLike[str]) -> str:
+    """Text of ``spec`` with other values of some keys.
 
-
-def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, folder: str = "") -> str:
-    """Return the text of ``spec`` with other values of some keys.
-
-    What was read as TOML keeps comments, order and the units of what stays; any other text is written anew.
+    A spec read from TOML keeps its comments, its order and the units of unchanged values, unless the new file is JSON;
+    any other spec is written anew.
 
     Args:
         spec: as it was read.
-        changes: path → value, None for none.
+        changes: path → value, None to remove the key.
         changed: the spec with these values.
-        folder: where the text will be: its catalogues are relative to it.
+        path: the new file; paths of catalogues become relative to its folder.
     """
     source = spec.label
+    if os.fspath(path).lower().endswith(".json"):
+        return json.dumps(resolved(changed), indent=2, ensure_ascii=False) + "\n"
     if not source.text or is_json(source):
         return to_toml(resolved(changed))
     import tomlkit
 
-    document = tomlkit.parse(source.text)
+    # comments above a heading are moved behind it meanwhile, since tomlkit takes them for the end of the table before
+    text = source.text.replace("\r\n", "\n")
+    above = r"(?m)^((?:[ \t]*\n){0,20}(?:[ \t]*#.*\n){0,20})([ \t]*\[.*)$"
+    folded = re.sub(above, lambda part: part[2] + f"#\ue000{part[1]}".replace("\n", "\ue001"), text)
+    document = tomlkit.parse(folded)
     overridden = {path: value_at(changed, path) for path in source.overridden}
-    gone = dict.fromkeys(replaced(spec, changes))
     listed = spec.catalogues.model_dump(exclude_none=True) if spec.catalogues else {}
-    lists = {f"catalogues.{name}": os.path.relpath(file, folder or ".") for name, file in listed.items()}
+    lists = {f"catalogues.{name}": os.path.relpath(file, os.path.dirname(path) or ".") for name, file in listed.items()}
     changed_values = {path: value for path, value in changes.items() if value != value_at(spec, path)}
-    values = {**overridden, **gone, **changed_values, **lists}
+    values = {**overridden, **_instead(spec, changes), **changed_values, **lists}
     for path, value in values.items():
-        _put(document, path, value)
+        put(document, path, None if value is None else in_units(value, path))
     for path in foreign_keys(given_in(document.unwrap()), changed.variant):
-        _put(document, path, None)
-    return tomlkit.dumps(document).rstrip() + "\n"
-
-
-def _put(document: Any, path: str, value: Any) -> None:
-    """Set a value in a document, or take it out; comments beside it stay."""
-    *blocks, name = path.split(".")
-    table = document
-    for block in blocks:
-        if block not in table:
-            if value is None:
-                return
-            table[block] = {}
-        table = table[block]
-    if value is None:
-        table.pop(name, None)
-    else:
-        table[name] = in_units(value, path)
+        put(document, path, None)
+    changed_text = tomlkit.dumps(document).rstrip() + (text[len(text.rstrip()) :] or "\n")
+    parts = r"(?m)(?:^\n)?^(.*)#\ue000(.*)$"
+    unfolded = re.sub(parts, lambda part: part[2].replace("\ue001", "\n") + part[1], changed_text)
+    return unfolded.replace("\n", "\r\n") if "\r\n" in source.text else unfolded
 
 
 def in_units(value: Any, path: str) -> Any:
-    """Return the value of a key as a file has it: with its unit."""
+    """Value of a key as written in a file, with its unit."""
     value = value.model_dump(exclude_none=True) if isinstance(value, BaseModel) else value
     key = keys().get(path)
     return written(value, path) if isinstance(value, Mapping) else value_as_written(value, key and key.unit)

@@ -1,13 +1,15 @@
-"""Names of the keys of a spec: path, name, symbol in the papers; and the key at a path."""
+"""Names of the keys of a spec: path, name, symbol in the papers; the key at a path."""
 
+import re
 from collections import Counter
 from functools import cache
 
 from ..messages import latin, say
 from ..units import table
-from .fields import Key, Quantity, keys_below
+from .fields import Key, keys_below
 from .models import Spec
-from .scatter import scattering
+from .quantity import Quantity
+from .scatter import FRICTION, scattering
 
 ALIASES = table("""\
 C = control_unit.gain; z = friction_group.pairs; z1 = friction_group.driving_pairs;
@@ -16,31 +18,38 @@ f_max = friction.max; c1 = closing_spring.stiffness; c2 = control_spring.stiffne
 T_n = adjustment.nominal_torque; r = control_unit.ball_circle_radius; alpha = control_unit.wall_angle;
 f1 = control_unit.key_friction; d = control_unit.hub_diameter; gain_slope = control_unit.gain_slope;
 speed = drive.speed""")
-"""Symbols that stand for a path on the command line."""
+"""Symbol that the command line accepts → path."""
 
 
 _APART = ("catalogues.", "tolerance.", "requirements.")
-"""Tables whose keys are called like those of the clutch that they are about."""
+"""Tables whose keys have the same names as keys of the clutch; a bare name never means a key of these tables."""
 
 
 def keys() -> dict[str, Key]:
-    """Every value key of a spec by dotted path."""
+    """All keys with values (not tables) of a spec, by dotted path."""
     return keys_below(Spec)
 
 
 def is_whole(path: str) -> bool:
-    """True if the key counts something."""
+    """True if the value of the key is a whole number."""
     key = keys().get(path)
     return key is not None and key.about is not None and key.about.whole
 
 
 def scatter_at(path: str) -> Quantity | None:
-    """Unit and bounds of a number that scatters; None when the path is none of it."""
+    """Unit and bounds of the number at a path, if it may scatter; None if it may not."""
     return scattering(path, Spec)
 
 
+def key_of_number(path: str) -> Key | None:
+    """Key whose unit holds for the number at a path, also for paths in [search] and in [tolerance.fields]."""
+    apart = re.fullmatch(r"search\.(.*)|tolerance\.fields\.(.*?)(?:\.(?:center|spread|min|max))?", path)
+    name = (apart[1] or apart[2]) if apart else path
+    return keys().get(f"{name}.min" if name in FRICTION else name)
+
+
 def path_of(name: str) -> str | None:
-    """Return the path that a path, name or symbol means; None where it means none, or more than one.
+    """Path of the key with a path, name or symbol; None if there is no such key, or if the name is ambiguous.
 
     >>> path_of("gain"), path_of("z_1"), path_of("force")
     ('control_unit.gain', 'friction_group.driving_pairs', None)
@@ -51,7 +60,7 @@ def path_of(name: str) -> str | None:
 
 @cache
 def names() -> dict[str, str]:
-    """Every name and the path that it means; a name of several keys, or of a table, means none."""
+    """Name or symbol → path; names shared by several keys or by a table are left out."""
     of_clutch = [key for key in keys().values() if not key.path.startswith(_APART)]
     paths: dict[str, str] = {}
     tables = Spec.model_fields
@@ -63,7 +72,7 @@ def names() -> dict[str, str]:
 
 
 def elsewhere(name: str) -> str:
-    """Return ``"; did you mean a.x or b.x?"`` for a key that has the name in other tables, or nothing."""
+    """Hint ``"; did you mean a.x or b.x?"`` if other tables have a key with this name; else empty."""
     paths = [path for path in keys() if _last(path) == name]
     if not paths and (path := path_of(name)):
         paths = [path]

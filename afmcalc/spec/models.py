@@ -1,4 +1,4 @@
-"""Models of a spec (pydantic): the clutch, and what stands around it. SI inside."""
+"""Pydantic models of a spec: the clutch and its surroundings. Values in SI."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -6,45 +6,55 @@ from datetime import date
 from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import (
+    AfterValidator,
     BeforeValidator,
     Field,
-    GetPydanticSchema,
     ModelWrapValidatorHandler,
     PrivateAttr,
     ValidationError,
     field_validator,
     model_validator,
 )
-from pydantic_core import PydanticKnownError, core_schema
 
 from ..equations import springs
 from ..errors import Problem, SpecError
 from ..messages import did_you_mean, say
 from ..variants import VARIANTS, Variant
 from . import rules
-from .catalogues import Lists, Material, friction_materials, material_named, worst_of
-from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required, rule_error
+from .catalogues import DiscSpring, Lists, Material, friction_materials, material_named, worst_of
+from .fields import (
+    Block,
+    Broken,
+    Coefficient,
+    Length,
+    Name,
+    RuledBlock,
+    Stress,
+    Torque,
+    greater,
+    key,
+    required,
+    rule_error,
+)
 from .parse import Source
+from .quantity import Quantity
 from .scatter import Tolerance, in_si
 from .search import Search, axes_of
 
-Coefficient = Annotated[float, Quantity("1", gt=0)]
 Ratio = Annotated[float, Quantity("1", ge=0)]
 AtLeastOne = Annotated[float, Quantity("1", ge=1)]
 Count = Annotated[int, Quantity("1", ge=1, whole=True)]
 Force = Annotated[float, Quantity("N", gt=0)]
-Length = Annotated[float, Quantity("m", gt=0)]
 Gap = Annotated[float, Quantity("m", ge=0)]
 TorqueOrNone = Annotated[float, Quantity("N*m", ge=0)]
 Stiffness = Annotated[float, Quantity("N/m", gt=0)]
 StiffnessOrNone = Annotated[float, Quantity("N/m", ge=0)]
 WallAngle = Annotated[float, Quantity("rad", ge=0, lt=1.5707963267948966)]
-Stress = Annotated[float, Quantity("Pa", gt=0)]
 Time = Annotated[float, Quantity("s", gt=0)]
 TimeOrNone = Annotated[float, Quantity("s", ge=0)]
 COLDEST = 173.15
 Temperature = Annotated[float, Quantity("K abs", ge=COLDEST)]
-"""A number without a unit is in kelvin; the bound tells 20 from 20 degC."""
+"""Temperature, K; 20 without a unit, which is meant in °C, is below the bound and thus an error."""
 SectionModulus = Annotated[float, Quantity("m^3", gt=0)]
 PoissonRatio = Annotated[float, Quantity("1", ge=0, le=0.5)]
 Probability = Annotated[float, Quantity("1", gt=0, lt=1)]
@@ -68,21 +78,17 @@ Wear = Annotated[float, Quantity("m^3/J", gt=0)]
 EventKind = Literal["stop", "load"]
 
 
-def _registered(value: object) -> object:
-    if isinstance(value, str) and value in VARIANTS:
-        return value
-    *names, last = map(repr, VARIANTS)
-    raise PydanticKnownError("literal_error", {"expected": f"{', '.join(names)} or {last}"})
+def _registered(name: str) -> str:
+    if name in VARIANTS:
+        return name
+    known = ", ".join(VARIANTS)
+    raise ValueError(say("must be one of {expected}{hint}", expected=known, hint=did_you_mean(name, VARIANTS)))
 
 
 VariantName = Annotated[
-    str,
-    GetPydanticSchema(
-        lambda source, handler: core_schema.no_info_plain_validator_function(_registered),
-        lambda core, handler: {"enum": list(VARIANTS), "type": "string"},
-    ),
+    str, AfterValidator(_registered), Field(json_schema_extra=lambda schema: schema.update(enum=[*VARIANTS]))
 ]
-"""Whichever variants there are records of when a spec is read or described."""
+"""Name of a variant, checked against ``VARIANTS`` when a spec is read or its schema is made."""
 
 
 def _material_names(value: object) -> object:
@@ -101,7 +107,7 @@ RadiusModel = Literal["uniform-wear", "uniform-pressure"]
 
 
 class Range(NamedTuple):
-    """Coefficient of friction over a clutch's service: smallest, mean, largest."""
+    """Smallest, mean and largest coefficient of friction in service."""
 
     min: float
     mean: float
@@ -121,11 +127,11 @@ class FrictionRange(RuledBlock):
     _own: Mapping[str, Material] | None = PrivateAttr(default=None)
 
     def model_post_init(self, context: object) -> None:
-        """Keep the list of one's own that the file names."""
-        self._own = context.lists.materials if isinstance(context, Source) else None
+        """Store the user's own list of materials that the file names."""
+        self._own = context.lists.materials if isinstance(context, Source) and context.lists else None
 
     def broken_rules(self) -> Iterable[Broken]:
-        """Nothing beside a material; min ≤ mean ≤ max as far as given."""
+        """Yield the broken rules: a material is in the catalogue and excludes min, mean and max; min ≤ mean ≤ max."""
         low, mean, high = self.min, self.mean, self.max
         if self.material is not None:
             if missing := [name for name in self.material_names if name not in self.materials]:
@@ -147,7 +153,7 @@ class FrictionRange(RuledBlock):
 
     @property
     def material_names(self) -> tuple[str, ...]:
-        """Names of the materials as given."""
+        """Names of the materials as given; empty if none."""
         return (self.material,) if isinstance(self.material, str) else self.material or ()
 
     @property
@@ -156,17 +162,17 @@ class FrictionRange(RuledBlock):
 
     @property
     def materials(self) -> dict[str, Material]:
-        """The materials by the names given."""
+        """Materials by the names given; a name that the catalogue lacks is left out."""
         return {name: row for name in self.material_names if (row := material_named(name, self._catalogue))}
 
     @property
     def lining(self) -> Material:
-        """The material, or the worst of those that it may be."""
+        """Material, or the worst case of a list of materials."""
         return worst_of([*self.materials.values()])
 
     @property
     def range(self) -> Range:
-        """The three coefficients, with the material looked up and the mean filled in."""
+        """Smallest, mean and largest friction, as given or of the material; the default mean is the middle."""
         low, mean, high = self.min, self.mean, self.max
         if self.material is not None:
             low, high = self.lining.friction_min, self.lining.friction_max
@@ -186,7 +192,7 @@ class Friction(FrictionRange):
     )
 
     def contradictions(self) -> Iterable[Broken]:
-        """Materials of one list that no clutch has to bear both of: for dry faces, and for oil."""
+        """Yield the broken rules: the materials of a list must all be for dry faces, or all for faces in oil."""
         for path, block in self.blocks.items():
             if len({each.condition for each in block.materials.values()}) > 1:
                 listed = ", ".join(f"{name}: {each.condition}" for name, each in block.materials.items())
@@ -195,25 +201,25 @@ class Friction(FrictionRange):
 
     @property
     def groups(self) -> tuple[Range, Range]:
-        """Ranges of the driving and the driven pairs; twice the same with one material."""
+        """Friction ranges of the driving and the driven pairs; equal if given for all pairs."""
         if self.driving is not None and self.driven is not None:
             return self.driving.range, self.driven.range
         return self.range, self.range
 
     @property
     def unlike(self) -> bool:
-        """True if the two groups have materials of their own."""
+        """True if friction is given for each of the two groups of pairs."""
         return self.driving is not None
 
     @property
     def blocks(self) -> dict[str, FrictionRange]:
-        """The blocks that have materials, by their paths."""
+        """Blocks with a material, by path."""
         blocks = {"friction": self, "friction.driving": self.driving, "friction.driven": self.driven}
         return {path: block for path, block in blocks.items() if block and block.material}
 
     @property
     def linings(self) -> dict[str, Material]:
-        """The material of each group, or the worst that it may be, by the path of its key."""
+        """Path of a key ``material`` → the material, or the worst case of several that it lists."""
         return {f"{path}.material": block.lining for path, block in self.blocks.items()}
 
 
@@ -231,23 +237,16 @@ class FrictionGroup(RuledBlock):
     outer_spline_radius: Length | None = key("radius of the outer discs' splines (effects only)", "r_so")
 
     def broken_rules(self) -> Iterable[Broken]:
-        """The outer radius is the greater one."""
+        """Yield the broken rule: the outer radius must exceed the inner radius."""
         inner, outer = self.inner_radius, self.outer_radius
         if inner is not None and outer is not None and inner >= outer:
             yield "outer_radius", say("must be greater than friction_group.inner_radius ({inner:g} m)", inner=inner)
 
 
-SNAPS = 1.4
-"""Cone height over thickness up to which the force of a disc only grows (√2)."""
 SHEAR_MODULUS = 81.5e9
 """Shear modulus of patented drawn wire (EN 13906-1), Pa."""
 ROUNDED = 0.005
-"""Relative deviation of a stiffness written to three figures."""
-
-
-def _bigger(name: str, value: float | None, other: str, least: float | None) -> Iterable[Broken]:
-    if value is not None and least is not None and value <= least:
-        yield name, say("must be greater than {other} ({least:g} m)", other=other, least=least)
+"""Relative deviation allowed between given and calculated stiffness: rounding to three figures."""
 
 
 class Room(RuledBlock):
@@ -258,30 +257,8 @@ class Room(RuledBlock):
     length: Length | None = key("length available for the spring, as set and after wear", "L")
 
     def broken_rules(self) -> Iterable[Broken]:
-        """The outer diameter is the greater one."""
-        return _bigger("outer_diameter", self.outer_diameter, "inner_diameter", self.inner_diameter)
-
-
-class DiscSpring(RuledBlock):
-    """A disc spring."""
-
-    outer_diameter: Length = required("outer diameter of a disc", "D_e")
-    inner_diameter: Length = required("inner diameter of a disc", "D_i")
-    thickness: Length = required("thickness of a disc", "t")
-    reduced_thickness: Length | None = key("thickness of a disc with flats", "t'")
-    free_height: Length = required("height of a disc without load", "l_0")
-
-    def broken_rules(self) -> Iterable[Broken]:
-        """A disc is a cone that does not snap through."""
-        broken = [
-            *_bigger("outer_diameter", self.outer_diameter, "inner_diameter", self.inner_diameter),
-            *_bigger("free_height", self.free_height, "thickness", self.thickness),
-            *_bigger("thickness", self.thickness, "reduced_thickness", self.reduced_thickness),
-        ]
-        yield from broken
-        if not broken and self.free_height - self.thickness > SNAPS * self.thickness:
-            most = (1 + SNAPS) * self.thickness
-            yield "free_height", say("must be at most {most:.5g} m: a higher disc snaps through", most=most)
+        """Yield the broken rule: the outer diameter must exceed the inner diameter."""
+        return greater("outer_diameter", self.outer_diameter, "inner_diameter", self.inner_diameter)
 
 
 class DiscStack(DiscSpring):
@@ -301,9 +278,9 @@ class CoilSprings(RuledBlock):
     count: Count = key("springs around the shaft", "j", default=1)
 
     def broken_rules(self) -> Iterable[Broken]:
-        """A coil is wider than its wire, and longer than it is when its turns touch."""
+        """Yield the broken rules: a coil spring must be wider than its wire, and longer than at its minimum gaps."""
         wire, coil, turns = self.wire_diameter, self.coil_diameter, self.turns
-        yield from _bigger("coil_diameter", coil, "wire_diameter", wire)
+        yield from greater("coil_diameter", coil, "wire_diameter", wire)
         least = float(springs.coil_solid_length(wire, turns) + springs.coil_least_gap(wire, coil, turns))
         if self.free_length <= least:
             message = say("must be greater than {least:.5g} m: pressed so far its turns all but touch", least=least)
@@ -311,13 +288,13 @@ class CoilSprings(RuledBlock):
 
     @property
     def rate(self) -> float:
-        """Stiffness of all together, N/m."""
+        """Stiffness of all springs together, N/m."""
         one = springs.coil_stiffness(SHEAR_MODULUS, self.wire_diameter, self.coil_diameter, self.turns)
         return self.count * float(one)
 
 
 class _Spring(RuledBlock):
-    """Keys of the part that both springs share."""
+    """Keys of the spring part and its room, which the closing spring and the control spring have in common."""
 
     room: Room | None = None
     disc: DiscStack | None = None
@@ -327,7 +304,7 @@ class _Spring(RuledBlock):
     thread_pitch: Length | None = key("pitch of the nut that sets the spring", "P_h")
 
     def broken_rules(self) -> Iterable[Broken]:
-        """It is of one part, whose stiffness it has."""
+        """Yield the broken rules: a spring must not have both ``disc`` and ``coil``; a stiffness must fit ``coil``."""
         given = getattr(self, "stiffness", None)
         if self.disc is not None and self.coil is not None:
             yield "coil", say("excludes disc: a spring is one or the other")
@@ -339,7 +316,7 @@ class _Spring(RuledBlock):
 
     @property
     def part(self) -> DiscStack | CoilSprings | None:
-        """Part that it is made of, if that is known."""
+        """Part of which the spring is made; None if the spec does not give the part."""
         return self.disc or self.coil
 
 
@@ -370,8 +347,15 @@ class Contact(Block):
 HARDENED_STEEL = Contact.model_construct(
     ball_modulus=206e9, ball_poisson=0.3, wall_modulus=206e9, wall_poisson=0.3, allowable_pressure=4.2e9
 )
-"""Assumed where neither [control_unit.contact] nor an allowable force is given; 4200 MPa: static limit of ball bearings
+"""Default without [control_unit.contact] and allowable force; 4200 MPa: static limit of ball bearings
 (ISO 76, self-aligning ball bearings 4600, other ball bearings 4200 MPa)."""
+
+
+class PressureDiscKey(Block):
+    """The key between hub and pressure disc (7 in S21); indirect only."""
+
+    diameter: Length = required("diameter at the key of the pressure disc", "d_7")
+    friction: Ratio = required("friction coefficient at that key", "f_7")
 
 
 class ControlUnit(Block):
@@ -389,18 +373,20 @@ class ControlUnit(Block):
     balls: Count | None = key("number of balls", "n")
     hub_diameter: Length | None = key("hub diameter at the key (indirect only)", "d")
     key_friction: Ratio | None = key("friction coefficient at the key (indirect only)", "f_1")
+    pressure_disc_key: PressureDiscKey | None = None
     sleeve_mass: Mass | None = key("mass of the thrust sleeve; default 0 (indirect only)", "m")
     release_lag: TimeOrNone | None = key("time by which the normal force lags the load; default 0", "τ")
     face_gap: Gap | None = key("gap between the faces of the pockets", "s")
     edge_clearance: Gap | None = key("clearance of the contact from the pocket's edge", "y")
     allowable_contact_force: Force | None = key("allowable normal force on one ball", "[F_n]")
+    static_safety: AtLeastOne | None = key("static safety factor of the balls, 1.5 under shocks; default 1", "s_0")
     ball_diameter: Length | None = key("ball chosen; synthesize takes it instead of the next standard one", "d_ш")
     sleeve_depth: Length | None = key("thickness, along the axis, of the sleeve the pockets are cut into", "B")
     contact: Contact | None = None
 
     @property
     def elasticity(self) -> Contact:
-        """Elastic data of ball and wall: as given, or assumed."""
+        """Elastic data of ball and wall: as given, or hardened steel."""
         return self.contact or HARDENED_STEEL
 
 
@@ -444,7 +430,9 @@ class Drive(Block):
     dynamic_factor: Coefficient | None = key(
         "dynamic factor of the unprotected side; default that of the event, 1 without one", "k_д"
     )
-    speed: Speed | None = key("speed before the event; default that of motor under load_torque", "ω_0")
+    speed: Speed | None = key(
+        "speed before the event; default that of motor under load_torque, else that of [machine] at the clutch", "ω_0"
+    )
     motor_inertia: Inertia | None = key("inertia of the motor side, driving half of the clutch included", "J_1")
     hub_inertia: Inertia | None = key("inertia between the discs and the balls (indirect only)", "J_h")
     driven_inertia: Inertia | None = key("inertia of the driven half of the clutch", "J_2")
@@ -484,19 +472,11 @@ class Heat(RuledBlock):
     lining: Length | None = key("thickness of lining that a pair may lose by wear", "s_w")
 
     def broken_rules(self) -> Iterable[Broken]:
-        """A lining has all its data or none."""
+        """Yield the broken rules: a lining must have all its data or no data."""
         given = [name for name in _LINING if getattr(self, name) is not None]
         for name in _LINING if given else ():
             if name not in given:
                 yield name, say("required beside heat.{given}", given=given[0])
-
-
-def missing_of(drive: Drive) -> list[str]:
-    """Keys of the [drive] block that are missing, without which neither a simulation nor V1 can be asked."""
-    if drive.motor is not None:
-        return ["event"]
-    ends = drive.motor_inertia is not None or drive.cut_off is not None
-    return [*(["speed"] if drive.speed is None else []), *([] if ends else ["motor_inertia"])]
 
 
 class Fatigue(Block):
@@ -524,10 +504,10 @@ class Envelope(RuledBlock):
     housing_wall: Length = required("wall of the housing around the discs, and of what carries the inner ones")
 
     def broken_rules(self) -> Iterable[Broken]:
-        """Shaft, hub and housing are ever wider."""
-        yield from _bigger("hub_diameter", self.hub_diameter, "bore", self.bore)
+        """Yield the broken rules: the diameters must rise from bore to hub to housing."""
+        yield from greater("hub_diameter", self.hub_diameter, "bore", self.bore)
         inside = "bore" if self.hub_diameter is None else "hub_diameter"
-        yield from _bigger("outer_diameter", self.outer_diameter, inside, getattr(self, inside))
+        yield from greater("outer_diameter", self.outer_diameter, inside, getattr(self, inside))
 
 
 class Machine(Block):
@@ -551,20 +531,32 @@ class ProtectedShaft(Block):
 
 
 def bore_of(source: Any) -> Any:
-    """Bore of the hub of a spec that has an envelope, m: its own, else the shaft, else none."""
+    """Bore of the hub, m, of a spec with an envelope: as given, else the shaft diameter, else 0."""
     bore = source.envelope.bore
     return bore if bore is not None else source.shaft.diameter if source.shaft else 0.0
 
 
 def around_the_shaft(source: Any) -> Iterable[Broken]:
-    """Parts around the shaft of a spec are wider than it."""
+    """Yield the broken rules: the parts around the shaft must be wider than the shaft."""
     if (shaft := source.shaft) is None:
         return
     if (bore := source.envelope and source.envelope.bore) is not None and bore < shaft.diameter:
         yield "envelope.bore", say("must be at least shaft.diameter ({least:g} m)", least=shaft.diameter)
     for path in ("control_unit.hub_diameter", "envelope.hub_diameter", "envelope.outer_diameter"):
         block, _, name = path.partition(".")
-        yield from _bigger(path, getattr(getattr(source, block), name, None), "shaft.diameter", shaft.diameter)
+        yield from greater(path, getattr(getattr(source, block), name, None), "shaft.diameter", shaft.diameter)
+
+
+class TripRatio(RuledBlock):
+    """Slip torque over the rated torque: that of the motor at the clutch, else the nominal torque of the machine."""
+
+    min: AtLeastOne | None = key("least trip torque over the rated torque, at least", "k_min")
+    max: AtLeastOne | None = key("largest trip torque over the rated torque, at most", "k_max")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """Yield the broken rule: min ≤ max."""
+        if self.min is not None and self.max is not None and self.min > self.max:
+            yield "max", say("must not be below min ({low:g})", low=self.min)
 
 
 class Required(RuledBlock):
@@ -577,6 +569,7 @@ class Required(RuledBlock):
     accuracy_factor: AtLeastOne | None = key("accuracy factor, at most", "K_т")
     accuracy_factor_hysteresis: AtLeastOne | None = key("accuracy factor under a load that lasts, at most", "K_т,h")
     torque_max: Torque | None = key("largest sustained torque, at most", "T_max")
+    trip_ratio: TripRatio | None = None
     outer_diameter: Length | None = key("outer diameter of the friction faces, at most", "2 r_o")
     surface_pressure: Stress | None = key("mean surface pressure at rest, at most; needs both radii", "p")
     closing_force: Force | None = key("force on the pack at rest, at most (F_п; indirect F_п2)", "N(0)")
@@ -597,13 +590,13 @@ class Required(RuledBlock):
     cycles: Coefficient | None = key("life in cycles on either side of the clutch, at least", "N_ц")
 
     def broken_rules(self) -> Iterable[Broken]:
-        """A probability is one of a torque."""
+        """Yield the broken rule: a probability of exceedance needs torque_max."""
         if self.exceedance is not None and getattr(self, "torque_max", None) is None:
             yield "torque_max", say("required beside {other}", other="exceedance")
 
 
 def _as_text(value: object) -> object:
-    """A revision 2 and a TOML date need no quotes."""
+    """Text of an entry; a whole number, such as a revision, and a TOML date need no quotes."""
     if isinstance(value, date):
         return value.isoformat()
     return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
@@ -641,7 +634,7 @@ class ShopNotes(Block):
 
 @dataclass(frozen=True)
 class Origin:
-    """Source of a spec; specs that say the same are equal wherever they were read."""
+    """Source of a spec, ignored in comparisons: specs with equal values are equal."""
 
     label: Source = field(compare=False)
 
@@ -661,7 +654,7 @@ class Spec(Block):
     variant: VariantName = required("how the clutch regulates")
     friction: Friction
     friction_group: FrictionGroup
-    # to validate a default would build its block twice
+    # with model_construct, because a validated default would build the validator of its block twice
     closing_spring: ClosingSpring = Field(default_factory=ClosingSpring.model_construct)
     control_spring: ControlSpring | None = None
     control_unit: ControlUnit | None = None
@@ -697,7 +690,7 @@ class Spec(Block):
     @model_validator(mode="wrap")
     @classmethod
     def _every_problem_at_once(cls, data: object, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
-        """Report what the blocks find and what the rules between them find together."""
+        """Spec, or one error with all problems in its blocks and in the rules between them."""
         broken = rules.broken_rules(data) if isinstance(data, dict) else []
         try:
             spec = handler(data)
@@ -711,51 +704,65 @@ class Spec(Block):
 
     @property
     def lists(self) -> Lists:
-        """Lists of one's own that its materials and parts are from."""
-        return self.label.lists
+        """User's own lists of materials and parts that the spec names."""
+        return self.label.lists or Lists()
 
     def model_post_init(self, context: object) -> None:
-        """Keep where it was read from, as far as that is known."""
+        """Remember the file that the spec was read from; "spec" if it is not known."""
         label = context if isinstance(context, str) else "spec"
         self._origin = Origin(label if isinstance(label, Source) else Source(label))
 
     @property
     def label(self) -> Source:
-        """Name in errors: the file it was read from, and the like."""
+        """Name of the spec in errors, such as its file; it also carries the text of the spec."""
         return self._origin.label
 
     def refused(self, path: str, message: str, given: str | None = None) -> SpecError:
-        """Return the error that says what is wrong at one of its keys."""
-        return SpecError(self.label, [Problem(path, given, message)])
+        """Error with a message about a key of the spec."""
+        return self.label.refused([Problem(path, given, message)])
 
     @property
     def kind(self) -> Variant:
-        """The record of its variant."""
+        """Record of the variant of the clutch."""
         return VARIANTS[self.variant]
 
     @property
+    def speed(self) -> Any:
+        """Speed ω_0 as given, else from rating plate and gear ratio; None if unknown or given by a motor's curve."""
+        drive, plate = self.drive, self.machine
+        if drive.speed is not None or drive.motor is not None or plate is None:
+            return drive.speed
+        return plate.speed / plate.ratio
+
+    @property
+    def runs_down(self) -> bool:
+        """True if the spec gives the speed before a slip with blocked tool, and motor inertia or cut-off to end it."""
+        ends = self.drive.motor_inertia is not None or self.drive.cut_off is not None
+        return ends and self.drive.motor is None and self.speed is not None
+
+    @property
     def bypass_pairs(self) -> Any:
-        """z_1 of the one direct law: pairs whose torque does not pass the control unit."""
+        """Number z_1 of bypass pairs in the direct law: pairs whose torque does not pass the control unit."""
         return self.kind.bypass(self.friction_group.pairs, self.friction_group.driving_pairs)
 
     @property
     def least_pairs(self) -> Any:
-        """Smallest z with the bypass pairs it has."""
+        """Smallest possible number of pairs z with the given driving pairs."""
         return self.kind.least_pairs(self.friction_group.driving_pairs)
 
     @property
     def spring_parts(self) -> dict[str, DiscStack | CoilSprings]:
-        """The parts that the springs are, where they are named: closing, control."""
+        """Name of a spring, ``closing`` or ``control`` → its part; a spring whose part is not given is left out."""
         both = {"closing": self.closing_spring, "control": self.control_spring}
         return {name: spring.part for name, spring in both.items() if spring and spring.part}
 
 
 def resolved(spec: Spec) -> dict[str, Any]:
-    """Return the spec as plain data, SI, with defaults filled in.
+    """Spec as plain data, SI, with defaults filled in.
 
-    Reading it again gives the same clutch, with the same keys free: what follows from other keys (the mean of the
-    friction range, the range of a material, the spring force from a nominal torque) is not filled in, so that it
-    still follows when one of them is overridden.
+    Reading it again gives the same clutch. Values that follow from other keys (the mean of the friction range, the
+    range of a material, the spring force from a nominal torque) are not filled in, so that they still follow when one
+    of those keys is overridden.
     """
     data = spec.model_dump(exclude_none=True)
     group = data["friction_group"]

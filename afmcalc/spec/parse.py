@@ -1,4 +1,4 @@
-"""The text of a spec: its file, TOML or JSON made plain data within stated limits, the line of each key."""
+"""Text of a spec: read the file, parse TOML or JSON into plain data within limits, find the line of a key."""
 
 import json
 import os
@@ -9,44 +9,54 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from ..errors import AfmcalcError, FileError, Label, Place, Problem, SpecError, reason
+from ..errors import AfmcalcError, FileError, Place, Problem, SpecError, reason
 from ..findings import Finding
 from ..messages import deferred, did_you_mean, say, translate
-from .catalogues import Lists
+
+if TYPE_CHECKING:
+    from .catalogues import Lists
 
 
-class Source(Label):
-    """Name of a text in messages; carries the text, so that an error can show the line."""
+class Source(str):
+    """Name of a text in messages: a str that also has the text, so that an error can show a line."""
 
     text: str
     overridden: Mapping[str, str]
-    """Dotted paths whose values are no longer those of the text → what gave them, where that is told."""
+    """Dotted paths whose values were overridden → origin of the new value, or empty."""
     findings: tuple[Finding, ...]
-    """Numbers without a unit that may be meant in another than SI."""
-    lists: Lists = Lists()
-    """Lists of one's own that it names, for what is validated of it."""
+    """Warnings about numbers without a unit that are probably not meant in SI."""
+    lists: "Lists | None" = None
+    """The user's own lists that the text names, for validation."""
 
     def __new__(
         cls, label: str, text: str = "", overridden: Mapping[str, str] | None = None, findings: Iterable[Finding] = ()
     ) -> "Source":
-        """Name a text."""
+        """Create the name of a text."""
         source = str.__new__(cls, label)
         source.text, source.overridden, source.findings = text, dict(overridden or {}), tuple(findings)
         return source
 
     def but(self, paths: Iterable[str]) -> "Source":
-        """Text with other values at some paths."""
+        """Copy that marks the values at some paths as overridden."""
         gone = dict.fromkeys(paths, "")
         findings = (finding for finding in self.findings if finding.path not in gone)
         return Source(self, self.text, {**self.overridden, **gone}, findings)
 
+    def refused(self, problems: Iterable[Problem], more: int = 0) -> SpecError:
+        """Error about this text; each problem has the origin and the line of its value."""
+        located = [
+            each._replace(origin=self.origin(each.path), place=each.place or self.place(each.path)) for each in problems
+        ]
+        return SpecError(self, located, more)
+
     def origin(self, path: str) -> str:
-        """Origin of the value at a dotted path: the text, or an option of the command line."""
+        """Origin of the value at a dotted path: this text, or an option of the command line."""
         return next((by for gone, by in self.overridden.items() if f"{path}.".startswith(f"{gone}.")), "") or self
 
     def place(self, path: str) -> Place | None:
-        """Line of the key at a dotted path of a TOML text; of a missing one, that of the table that lacks it."""
+        """Line of the key at a dotted path of a TOML text, or of its table if the key is missing; None if unknown."""
         if not path or is_json(self) or any(f"{path}.".startswith(f"{gone}.") for gone in self.overridden):
             return None
         lines = self.text.split("\n")
@@ -56,11 +66,11 @@ class Source(Label):
 
 _STANDARD_INPUT = deferred("standard input")
 PREFIX = "example:"
-"""Prefix that makes the name of an example a source."""
+"""Prefix of the name of an example that is given as a source."""
 
 
 def _folder() -> Path:
-    """Folder of the examples: inside the installed package, or beside it in a checkout."""
+    """Folder of the examples, in the installed package or in a checkout."""
     packaged = Path(__file__).parents[1] / "configs"
     return packaged if packaged.is_dir() else Path(__file__).parents[2] / "configs"
 
@@ -71,7 +81,7 @@ def example_names() -> list[str]:
 
 
 def example_text(name: str) -> str:
-    """Text of an example; an ``AfmcalcError`` where there is none of that name."""
+    """Text of an example; raises ``AfmcalcError`` if there is no example of that name."""
     if name not in (known := example_names()):
         hint = did_you_mean(name, known) or say("; there are: {names}", names=", ".join(known))
         raise AfmcalcError("{prefix}{name}: no such example{hint}", prefix=PREFIX, name=name, hint=hint)
@@ -79,35 +89,38 @@ def example_text(name: str) -> str:
 
 
 LONGEST = 64 << 20
-"""Bytes of a file; the JSON of a long sweep is a spec too."""
+"""Largest number of bytes of a file; the JSON output of a long sweep is also read as a spec."""
 LONGEST_TOML = 1 << 18
-"""Characters of a TOML text, which takes longer to read than JSON."""
-LONGEST_TEXT = 1_000
-"""Characters of a key or a text."""
-MOST_VALUES = 100_000
-"""Keys, and items of lists, in all."""
+"""Largest number of characters of a TOML text; TOML takes longer to parse than JSON."""
 DEEPEST = 32
-"""Tables and lists inside each other, and parts of a dotted key."""
+"""Largest depth of nested tables and lists, and number of parts of a dotted key."""
 MOST_BITS = 1024
-"""Bits of a whole number: as many as a real one can hold."""
+"""Largest number of bits of a whole number, so that it can be converted to a float."""
 _LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){{{DEEPEST}}}"""
 
 
 def too_deep() -> str:
-    """Refusal of what is nested too deep."""
+    """Message that the data is nested too deep."""
     return say("is nested more than {most} levels deep", most=DEEPEST)
 
 
-def text_of(source: str | PathLike[str] | None) -> Source:
-    """Return the text of a spec as given, with what to call it in messages.
+def too_long() -> str:
+    """Message that a number has too many digits."""
+    return say("a number has too many digits")
 
-    Raises FileError: it cannot be read; SpecError: it is no text, or too long for a spec.
+
+def text_of(source: str | PathLike[str] | None) -> Source:
+    """Text of a spec, with its name in messages.
+
+    Raises:
+        FileError: the file cannot be read.
+        SpecError: the source is not a text, or too long for a spec.
     """
     return decoded(*bytes_of(source))
 
 
 def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
-    """Return what is in the file of a spec, and what to call it in messages; the errors are those of ``text_of``."""
+    """Bytes of the file of a spec, and its name in messages; errors as in ``text_of``."""
     source = f"{PREFIX}default" if source is None else source
     label = translate(_STANDARD_INPUT) if source == "-" else str(source)
     if label.startswith(PREFIX):
@@ -130,7 +143,7 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
 
 
 def _nearest(path: str) -> str:
-    """Return a hint at the nearest file name in the folder of a path."""
+    """Hint "did you mean" with the most similar file name in the folder of a path; empty if no name is similar."""
     folder, name = os.path.split(path)
     with suppress(OSError):
         return did_you_mean(name, os.listdir(folder or "."))
@@ -138,7 +151,7 @@ def _nearest(path: str) -> str:
 
 
 def decoded(raw: bytes, label: str) -> Source:
-    """Return the text of a file: UTF-8, or UTF-16 with its mark, as PowerShell writes; else a ``SpecError``."""
+    """Text of a file in UTF-8, or in UTF-16 with byte order mark; raises ``SpecError`` for any other file."""
     if raw.startswith(b"%PDF"):
         raise _refused(label, say("is a PDF; a spec is a text in TOML or JSON"))
     wide = raw.startswith((b"\xff\xfe", b"\xfe\xff"))
@@ -154,7 +167,7 @@ def _refused(label: str, message: str, path: str = "") -> SpecError:
 
 
 def _at_line(source: Source, number: int, message: str) -> SpecError:
-    """Return the error of a parser with the line it names, 0: the last."""
+    """Error of a parser at a line number; 0 means the last line."""
     lines = source.text.rstrip().split("\n")
     number = number or len(lines)
     text = lines[number - 1] if number <= len(lines) else ""
@@ -162,7 +175,7 @@ def _at_line(source: Source, number: int, message: str) -> SpecError:
 
 
 def parse(source: Source) -> dict[str, object]:
-    """Parse TOML or JSON text, what begins with a brace; a ``SpecError`` where it is neither, or beyond a limit."""
+    """Data of a TOML or JSON text (see ``is_json``); raises ``SpecError`` if it is neither, or too large."""
     if not source.text.strip():
         raise _refused(source, say("is empty; a clutch spec in TOML or JSON is wanted"))
     try:
@@ -174,17 +187,17 @@ def parse(source: Source) -> dict[str, object]:
 
 
 def is_json(source: Source) -> bool:
-    """True if a text is meant as JSON."""
+    """True if a text begins with a brace, or its file name ends in .json."""
     return source.text.lstrip()[:1] == "{" or source.endswith(".json")
 
 
 def toml_of(source: Source) -> dict[str, object]:
-    """Parse TOML text; a ``SpecError`` where it is none, or too long."""
+    """Data of a TOML text; raises ``SpecError`` if it is invalid or too long."""
     if len(source.text) > LONGEST_TOML:
         raise _refused(source, say("is larger than {most} KiB, the most for TOML", most=LONGEST_TOML >> 10))
-    # a dotted key of very many parts would take gigabytes to read
+    # a dotted key of very many parts would take gigabytes to parse
     if re.search(_LONG_KEY, source.text):
-        raise _refused(source, say("a key has more than {most} parts, the most there may be", most=DEEPEST))
+        raise _refused(source, too_deep())
     try:
         return tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as error:
@@ -194,17 +207,16 @@ def toml_of(source: Source) -> dict[str, object]:
         message = say("is not valid TOML: {why}{hint}", why=error, hint=hint)
         raise _at_line(source, int(line[1]) if line else 0, message) from None
     except ValueError:
-        raise _refused(source, say("is not valid TOML: a number has too many digits")) from None
+        raise _refused(source, say("is not valid TOML: {why}{hint}", why=too_long(), hint="")) from None
 
 
 def _json_of(source: Source) -> dict[str, object]:
     def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
-        seen: dict[str, object] = {}
-        for key, value in pairs:
-            if key in seen:
-                raise _refused(source, say("is not a spec: key {key!r} stands twice in one JSON object", key=key))
-            seen[key] = value
-        return seen
+        data = dict(pairs)
+        if len(data) < len(pairs):
+            twice = next(key for place, (key, _) in enumerate(pairs) if key in dict(pairs[:place]))
+            raise _refused(source, say("is not a spec: key {key!r} stands twice in one JSON object", key=twice))
+        return data
 
     try:
         data = json.loads(source.text, object_pairs_hook=unique)
@@ -213,7 +225,7 @@ def _json_of(source: Source) -> dict[str, object]:
     except AfmcalcError:
         raise
     except ValueError:
-        raise _refused(source, say("is not valid JSON: a number has too many digits")) from None
+        raise _refused(source, say("is not valid JSON: {why}", why=too_long())) from None
     if not isinstance(data, dict):
         raise _refused(source, say("is not a spec: a JSON object is wanted"))
     spec = data.get("spec", data)
@@ -225,34 +237,28 @@ def _json_of(source: Source) -> dict[str, object]:
 
 
 def check_size(data: object, label: str) -> None:
-    """Hold parsed data to every limit; a ``SpecError`` where it is beyond one."""
+    """Check the depth of parsed data and the size of its whole numbers.
+
+    Raises:
+        SpecError: a depth or number exceeds its limit.
+    """
     left: list[tuple[str, int, object]] = [("", 0, data)]
     for path, depth, value in left:
-        texts = [*value] if isinstance(value, dict) else [value] if isinstance(value, str) else []
         if depth > DEEPEST:
             raise _refused(label, too_deep())
-        if len(left) > MOST_VALUES:
-            raise _refused(label, say("has more than {most:,} values", most=MOST_VALUES))
-        if any(len(text) > LONGEST_TEXT for text in texts):
-            why = say("has more than {most:,} characters", most=LONGEST_TEXT)
-        elif any(re.search("[\ud800-\udfff]", text) for text in texts):  # JSON spells them, a shell hands on bytes
-            why = say("holds a lone surrogate, which is no character")
-        elif isinstance(value, int) and value.bit_length() > MOST_BITS:
-            why = say("is beyond the range of numbers")
-        else:
-            if isinstance(value, dict):
-                left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
-            elif isinstance(value, list):
-                left += [(path, depth + 1, inner) for inner in value]
-            continue
-        raise _refused(label, why, path)
+        if isinstance(value, int) and value.bit_length() > MOST_BITS:
+            raise _refused(label, say("is beyond the range of numbers"), path)
+        if isinstance(value, dict):
+            left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
+        elif isinstance(value, list):
+            left += [(path, depth + 1, inner) for inner in value]
 
 
 _KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
 
 
 def _toml_line(lines: Iterable[str], path: str) -> int:
-    """Line of ``key =`` under its ``[table]``, else of the innermost table or key around it; 0: there is none."""
+    """Line number of ``key =`` under its ``[table]``, else of the innermost enclosing table or key; 0 without any."""
     best, number, table = "", 0, ""
     for at, line in enumerate(lines, start=1):
         if line.lstrip()[:1] == "[" and (head := line.split("#")[0].strip()).endswith("]"):

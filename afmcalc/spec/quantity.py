@@ -1,15 +1,21 @@
-"""Quantities in a spec: a number in SI, or a string with a unit of the right dimension."""
+"""Reading of quantities in a spec: a number in SI, or a string with a unit of the right dimension."""
 
 import math
+import operator
 import re
 import sys
 from collections.abc import Callable
+from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
 
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, core_schema
+
 from ..findings import Finding, finding
 from ..messages import deferred, did_you_mean, filled, say, translate
-from ..units import BASES, ZEROS, UnknownUnitError, product, table, words
+from ..units import ZEROS, UnknownUnitError, product, table, words
 
 _EXAMPLES = table("""\
 N = a force | 2 kN; m = a length | 100 mm; N*m = a torque | 200 N*m; N/m = a stiffness | 20 N/mm;
@@ -21,29 +27,30 @@ J/kg/K = a specific heat | 480 J/kg/K; W/m/K = a thermal conductivity | 50 W/m/K
 W/K = a cooling per kelvin | 2.5 W/K; J/m^2 = a work per area | 1 J/mm^2;
 m^3/J = a wear per energy | 2e-5 mm^3/J; 1 = a plain number | 0.3""") | {"K abs": "a temperature | 20 degC"}
 EXAMPLES = {unit: tuple(row.split(" | ")) for unit, row in _EXAMPLES.items()}
-"""SI unit of a field → the quantity, and an example of a value."""
+"""SI unit of a field → name of the quantity, and an example of a value."""
 
 _FOREIGN = {"J": deferred("an energy"), "m^2": deferred("an area"), "K": deferred("a temperature difference")}
-"""SI unit of a dimension that no field has → name of the quantity."""
+"""SI unit of a quantity that no field has → its name, for messages."""
 
 _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН", "мм", "см", "МПа", "мс", "кг")
-"""Units to suggest before others."""
+"""Units that are suggested before others."""
 
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-"""A number as it is read."""
+"""Pattern of a number."""
 
 
 def wrong(template: str, unit: str, **values: object) -> ValueError:
-    """Return an error about a field of the SI unit ``unit``; it fills ``kind`` and ``allowed`` of the template."""
+    """Error about a field with the SI unit ``unit``; ``kind`` and ``allowed`` are filled into the template."""
     return ValueError(filled(template, {"kind": translate(EXAMPLES[unit][0]), "allowed": allowed(unit), **values}))
 
 
 @cache
 def factor(text: str, unit: str) -> Decimal:
-    """Return the value of one ``text`` in the SI unit of a field, as a decimal: 15 cm^3 is exactly 15e-6 m^3.
+    """Factor from the unit ``text`` to a field's SI ``unit``, as a decimal: for cm^3 exactly 1e-6.
 
-    A ``ValueError`` says that it is no unit, or one of another dimension than the field's ``unit``.
+    Raises:
+        ValueError: ``text`` is no unit, or a unit of another dimension.
     """
     try:
         given = product(text)
@@ -56,20 +63,16 @@ def factor(text: str, unit: str) -> Decimal:
     if given.exponents == product(unit).exponents:
         return given.factor
     if unit == "rad/s" and given == product("1/min")._replace(latin=given.latin):
-        return product("rpm").factor  # a speed of rotation in 1/min is one of revolutions; in 1/s it could be either
+        return product("rpm").factor  # 1/min counts revolutions; 1/s could also be radians
     kinds = {si: kind for si, (kind, _) in EXAMPLES.items() if si not in ("1", "K abs")} | _FOREIGN
     other = next((translate(kind) for si, kind in kinds.items() if product(si).exponents == given.exponents), None)
     if other is None:
-        powers = [(base, power) for base, power in zip(BASES, given.exponents, strict=True) if power]
-        bases = ((translate(base, "unit"), power) for base, power in powers)
-        raised = [base if power == 1 else say("{base}^{power}", base=base, power=power) for base, power in bases]
-        dimension = "*".join(raised) if raised else "1"
-        other = say("of dimension {dimension}", dimension=dimension)
+        raise wrong("{text!r} is no unit of {kind}; {allowed}", unit, text=text)
     raise wrong("{text} is {other}, not {kind}; {allowed}", unit, text=text, other=other)
 
 
 def _fits(text: str, unit: str) -> bool:
-    """True if a text is a unit of the dimension of ``unit``."""
+    """True if a text is a unit with the dimension of ``unit``."""
     try:
         return product(text).exponents == product(unit).exponents
     except ValueError:
@@ -77,7 +80,7 @@ def _fits(text: str, unit: str) -> bool:
 
 
 def allowed(unit: str) -> str:
-    """Say what may stand in a field of the SI unit ``unit``."""
+    """Part of a message: the values allowed in a field with the SI unit ``unit``."""
     kind, example = EXAMPLES[unit]
     if unit == "1":
         return say("give {kind} such as {example}", kind=translate(kind), example=example)
@@ -91,20 +94,20 @@ _LONGEST = 100
 """Largest number of characters of a text that is read as a quantity."""
 _QUANTITY = re.compile(rf"\s*({NUMBER})(.*)", re.DOTALL)
 _COMMA = re.compile(r"\s*([+-]?)(\d+),(\d+)(?![\d.,])(.*)", re.DOTALL)
-"""A number with one comma: sign, digits before and after it, the unit."""
+"""Pattern of a number with one comma: sign, digits before and after the comma, the rest."""
 
 _RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
     "N": (lambda force: 0 < force < 20, "kN", math.inf), "m": (lambda length: length >= 0.5, "mm", 10.0),
     "rad/s": (lambda speed: speed > 1000, "rpm", math.inf), "W": (lambda power: 0 < power < 500, "kW", math.inf),
 }  # fmt: skip
-"""SI unit → whether a number is rarely meant in it, the unit that may be meant, the largest number meant in SI."""
+"""SI unit → test for numbers rarely meant in this unit, unit probably meant, largest number accepted without unit."""
 
 
 def asked_unit(value: object, unit: str | None, path: str = "") -> Finding | None:
-    """Return a finding for a number without a unit that is rarely meant in SI; None for any other value.
+    """Warning about a number without a unit that is probably not meant in SI; None for any other value.
 
     Raises:
-        ValueError: the number is so large that it is never meant in SI.
+        ValueError: the number is too large to be meant in SI.
 
     >>> asked_unit(2, "N", "force").message, asked_unit("2 N", "N")
     ('force: a number without a unit is in SI, 2 N; 2 kN? Write "2 kN" or "2 N"', None)
@@ -124,10 +127,10 @@ def asked_unit(value: object, unit: str | None, path: str = "") -> Finding | Non
 
 
 def parse_quantity(value: object, unit: str) -> float:
-    """Read a number in SI, or a string such as ``"20 N/mm"``, as a quantity in SI of the dimension of ``unit``.
+    """Number in the SI ``unit``, from a number or a string such as ``"20 N/mm"``.
 
     Raises:
-        ValueError: not a number, not finite, an unknown unit or one of another dimension.
+        ValueError: the value is not a number, not finite, or has an unknown unit or a unit of another dimension.
 
     >>> parse_quantity("20 N/mm", "N/m")
     20000.0
@@ -146,7 +149,7 @@ def parse_quantity(value: object, unit: str) -> float:
 
 
 def with_point(text: str) -> str:
-    """Return the text of one number with a point for its decimal comma.
+    """Text of a number with its decimal comma replaced by a point.
 
     Raises:
         ValueError: the comma may separate thousands.
@@ -180,14 +183,74 @@ def _parse_text(text: str, unit: str) -> float:
     zero, times = (ZEROS[written], Decimal(1)) if absolute else (Decimal(0), factor(written, unit))
     try:
         return float(Decimal(number) * times + zero)
-    except ArithmeticError:  # the exponent is outside the range of Decimal, perhaps in a number that is 0
+    except ArithmeticError:  # the exponent is outside the range of Decimal; float gives 0 or inf
         return float(number)
 
 
 def whole_number(value: object) -> int:
-    """Read a number that counts something; a ``ValueError`` where it is none."""
+    """Value as a whole number; raises ``ValueError`` if it is not whole."""
     if isinstance(value, str) and value.strip().isdecimal():
         raise ValueError(say("must be a whole number, without quotes: {number}", number=value.strip()))
     if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
         raise ValueError(say("must be a whole number"))
     return int(value)
+
+
+_BOUNDS: tuple[tuple[str, Callable[[float, float], bool], str], ...] = (
+    ("gt", operator.gt, deferred("must be greater than {bound:g}")),
+    ("ge", operator.ge, deferred("must be at least {bound:g}")),
+    ("lt", operator.lt, deferred("must be less than {bound:g}")),
+    ("le", operator.le, deferred("must be at most {bound:g}")),
+)
+"""Kind of bound, comparison that a number must pass, and message if it fails."""
+_OF_UNIT = {
+    ("rad", "lt"): deferred("must be less than 90 deg; a number without a unit is in rad"),
+    ("K abs", "ge"): deferred("must be at least {bound:g} K (-100 degC); a number without a unit is in K"),
+}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Unit and bounds of a number in a spec: metadata of the annotation, which tables and sweeps read."""
+
+    unit: str
+    """SI unit, a key of ``EXAMPLES``."""
+    gt: float | None = None
+    ge: float | None = None
+    lt: float | None = None
+    le: float | None = None
+    whole: bool = False
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Lower and upper bound, whether inclusive or not; ±inf without a bound."""
+        low, high = self.ge if self.gt is None else self.gt, self.le if self.lt is None else self.lt
+        return -math.inf if low is None else float(low), math.inf if high is None else float(high)
+
+    def read(self, value: object) -> float:
+        """Number in SI, from a number or a string with a unit.
+
+        Raises:
+            ValueError: the value is no number of this unit, or out of bounds.
+        """
+        number = whole_number(value) if self.whole else parse_quantity(value, self.unit)
+        for name, fits, broken in _BOUNDS:
+            bound = getattr(self, name)
+            if bound is not None and not fits(number, bound):
+                raise ValueError(filled(_OF_UNIT.get((self.unit, name), broken), {"bound": bound}))
+        return number
+
+    # pydantic's usual way, an annotation for each step, would take three times as long at every start
+    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Schema that calls ``read``, which checks the bounds; the bounds are repeated for the JSON Schema."""
+        if self.whole:
+            number: CoreSchema = core_schema.int_schema(ge=None if self.ge is None else int(self.ge))
+        else:
+            number = core_schema.float_schema(gt=self.gt, ge=self.ge, lt=self.lt, le=self.le)
+        return core_schema.no_info_before_validator_function(self.read, number)
+
+    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """JSON Schema: a number, or also a string if it has a unit."""
+        number = handler(core)
+        as_text = self.unit != "1" and handler.mode == "validation"
+        return {"anyOf": [number, {"type": "string"}]} if as_text else number

@@ -1,22 +1,22 @@
-"""From a source to a spec: a file in TOML or JSON, standard input, an example, plain data; with overrides."""
+"""Reading of a spec from a TOML or JSON file, standard input, an example or plain data; with overrides."""
 
 import json
 import os
-import re
 import tomllib
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, MutableMapping
 from copy import deepcopy
 from os import PathLike
 from typing import Any, TypeAlias
 
 from pydantic import ValidationError
 
-from ..errors import AfmcalcError, Problem, SpecError
+from ..errors import AfmcalcError, Problem
 from ..messages import did_you_mean, say
+from .catalogues import own_lists
 from .fields import Broken, keys_below, names_in
-from .keys import elsewhere, names, path_of
+from .keys import elsewhere, key_of_number, names, path_of
 from .models import Spec
-from .parse import PREFIX, Source, check_size, is_json, parse, text_of, too_deep
+from .parse import PREFIX, Source, check_size, is_json, parse, text_of, too_deep, too_long
 from .problems import given_at, problems_in
 from .quantity import asked_unit
 from .removed import OLD, instead_of, moved_in
@@ -24,23 +24,23 @@ from .rules import Table, given_in
 from .search import flat
 
 Overrides: TypeAlias = Collection[str] | Mapping[str, object]
-"""Texts ``path=value``, an empty value removes the key; or path → value, None removes it."""
+"""Texts ``path=value``, where an empty value removes the key; or path → value, where None removes it."""
 
 _SEARCH = "search."
 
 
 def read_spec(source: str | PathLike[str] | Mapping[str, object] | None = None, overrides: Overrides = ()) -> Spec:
-    """Read a clutch spec.
+    """Validated spec of a clutch, read from a source.
 
     Args:
         source: path of a TOML or JSON file, ``"-"`` for standard input, ``"example:NAME"`` for a file that ships,
             None for ``example:default``; or plain data of the same structure.
-            JSON printed by any command counts: its ``spec`` block is taken.
-        overrides: ``"path=value"`` strings applied before validation, an empty value removes the key; or path → value,
-            None removes the key. A name or a symbol stands for its path.
+            JSON printed by any command is accepted: its ``spec`` block is taken.
+        overrides: ``"path=value"`` strings applied before validation, where an empty value removes the key; or path →
+            value, where None removes it. Names and symbols are accepted as paths.
 
     Returns:
-        The validated spec, SI inside.
+        The validated spec, values in SI.
 
     Raises:
         SpecError: every problem found, with file, line, key, value and what is allowed.
@@ -54,29 +54,30 @@ def read_spec(source: str | PathLike[str] | Mapping[str, object] | None = None, 
 
 
 def spec_of(source: Source, overrides: Overrides = ()) -> Spec:
-    """Read a clutch spec from its text; see ``read_spec``."""
+    """Validated spec of a text; arguments and errors as of ``read_spec``."""
     return make_spec(*data_of(source, overrides))
 
 
 def data_of(source: Source, overrides: Overrides) -> tuple[dict[str, object], Source, list[Broken]]:
-    """Parse a text and override its values.
+    """Data of a text with overrides applied, name of the text, and numbers that cannot be meant in SI.
 
-    What it is called then asks after numbers without a unit; those that cannot be meant in SI are returned. JSON is
-    what programs write, in SI: there only an override may be meant otherwise.
+    The name has the warnings about numbers without a unit that are probably not meant in SI. JSON is written by
+    programs, in SI, so that only its overrides are examined.
     """
     data = parse(source)
     _locate(data, source)
     changed = apply_overrides(data, overrides) if overrides else {}
     _locate(data, "")
-    in_si, known = is_json(source), keys_below(Spec)
-    questions, broken = [], []
+    in_si = is_json(source)
+    known, questions, broken = keys_below(Spec), [], []
     for path, value in given_in(data).items():
-        # center and ends of what scatters are in the unit of its key
-        key = known.get(path) or known.get(re.sub(r"^(tolerance\.fields|search)\.|\.(center|min|max)$", "", path))
-        if key and key.unit not in (None, "1") and (path in changed or not in_si):
-            numbers = value if isinstance(value, list) else [value]
+        bare = [each for each in (value if isinstance(value, list) else [value]) if isinstance(each, int | float)]
+        if not bare or path.endswith(".spread") or (in_si and path not in changed):
+            continue
+        key = known.get(path) or key_of_number(path)
+        if key and key.unit not in (None, "1"):
             try:
-                questions += [asked_unit(number, key.unit, path) for number in numbers if not isinstance(number, str)]
+                questions += [asked_unit(number, key.unit, path) for number in bare]
             except ValueError as error:
                 broken.append((path, str(error)))
     by = "--set" if source.startswith(PREFIX) else ""
@@ -84,24 +85,22 @@ def data_of(source: Source, overrides: Overrides) -> tuple[dict[str, object], So
 
 
 def _locate(data: Mapping[str, object], beside: str) -> None:
-    """Make paths of catalogues whole: of a text they are relative to its file, of an override to where we are."""
+    """Make catalogue paths absolute: relative to the file ``beside`` or, if empty, to the working directory."""
     if isinstance(listed := data.get("catalogues"), dict):
         folder = os.path.dirname(os.path.abspath(beside or "-"))
         listed |= {name: os.path.join(folder, file) for name, file in listed.items() if isinstance(file, str)}
 
 
 def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -> Spec:
-    """Validate a spec given as nested mappings; ``label`` names it in errors, ``broken`` are rules its text breaks.
+    """Validated spec from nested mappings; ``label``: its name in errors; ``broken``: problems found in its text.
 
-    Raises SpecError: every problem found.
+    Raises SpecError with every problem found.
     """
     source = label if isinstance(label, Source) else Source(label)
     if not OLD.isdisjoint(data) and (moved := moved_in(given_in(data))):
         told = ((path, say("is now {place}, in a spec with [search]", place=place)) for path, place in moved.items())
-        raise SpecError(source, [Problem(path, None, message) for path, message in told])
+        raise source.refused(Problem(path, None, message) for path, message in told)
     if named := data.get("catalogues"):
-        from .lists import own_lists
-
         source.lists = own_lists(named)
     problems, more = [Problem(path, given_at(path, data), message) for path, message in broken], 0
     try:
@@ -109,17 +108,21 @@ def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -
         if not problems:
             return spec
     except ValidationError as error:
-        found, more = problems_in(error, data, Spec)
+        found, more = problems_in(error, data, Spec, elsewhere)
         problems += found
-    raise SpecError(source, problems, more)
+    raise source.refused(problems, more)
 
 
-def put(data: dict[str, Any], path: str, value: Any) -> None:
-    """Set a nested value, None removes it; a ``ValueError`` has the path of a block on the way that is no table."""
+def put(data: MutableMapping[str, Any], path: str, value: Any) -> None:
+    """Set a nested value (None removes it); raises ``ValueError`` with the path of a parent that is no table."""
     *blocks, name = path.split(".")
     for depth, block in enumerate(blocks, start=1):
-        data = data.setdefault(block, {})
-        if not isinstance(data, dict):
+        if block not in data:
+            if value is None:
+                return
+            data[block] = {}
+        data = data[block]
+        if not isinstance(data, MutableMapping):
             raise ValueError(".".join(blocks[:depth]))
     if value is None:
         data.pop(name, None)
@@ -128,10 +131,10 @@ def put(data: dict[str, Any], path: str, value: Any) -> None:
 
 
 def apply_overrides(data: dict[str, object], overrides: Overrides) -> dict[str, object]:
-    """Apply overrides to parsed data; return the dotted paths that they name, each with its value."""
+    """Apply overrides to parsed data; return their dotted paths and values."""
     pairs: Iterable[tuple[str, object]]
     if isinstance(overrides, Mapping):
-        pairs = (  # of NumPy its own numbers
+        pairs = (  # NumPy numbers become Python numbers
             (f"{name}={value}", value.tolist() if hasattr(value, "tolist") else value)
             for name, value in overrides.items()
         )
@@ -154,7 +157,7 @@ def apply_overrides(data: dict[str, object], overrides: Overrides) -> dict[str, 
 
 
 def key_of(override: str) -> str:
-    """Return the key of an override as given; refuse where there is no equals sign, or nothing before it."""
+    """Key of an override as given; raises ``AfmcalcError`` if the equals sign or the key before it is missing."""
     given, separator, _ = override.partition("=")
     if not separator or not given.strip():
         raise AfmcalcError(
@@ -166,7 +169,7 @@ def key_of(override: str) -> str:
 
 
 def _path(override: str) -> str:
-    """Path of the key that an override gives by path, name or symbol."""
+    """Path of the key that an override names by path, name or symbol."""
     given = key_of(override)
     if given.startswith(_SEARCH):
         name = given.removeprefix(_SEARCH)
@@ -175,8 +178,7 @@ def _path(override: str) -> str:
     *blocks, last = path.split(".")
     known = names_in(blocks, Spec)
     if last not in known:
-        hint = instead_of(path) or did_you_mean(last, known)
-        hint = hint or elsewhere(last) or did_you_mean(last, names())
+        hint = instead_of(path) or did_you_mean(last, known) or elsewhere(last) or did_you_mean(last, names())
         if known and not hint:
             hint = say("; known here: {names}", names=", ".join(known))
         raise AfmcalcError(
@@ -186,7 +188,7 @@ def _path(override: str) -> str:
 
 
 def _value(override: str) -> object:
-    """Read a number, boolean, quoted string or inline table as TOML, anything else as plain text; nothing is None."""
+    """Value of an override: number, boolean, quoted string or table as in TOML, else the text itself; None if empty."""
     text = override.partition("=")[2].strip()
     if not text:
         return None
@@ -194,23 +196,22 @@ def _value(override: str) -> object:
         read = tomllib.loads(f"value = {text}")
     except tomllib.TOMLDecodeError:
         return text
-    except RecursionError:
-        raise AfmcalcError("--set {override:.80}: {why}", override=override, why=too_deep()) from None
-    except ValueError:
-        raise AfmcalcError("--set {override:.80}: a number has too many digits", override=override) from None
-    if set(read) != {"value"}:  # further lines are part of the text
+    except (RecursionError, ValueError) as error:
+        why = too_deep() if isinstance(error, RecursionError) else too_long()
+        raise AfmcalcError("--set {override:.80}: {why}", override=override, why=why) from None
+    if set(read) != {"value"}:  # the text has further lines
         return text
     check_size(read["value"], say("--set {override:.80}", override=override))
     return read["value"]
 
 
 def as_override(value: object) -> str:
-    """Return the text that an override has for a value.
+    """Text of a value in an override, which ``_value`` reads back.
 
     >>> as_override("2 kN"), as_override("0.5"), as_override(True), as_override(["a", 1])
     ('2 kN', '"0.5"', 'true', '["a", 1]')
     """
     if isinstance(value, str) and value.strip() == value != "" and _value(f"={value}") == value:
         return value
-    # what JSON writes of a text, a number, a truth value or a list is TOML
+    # text, number, boolean or list in JSON is also valid TOML
     return json.dumps(value, ensure_ascii=False)

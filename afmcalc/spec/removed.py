@@ -1,4 +1,4 @@
-"""Keys that earlier versions had, and what to do instead; where the keys of a requirements file are now."""
+"""Keys of earlier versions that were removed, and their replacements."""
 
 from collections.abc import Iterable, Mapping
 
@@ -17,7 +17,17 @@ REMOVED: Mapping[str, str] = {
     "friction_group.vertical_axis": _WEIGHT,
     "tolerance.method": deferred("every sample is random, of tolerance.samples clutches; leave the key out"),
 }
-"""Path of a key of a spec → what to do instead."""
+"""Path of a removed key → advice."""
+
+
+def instead_of(path: str) -> str:
+    """Advice on a removed key, given by path or name, to follow "unknown key" in a message; empty for other keys."""
+    name = path.strip()
+    # the bare name "method" means adjustment.method
+    found = (hint for key, hint in REMOVED.items() if name == key or (key.endswith(f".{name}") and name != "method"))
+    hint = next(found, "")
+    return say(" since 0.4: {instead}", instead=translate(hint)) if hint else ""
+
 
 _UNIT = ("balls", "face_gap", "edge_clearance", "hub_diameter", "key_friction", "pocket", "contact")
 _PACK = ("pairs", "driving_pairs", "mean_radius", "inner_radius", "outer_radius")
@@ -37,13 +47,13 @@ MOVED: Mapping[str, str] = {
     "search.closing_stiffness": "search.closing_spring.stiffness",
     "search.control_stiffness": "search.control_spring.stiffness", "search.ball_diameters": "catalogues.balls",
 }  # fmt: skip
-"""Key of a requirements file before 0.4 → where it is in a spec; others of wanted and limits are requirements."""
+"""Key of a requirements file before 0.4 → its place in a spec; other keys of wanted and limits → [requirements]."""
 OLD = frozenset(("wanted", "limits", "fixed", "variants"))
-"""Tables that only a requirements file has."""
+"""Tables that occur only in a requirements file before 0.4."""
 
 
 def moved_in(given: Iterable[str]) -> dict[str, str]:
-    """Keys of a requirements file among those ``given``, each with its new place."""
+    """Old key among those ``given`` → its new place."""
     places = {}
     for path in given:
         table, _, name = path.partition(".")
@@ -52,12 +62,3 @@ def moved_in(given: Iterable[str]) -> dict[str, str]:
         elif table in ("wanted", "limits") and name and "." not in name:
             places[path] = f"requirements.{name}"
     return places
-
-
-def instead_of(path: str) -> str:
-    """Return what to do instead of a key, by its path or name, to be put behind "unknown key"; else nothing."""
-    name = path.strip()
-    # the name method alone is that of adjustment.method
-    found = (hint for key, hint in REMOVED.items() if name == key or (key.endswith(f".{name}") and name != "method"))
-    hint = next(found, "")
-    return say(" since 0.4: {instead}", instead=translate(hint)) if hint else ""

@@ -1,27 +1,28 @@
-"""Rules between the keys of a spec: what excludes what, what needs what, what a variant does not have."""
+"""Rules between the keys of a spec: exclusion, dependence, keys foreign to a variant."""
 
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple, TypeAlias, TypeGuard
 
-from ..messages import deferred, filled, say, say_many
+from ..messages import deferred, filled, say
 from ..variants import VARIANTS, foreign_keys, special_keys
 from .fields import Broken
 
 Table: TypeAlias = Mapping[str, object]
-"""A table of a spec as it was written."""
+"""Table of a spec as plain data."""
 
 
 _BESIDE = deferred("required beside {other}")
+_KIND = "drive.event.kind"
 
 
 class KeyRule(NamedTuple):
-    """A key is wrong, or wanting, where some keys are given and others are not; ``friction.`` is a block, a table."""
+    """Rule: a key is wrong or missing if the spec has all keys ``given`` and no key ``absent``; tables end in a dot."""
 
     key: str
     given: frozenset[str]
     absent: frozenset[str]
     message: str
-    """Template, which may name the first of ``given`` but the key as ``{other}``."""
+    """Template of the message, in which ``{other}`` is replaced by ``other``."""
     other: str
 
 
@@ -67,7 +68,7 @@ required beside {other}
 excludes {other}: it is the same hub
   - envelope.hub_diameter | control_unit.hub_diameter |
 required beside {other}
-  + drive.speed | drive.event. | drive.motor
+  + drive.speed | drive.event. | drive.motor machine.
 excludes [machine], whose plate gives it
   - requirements.machine_torque | machine. |
 excludes [shaft], whose diameter gives it
@@ -77,8 +78,21 @@ required (or give shaft.diameter)
 has no effect beside {other}
   - tolerance.fields.closing_spring.stiffness | closing_spring.disc |
   - tolerance.fields.control_spring.stiffness | control_spring.disc |
+required beside {other}
+  + drive.tool_inertia | drive.event. drive.event.kind=load |
+only with an event of kind load: a stopped tool moves as it is told
+  - drive.tool_inertia | drive.event.kind=stop |
+required for an event of kind stop
+  + drive.event.stop_time | drive.event.kind=stop |
+required for an event of kind load
+  + drive.event.torque drive.event.rise_time | drive.event.kind=load |
+only for an event of kind stop
+  - drive.event.stop_time | drive.event.kind=load |
+only for an event of kind load
+  - drive.event.torque drive.event.rise_time | drive.event.kind=stop |
 """
-"""Message, and below it: keys that are wrong (-) or wanting (+), keys given beside one, keys not given."""
+"""Messages, each with its rules in the lines below: keys that are wrong (-) or missing (+) | keys that are all given |
+keys of which no key is given. ``drive.event.kind=VALUE`` stands for an event of that kind."""
 
 
 def _rules_of(table: str) -> Iterator[KeyRule]:
@@ -94,22 +108,20 @@ def _rules_of(table: str) -> Iterator[KeyRule]:
 
 
 KEY_RULES = (*_rules_of(_TABLE),)
-"""Rules that ask only whether keys are given."""
+"""Rules that depend only on the presence of keys."""
 
 
 def broken_rules(data: Table) -> list[Broken]:
-    """Rules between keys that ``data`` breaks; values themselves are the models' business."""
+    """Violations of the rules between keys; values are checked by the models."""
     given = given_in(data)
-    variant = VARIANTS.get(str(given.get("variant")))
-    of_event = _event(given, travels=variant is not None and variant.travels)
-    keys = given.keys()
+    keys = {*given, f"{_KIND}={given.get(_KIND)}"}
     wrong = (rule for rule in KEY_RULES if keys >= rule.given and keys.isdisjoint(rule.absent))
     of_keys = {(rule.key, filled(rule.message, {"other": rule.other})): None for rule in wrong}
-    return [*of_keys, *_static_friction(given), *_variant(given), *_pairs(given), *of_event]
+    return [*of_keys, *_static_friction(given), *_variant(given), *_pairs(given)]
 
 
 def given_in(data: Table, prefix: str = "") -> dict[str, object]:
-    """Every value and table of a spec by dotted path, a table also with a dot at its end; what is None is not given."""
+    """Dotted path → value or table of a spec; tables also have a path with a final dot; None counts as absent."""
     given: dict[str, object] = {}
     for name, value in data.items():
         if value is not None:
@@ -136,6 +148,12 @@ def _variant(given: Table) -> Iterator[Broken]:
         table = path.partition(".")[0]
         if path not in given and (table in (path, "closing_spring") or table in given):
             yield path, say("required for variant {variant!r}", variant=name)
+    if (
+        VARIANTS[name].travels
+        and "drive.event." in given
+        and given.keys().isdisjoint(("drive.hub_inertia", "envelope."))
+    ):
+        yield "drive.hub_inertia", filled(_BESIDE, {"other": "drive.event"})
 
 
 def _is_number(value: object) -> TypeGuard[float]:
@@ -152,35 +170,10 @@ def _pairs(given: Table) -> Iterator[Broken]:
             yield "friction_group.driving_pairs", message
         return
     variant = VARIANTS.get(str(given.get("variant")))
-    if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()) > 1:
-        default = say(" (the default)") if variant.chooses_bypass else ""
-        bypass = say_many(
-            "{count} driving pair{default}", "{count} driving pairs{default}", count=least - 1, default=default
-        )
+    if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()):
+        bypass = least - 1
         message = say(
-            "a {variant} clutch needs at least {least}: {bypass} and 1 driven",
-            variant=variant.name, least=least, bypass=bypass,
+            "must be at least {least} for variant {variant!r}: driving pairs {bypass}, driven pairs 1",
+            least=least, variant=variant.name, bypass=bypass,
         )  # fmt: skip
         yield "friction_group.pairs", message
-
-
-_OF_EVENT = {"stop": ("stop_time",), "load": ("torque", "rise_time")}
-"""Kind of event → keys that it needs and no other kind has."""
-
-
-def _event(given: Table, *, travels: bool) -> Iterator[Broken]:
-    if "drive.event." not in given:
-        return
-    kind = given.get("drive.event.kind")
-    if kind == "load" and "drive.tool_inertia" not in given:
-        yield "drive.tool_inertia", filled(_BESIDE, {"other": "drive.event"})
-    if travels and given.keys().isdisjoint(("drive.hub_inertia", "envelope.")):
-        yield "drive.hub_inertia", filled(_BESIDE, {"other": "drive.event"})
-    if kind == "stop" and "drive.tool_inertia" in given:
-        yield "drive.tool_inertia", say("only with an event of kind load: a stopped tool moves as it is told")
-    for other, keys in _OF_EVENT.items():
-        for path in (f"drive.event.{key}" for key in keys):
-            if other == kind and path not in given:
-                yield path, say("required for an event of kind {kind}", kind=other)
-            if other != kind and path in given and str(kind) in _OF_EVENT:
-                yield path, say("only for an event of kind {kind}", kind=other)

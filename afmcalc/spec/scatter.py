@@ -1,4 +1,4 @@
-"""The [tolerance] block: which numbers of a clutch scatter in making and service, and how."""
+"""The [tolerance] block: numbers of a clutch that scatter in manufacture and in service, and their distributions."""
 
 import re
 import sys
@@ -8,14 +8,14 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, FailFast, field_validator
 
 from ..messages import did_you_mean, say
-from .fields import Block, Broken, Quantity, Torque, key, keys_below, required, rule_error
-from .quantity import NUMBER, parse_quantity
+from .fields import Block, Broken, Torque, key, keys_below, required, rule_error
+from .quantity import NUMBER, Quantity, parse_quantity
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
 Setting = Literal["as-made", "each-adjusted"]
 
 FRICTION = ("friction", "friction.driving", "friction.driven")
-"""Names of the friction in service, which is no single key of the spec but the range it wanders in."""
+"""Names of the friction in service in [tolerance.fields]; elsewhere in the spec friction is not a key but a range."""
 
 _NOT_OF_THE_CLUTCH = ("tolerance.", "requirements.")
 
@@ -35,7 +35,7 @@ def _number_or_text(value: object) -> object:
 Number = Annotated[float, BeforeValidator(Quantity("1").read)]
 Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
 Given = Annotated[float | str, BeforeValidator(_number_or_text)]
-"""A number in SI or a text with a unit; which unit depends on what scatters."""
+"""Number in SI, or text with a unit that suits the scattering key."""
 
 
 class Distribution(Block):
@@ -71,7 +71,7 @@ class Tolerance(Block):
         ge=-1,
         le=1,
     )
-    sobol_base: Whole = key("base sample of the Sobol indices", default=65536, ge=64, le=2**20)
+    sobol_base: Whole = key("base sample of the Sobol indices", default=16384, ge=64, le=2**20)
     fields: dict[str, Distribution] = required("spec path (or friction) to its distribution", min_length=1)
 
     @field_validator("quantiles")
@@ -83,7 +83,11 @@ class Tolerance(Block):
 
 
 def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
-    """Turn what the user wrote of each field into SI, by the unit of the key that scatters, and check it."""
+    """Tolerances in which the numbers of each field are converted to SI, by the unit of its key.
+
+    Raises:
+        ValidationError: every problem found.
+    """
     broken: list[Broken] = []
     fields: dict[str, Distribution] = {}
     for path, distribution in given.fields.items():
@@ -91,12 +95,12 @@ def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
         if about is None:
             broken.append((f"fields.{path}", _unknown(path, spec)))
             continue
-        wrong: list[Broken] = []
         numbers: dict[str, float] = {}
+        wrong: list[Broken] = []
         for name in ("center", "spread", "min", "max"):
             value = getattr(distribution, name)
-            if value is None or (name == "spread" and percentage(value) is not None):
-                continue  # a percentage stays, since it follows the spec
+            if value is None or percentage(value) is not None and name == "spread":
+                continue  # a percentage stays relative to the value in the spec
             try:
                 numbers[name] = parse_quantity(value, about.unit)
             except ValueError as error:
@@ -110,14 +114,14 @@ def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
 
 
 def scattering(path: str, spec: type[BaseModel]) -> Quantity | None:
-    """Unit and bounds of a number that scatters; None when nothing that may scatter is at the path."""
+    """Unit and bounds of the number at a path, if it may scatter; None if it may not."""
     key = keys_below(spec).get("friction.min" if path in FRICTION else path)
     about = key.about if key else None
     return None if about is None or about.whole or path.startswith(_NOT_OF_THE_CLUTCH) else about
 
 
 def percentage(value: object) -> float | None:
-    """Share in a percentage such as ``"5 %"``; None for anything else.
+    """Percentage such as ``"5 %"`` as a share; None for any other value.
 
     >>> percentage("5 %"), percentage("5 mm")
     (0.05, None)
@@ -127,31 +131,30 @@ def percentage(value: object) -> float | None:
 
 
 def _broken_rules(path: str, given: Distribution, about: Quantity) -> Iterator[Broken]:
-    """Rules that a distribution in SI breaks."""
-    kind = given.distribution
-    center: Any = given.center
+    """Violations of rules by a distribution whose numbers are in SI."""
     low: Any = given.min
     high: Any = given.max
+    kind = given.distribution
     least, most = about.limits
-    for name, value in (("center", center), ("min", low), ("max", high)):
+    for name in ("center", "min", "max"):
+        value: Any = getattr(given, name)
         if value is not None and value < least:
             yield name, say("must be at least {low:g}, as {path} itself", low=least, path=path)
         elif value is not None and value > most:
             yield name, say("must be at most {high:g}, as {path} itself", high=most, path=path)
     share = percentage(given.spread)
     size: Any = given.spread if share is None else share
+    ends = (low is not None) + (high is not None)
     if size is not None and not size >= 0:
         yield "spread", say("must be at least 0")
-    if low is not None and high is not None and not low < high:
+    if ends == 2 and not low < high:
         yield "max", say("must be greater than min ({low:g})", low=low)
-    if kind in ("normal", "lognormal") and size is None:
+    if size is None and kind in ("normal", "lognormal"):
         yield "spread", say("required for {kind!r}", kind=kind)
-    elif kind in ("uniform", "triangular"):
-        ends = (low is not None) + (high is not None)
-        if size is None and ends < 2 and path not in FRICTION:
-            yield "spread", say("required for {kind!r} (or give min and max)", kind=kind)
-        elif size is not None and ends:
-            yield "spread", say("excludes min and max: give a half-width or both ends")
+    elif size is None and ends < 2 and path not in FRICTION:
+        yield "spread", say("required for {kind!r} (or give min and max)", kind=kind)
+    elif size is not None and ends and kind in ("uniform", "triangular"):
+        yield "spread", say("excludes min and max: give a half-width or both ends")
 
 
 def _unknown(path: str, spec: type[BaseModel]) -> str:

@@ -1,4 +1,4 @@
-"""The [search] block of a spec: the keys that ``design`` varies, each with its values."""
+"""Search space of ``design``: the [search] block of a spec, with the keys to vary and the values of each key."""
 
 from collections.abc import Iterator, Mapping
 from typing import Annotated, TypeAlias
@@ -6,28 +6,28 @@ from typing import Annotated, TypeAlias
 from pydantic import BaseModel, WithJsonSchema
 
 from ..messages import did_you_mean, say
-from .fields import Broken, Key, Quantity, keys_below, rule_error
-from .quantity import asked_unit
+from .fields import Broken, Key, keys_below, rule_error
+from .quantity import Quantity, asked_unit
 from .rules import Table
 
 MOST = 2_000_000
-"""Candidates of a search, at most."""
+"""Largest number of candidates of a search, and largest number of values of a range."""
 SPRINGS = "springs"
-"""Key of [search] that is no path: springs of that kind are chosen from the lists."""
+"""Key of [search] that is not a path: the kind of springs to choose from the lists."""
 _KINDS = ("disc", "coil", "any")
 _NOT_VARIED = ("search", "objectives", "name", "requirements.", "tolerance.", "catalogues.", "report.", "drawing.")
 _DIGITS = 12
-"""Significant digits of the values between the ends of a range."""
+"""Significant digits of the inner values of a range."""
 
 Values: TypeAlias = tuple[int | float | str, ...]
 Axes: TypeAlias = dict[str, Values]
-"""Path → its values, numbers in SI."""
+"""Path → values to try, numbers in SI."""
 _WRITTEN = {"anyOf": [{"type": name} for name in ("string", "number", "array", "object")]}
 Search = Annotated[Axes, WithJsonSchema({"type": "object", "additionalProperties": _WRITTEN})]
 
 
 def flat(table: Table, prefix: str = "") -> Iterator[tuple[str, object]]:
-    """Paths and values of a [search] table; a path may be a quoted key or a nested one."""
+    """Paths and values of a [search] table; dotted paths may be quoted keys or nested tables."""
     for name, value in table.items():
         if isinstance(value, Mapping):
             yield from flat(value, f"{prefix}{name}.")
@@ -36,7 +36,7 @@ def flat(table: Table, prefix: str = "") -> Iterator[tuple[str, object]]:
 
 
 def axes_of(given: Table, spec: type[BaseModel]) -> Axes:
-    """Read a [search] table: numbers in SI. Raises ValidationError: every problem found."""
+    """Validated axes of a [search] table, numbers in SI. Raises ValidationError with every problem found."""
     axes, broken = Axes(), list[Broken]()
     known = {path: key for path, key in keys_below(spec).items() if not path.startswith(_NOT_VARIED)}
     for path, value in flat(given):
@@ -79,19 +79,19 @@ def _values(given: object, key: Key) -> Values:
     listed = given if isinstance(given, list | tuple) else [given]
     if not listed:
         raise ValueError(say("must not be an empty list"))
-    return tuple(dict.fromkeys(_number(value, key.about) for value in listed))
+    return tuple(dict.fromkeys(map(key.about.read, listed)))
 
 
 def _range(text: str, key: Key, about: Quantity) -> Iterator[float]:
-    """Values of ``start:stop:count``, both ends among them."""
+    """Equally spaced values of ``start:stop:count``, both ends included."""
     parts = [part.strip() for part in text.split(":")]
     if len(parts) != 3 or not parts[2].isdecimal() or not 2 <= int(parts[2][:9]) <= MOST:
         raise ValueError(say('must be a list, or "start:stop:count" with a whole count of at least 2'))
-    start, stop = (_number(_as_written(part, key), about) for part in parts[:2])
+    start, stop = (about.read(_as_written(part, key)) for part in parts[:2])
     steps = int(parts[2]) - 1
     for number in range(steps + 1):
         between = float(f"{start + (stop - start) * number / steps:.{_DIGITS}g}")
-        yield _number({0: start, steps: stop}.get(number, between), about)
+        yield about.read({0: start, steps: stop}.get(number, between))
 
 
 def _as_written(part: str, key: Key) -> float | str:
@@ -100,18 +100,4 @@ def _as_written(part: str, key: Key) -> float | str:
     except ValueError:
         return part
     asked_unit(value, key.unit, key.path)
-    return value
-
-
-def _number(given: object, about: Quantity) -> float:
-    """Read a number, and hold it to what its key may be."""
-    value = about.read(given)
-    if about.gt is not None and value <= about.gt:
-        raise ValueError(say("must be greater than {bound:g}", bound=about.gt))
-    if about.ge is not None and value < about.ge:
-        raise ValueError(say("must be at least {bound:g}", bound=about.ge))
-    if about.lt is not None and value >= about.lt:
-        raise ValueError(say("must be less than {bound:g}", bound=about.lt))
-    if about.le is not None and value > about.le:
-        raise ValueError(say("must be at most {bound:g}", bound=about.le))
     return value

@@ -1,1 +1,1 @@
-"""The page on which a clutch is designed live: what the other rooms calculate and draw, over HTTP."""
+"""The web page on which a clutch is designed live: it shows what the other packages calculate and draw."""

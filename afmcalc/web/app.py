@@ -1,10 +1,12 @@
-"""The server: who may ask, what is asked, and who answers."""
+"""HTTP server of the page: access, routes, and the worker that answers each request."""
 
 import asyncio
 import json
+import os
 import secrets
 from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import aclosing, asynccontextmanager
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -16,19 +18,26 @@ from starlette.routing import Route
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from .. import __version__
-from ..errors import AfmcalcError, unexpected
-from ..messages import named, spoken
+from ..equations.terms import term_of
+from ..errors import AfmcalcError, FileError, unexpected
+from ..messages import named, say, spoken, translate
+from ..spec import Spec
+from ..spec.edit import saved
+from ..spec.parse import PREFIX, example_names, example_text, parse
 from .filled import template
-from .form import Base, State, form_of, refusal
+from .form import RESULTS, TUNED, Base, State, form_of, refusal, search_of
 from .worker import Worker
 
 HERE = Path(__file__).parent
 _LARGEST = 64 << 10
-"""Bytes of a body."""
+"""Largest body of a request, bytes."""
 _SLOWEST, _LONG = 10.0, 120.0
-"""Seconds in which a body must be here, and what is shown live be calculated; and that a tab may take."""
-_ASKED = ("check", "accuracy", "drive", "heat", "tolerance", "design", "explanation", "report")
-_MOST_BASES = 20
+"""Time limits, s: for receiving the body of a request and for a live calculation; for the calculation of a tab."""
+_TABS = ("accuracy", "drive", "heat", "tolerance", "design", "report")
+_FILES = ("pdf", "dxf", "csv")
+_ASKED = (*_TABS, *_FILES, "check", "help", "mend")
+_MOST_BASES, _OF_A_FRONT = 200, 100
+"""Largest number of clutches kept besides that of the command line; how many numbers a front of a design reserves."""
 _POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
     "connect-src 'self'; frame-src blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -42,20 +51,26 @@ _HEADERS = {
 }
 
 
+_OPENED = ("navigate", "document")
+"""Values of Sec-Fetch-Mode and Sec-Fetch-Dest when the page is opened in a browser tab."""
+
+
 class Gate:
-    """Lets through what comes from our own page: the right host and token, no other site."""
+    """Middleware that passes only requests of our own page, with the right host and token, and none of other sites."""
 
     def __init__(self, app: ASGIApp, port: int, token: str) -> None:
-        """Stand before an application that is served at a port under a token."""
+        """Guard ``app``, served at ``port`` under the path ``/token/``."""
         self._app, self._token = app, token.encode()
-        self._hosts = (f"127.0.0.1:{port}", f"localhost:{port}")
+        names = ("127.0.0.1", "localhost")
+        # a browser leaves out the default port of HTTP
+        self._hosts = [*(f"{name}:{port}" for name in names), *(names if port == 80 else ())]
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Hand a request on, or refuse it; every answer carries the headers that keep others out."""
+        """Pass a request on, or refuse it; every response carries the security headers."""
 
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
-                # of what is refused no more is read
+                # the body of a refused request is not read
                 headers = _HEADERS | ({"Connection": "close"} if message["status"] >= 400 else {})
                 message["headers"] = [*message["headers"], *((k.encode(), v.encode()) for k, v in headers.items())]
             await send(message)
@@ -68,31 +83,63 @@ class Gate:
             await self._app({**scope, "path": f"/{scope['path'].split('/', 2)[2]}"}, receive, send_with_headers)
 
     def _refused(self, request: Request) -> Response | None:
-        """Return the answer to a request that is refused."""
+        """Response 403 or 404 that refuses a request; None if the request may pass."""
         headers, parts = request.headers, request.scope["path"].encode().split(b"/", 2)
         own = len(headers.getlist("host")) == 1 and headers["host"] in self._hosts
-        # what is no browser sends neither of the next; a browser sends an origin with all that is posted
+        # programs other than browsers send neither of these headers; a browser sends Origin with every POST
         own = own and all(origin == f"http://{headers['host']}" for origin in headers.getlist("origin"))
         sites = ("same-origin", "none") if request.method in ("GET", "HEAD") else ("same-origin",)
-        if not own or headers.get("sec-fetch-site", "same-origin") not in sites:
+        # the file that opens the page in a browser belongs to no site
+        opened = request.method == "GET" and (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == _OPENED
+        if not own or not (opened or headers.get("sec-fetch-site", "same-origin") in sites):
             return PlainTextResponse("Forbidden", 403)
         if len(parts) != 3 or not secrets.compare_digest(parts[1], self._token):
             return PlainTextResponse("Not Found", 404)
         return None
 
 
-class Page:
-    """State of the server: one clutch and those that a design gave, changed by forms; it keeps nothing else."""
+class Target:
+    """File that the page saves to; ``begun``: digest of its content when serve began, empty if there was no file."""
 
-    def __init__(self, base: Base, requirements: str, units: str, target: str, save: Callable[[Any], Any]) -> None:
-        """Serve a clutch, and a search around it; ``target``: what ``save`` writes, if anything."""
-        self._bases, self._front, self._made = {0: base}, dict[int, Base](), 1
-        self._requirements, self._target, self._save = requirements, target, save
+    def __init__(self, path: str, write: Callable[[Spec, bool], None]) -> None:
+        """Save to ``path`` by ``write``, which is told if it may overwrite; if it is empty, the page cannot save."""
+        self.path, self._write = path, write
+        self.begun = _digest(path) if path else ""
+
+    def save(self, spec: Spec, known: str, anyway: bool) -> dict[str, Any]:  # noqa: FBT001
+        """Write a spec; return a message and the file's new digest, or only a message if it changed since ``known``."""
+        if not self.path:
+            raise AfmcalcError("nothing to save to: start with --save FILE, or with --force to save to SPEC")
+        before = _digest(self.path)
+        if known and known != before and not anyway:
+            return {"message": say("{path} was changed by another program: nothing is written", path=self.path)}
+        self._write(spec, bool(known and before) or anyway)
+        return {"saved": self.path, "message": say("wrote {output}", output=self.path), "known": _digest(self.path)}
+
+
+def _digest(path: str) -> str:
+    """SHA-256 of a file; empty if there is no file."""
+    if not os.path.exists(path):
+        return ""
+    if not os.path.isfile(path):
+        raise FileError("{path}: is no file that could be replaced", path=path)
+    return sha256(Path(path).read_bytes()).hexdigest()
+
+
+class Page:
+    """State of the server: its first clutch, and clutches of designs and files; the page's forms hold all changes."""
+
+    def __init__(self, base: Base, units: str, target: Target) -> None:
+        """Serve a page that starts from ``base`` and saves to ``target``."""
+        self._bases, self._made = {0: base}, 1
+        self._others = set[int]()
+        """Numbers of those bases that are other clutches than the clutch of the command line."""
+        self._target = target
         self._live = Worker(units, _SLOWEST, newest=False)
         self._tabs, self._check = (Worker(units, _LONG, newest=True) for _ in range(2))
 
     def app(self, port: int, token: str, ready: Callable[[], None]) -> ASGIApp:
-        """Return the application."""
+        """ASGI application behind a ``Gate``; it calls ``ready`` as soon as it serves."""
 
         @asynccontextmanager
         async def lifespan(app: Starlette) -> AsyncIterator[None]:
@@ -106,7 +153,7 @@ class Page:
                 self._tabs.end(closed=True)
                 self._check.end(closed=True)
 
-        posts = {"live": self._answer_live, "tab/{name}": self._answer_tab, "save": self._write, "form": self._form}
+        posts = {"live": self._answer_live, "tab/{name}": self._answer_tab, "open": self._open, "save": self._write}
         routes = [Route("/", self._page), Route("/page.css", _file), Route("/page.js", _file)]
         routes += [Route(f"/{path}", endpoint, methods=["POST"]) for path, endpoint in posts.items()]
         served = Starlette(routes=routes, lifespan=lifespan, exception_handlers={Exception: _fault})
@@ -117,72 +164,110 @@ class Page:
         asked = request.query_params.get("base", "0")
         number = int(asked) if asked.isdecimal() and len(asked) < 9 else -1
         state = State(self._base(number))
+        results = {name: translate(term_of(name).meaning) for name in RESULTS}
         page = template("page.html").render(
             language=spoken(), version=__version__, name=named(state.spec.name), source=state.base.label,
-            target=self._target, groups=form_of(state), base=number, requirements=self._requirements,
+            target=self._target.path, known=self._target.begun, groups=form_of(state), base=number,
+            requirements=search_of(state.spec), examples=example_names(), files=_FILES, results=results, tuned=TUNED,
             swept="C" if state.spec.control_unit else "f_max",
         )  # fmt: skip
         return HTMLResponse(page)
 
     def _base(self, number: object) -> Base:
-        """Return a base by its number; one of the front that is asked for is kept, of these the last few."""
-        if type(number) is int and number in self._front:
-            self._bases[number] = self._front[number]
-            if len(self._bases) > _MOST_BASES:
-                self._bases.pop(next(other for other in self._bases if other))
+        """Base with a number, else error 404; the bases used last are kept."""
         if type(number) is not int or number not in self._bases:
             raise HTTPException(404)
+        self._bases[number] = self._bases.pop(number)
         return self._bases[number]
+
+    def _keep(self, number: int, base: Base) -> None:
+        self._bases[number] = base
+        if len(self._bases) > _MOST_BASES:
+            self._bases.pop(next(other for other in self._bases if other))
 
     def _state(self, body: object) -> State:
         return State(self._base(_table(body).get("base")), _table(_table(body).get("fields"), str))
 
     def _job(self, name: str, body: dict[str, Any]) -> dict[str, Any]:
-        """Return what the process is asked for a request."""
+        """Job for a worker, from the body of a request."""
         pinned, options = body.get("pinned"), _table(body.get("options", {}), str)
         pinned = self._state(pinned) if pinned else None
-        return {"name": name, "state": self._state(body), "pinned": pinned, "options": options, "first": self._made}
+        job = {"name": name, "state": self._state(body), "pinned": pinned, "options": options, "first": self._made}
+        self._made += _OF_A_FRONT * (name == "design")
+        return job
 
     async def _answer_live(self, request: Request) -> Response:
-        job = self._job("live", await _body(request))
-        async with aclosing(self._live.ask(job, request.is_disconnected)) as answers:
+        body = await _body(request)
+        job = self._job("live", body)
+        async with aclosing(self._live.ask(job, request.is_disconnected, str(body.get("page"))[:80])) as answers:
             async for answer in answers:
                 if "progress" not in answer:
                     return _json(answer)
         return Response(status_code=204)
 
     async def _answer_tab(self, request: Request) -> Response:
-        job = self._job(request.path_params["name"], await _body(request))
-        if job["name"] not in _ASKED:
+        body, name = await _body(request), request.path_params["name"]
+        if name not in _ASKED:
             raise HTTPException(404)
+        job = self._job(name, body)
 
-        worker = self._check if job["name"] == "check" else self._tabs
+        worker = {"help": self._live, "check": self._check}.get(name, self._tabs)
+        # other requests of a page do not end the calculation of a tab or a check
+        page = str(body.get("page"))[:80] + ("" if name in (*_TABS, "check") else f" {name}")
 
         async def lines() -> AsyncIterator[str]:
-            async with aclosing(worker.ask(job, request.is_disconnected)) as answers:
+            async with aclosing(worker.ask(job, request.is_disconnected, page)) as answers:
                 async for answer in answers:
-                    if bases := answer.pop("bases", []):  # in place of those of an earlier front
-                        self._front = {job["first"] + at: Base(*base) for at, base in enumerate(bases)}
-                        self._made = job["first"] + len(bases)
+                    for at, base in enumerate(answer.pop("bases", [])[:_OF_A_FRONT]):
+                        self._keep(job["first"] + at, Base(*base))
                     yield json.dumps(answer) + "\n"
 
         return StreamingResponse(lines(), media_type="application/x-ndjson")
 
     async def _write(self, request: Request) -> Response:
-        state = self._state(await _body(request))
+        body = await _body(request)
+        state, known = self._state(body), str(body.get("known", self._target.begun))
+        anyway, path = body.get("anyway") is True, self._target.path
         try:
-            return _json(dict(zip(("saved", "message"), self._save(state.spec), strict=True)))
+            if body.get("download") is True:
+                text = saved(spec := state.spec, {}, spec, "clutch.toml")
+                return _json({"text": text, "message": say("The spec is in the downloads.")})
+            if path and body["base"] in self._others and not anyway:
+                return _json({"message": say("{path} holds another clutch: nothing is written", path=path)})
+            # in a thread, so that a slow disk does not delay other requests
+            answer = await asyncio.to_thread(self._target.save, state.spec, known, anyway)
+            if "saved" in answer:
+                self._others.discard(body["base"])
+            return _json(answer)
         except AfmcalcError as error:
             return _json(refusal(error))
 
-    async def _form(self, request: Request) -> Response:
-        number = (await _body(request)).get("base")
-        macros: Any = template("parts.html").module
-        return _json({"html": str(macros.form(form_of(State(self._base(number))), number)), "base": number})
+    async def _open(self, request: Request) -> Response:
+        """Form of a clutch, and its heading, for the number of a base, an example, or the text of a file."""
+        body = await _body(request)
+        number = body.get("base")
+        if "base" not in body:
+            label, text = (str(body.get(name, "")) for name in ("label", "text"))
+            try:
+                if example := str(body.get("example", "")):
+                    label, text = f"{PREFIX}{example}", example_text(example)
+                base = Base(label, text, label if example else "-")
+                if "catalogues" in parse(base.source):
+                    raise AfmcalcError("{label}: names lists of its own: start afmcalc serve with it", label=label)
+                _ = State(base).spec
+            except AfmcalcError as error:
+                return _json(refusal(error))
+            number, self._made = self._made, self._made + 1
+            self._keep(number, base)
+            self._others.add(number)
+        state, macros = State(self._base(number)), template("parts.html").module
+        html = str(macros.form(form_of(state), number))  # type: ignore[attr-defined]
+        told = {"html": html, "name": named(state.spec.name), "source": state.base.label}
+        return _json(told | {"requirements": search_of(state.spec)})
 
 
 async def _body(request: Request) -> dict[str, Any]:
-    """Return the JSON object that a request carries."""
+    """JSON object in the body of a request; raises HTTPException for any other body."""
     if request.headers.get("content-type", "").partition(";")[0].strip().lower() != "application/json":
         raise HTTPException(415)
     length, raw = request.headers.get("content-length", "0"), b""
@@ -208,7 +293,7 @@ def _table(given: object, of: type = object) -> dict[str, Any]:
 
 
 def _json(answer: Mapping[str, Any], status: int = 200) -> Response:
-    """Answer in ASCII: a text that is none, half a pair of surrogates, is told as well."""
+    """Response with JSON in ASCII, which can also represent lone surrogates."""
     return Response(json.dumps(answer), status, media_type="application/json")
 
 
@@ -217,7 +302,7 @@ async def _fault(request: Request, error: Exception) -> Response:
 
 
 async def _file(request: Request) -> Response:
-    """Send the script, or the style after that of the report, whose colours and tables it has."""
+    """Response with the script, or with the style sheets of the report and of the page, in this order."""
     files, kind = [HERE / "page.js"], "text/javascript"
     if request.url.path.endswith(".css"):
         files, kind = [HERE.parent / "render" / "report" / "page.css", HERE / "page.css"], "text/css"

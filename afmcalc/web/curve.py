@@ -1,4 +1,4 @@
-"""A chart as data that the page's script draws: numbers in the units shown, texts for the legend."""
+"""Chart as data for the page's script, which draws it: numbers in the units shown, texts for the legend."""
 
 import json
 import math
@@ -12,7 +12,7 @@ _COLOURS = *(f"var(--line-{number})" for number in range(4)), "var(--ink)", *COL
 
 
 def curve(chart: Chart, pinned: Sequence[Line] = ()) -> dict[str, Any]:
-    """Return axes and legend of a chart, and as JSON what is drawn; lines of a pinned state are paler."""
+    """Axes and legend of a chart, and its lines, areas and guides as JSON; the lines of a pinned state are paler."""
     x, y = chart.x, chart.y
     marks = [
         _line(chart, line, number if line.style is None else line.style, paler)
@@ -20,15 +20,10 @@ def curve(chart: Chart, pinned: Sequence[Line] = ()) -> dict[str, Any]:
         for number, line in enumerate(lines)
     ]
     areas = [{"x": x.shown(area.x), "low": y.shown(area.low), "high": y.shown(area.high)} for area in chart.areas]
+    plain = {"points": False, "filled": False, "paler": False, "colour": "var(--ink)"}
     guides = [
         {"across": guide.across, "at": (y if guide.across else x).shown([guide.value])[0], "label": guide.label}
-        | {
-            "points": False,
-            "filled": False,
-            "paler": False,
-            "colour": "var(--ink)",
-            "dash": _dash(GUIDES[(number if guide.style is None else guide.style) % len(GUIDES)]),
-        }
+        | {"dash": _dash(GUIDES[(number if guide.style is None else guide.style) % len(GUIDES)]), **plain}
         for number, guide in enumerate(chart.guides)
     ]
     drawn: dict[str, Any] = {"lines": marks, "areas": areas, "guides": guides}
@@ -38,7 +33,7 @@ def curve(chart: Chart, pinned: Sequence[Line] = ()) -> dict[str, Any]:
         values += [0.0] if upright and chart.from_zero else []
         values += [value for area in areas if upright for value in (*area["low"], *area["high"])]
         ends = axis.shown(chart.bounds[place : place + 2]) if chart.bounds else [min(values), max(values)]
-        drawn[name] = {"ends": ends, "log": axis.log}
+        drawn[name] = {"ends": ends, "log": chart.log and upright}
     return {
         "title": chart.title, "x": x.label, "y": y.label, "data": json.dumps(drawn),
         "legend": [entry for entry in (*marks, *guides) if entry["label"]],

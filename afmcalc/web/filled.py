@@ -1,4 +1,4 @@
-"""Templates of the page, which take in blocks of a report."""
+"""Jinja templates of the page, with filters and functions that typeset blocks of a report."""
 
 from functools import cache
 from pathlib import Path
@@ -16,7 +16,7 @@ from ..render.report.words import titled
 
 @cache
 def template(name: str) -> Template:
-    """A page to be filled, in any language: nothing of it is worked out beforehand."""
+    """Template by its file name; its texts are translated only when rendered, so one template serves all languages."""
     environment = Environment(
         loader=FileSystemLoader(Path(__file__).parent),
         optimized=False,

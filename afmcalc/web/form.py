@@ -1,34 +1,39 @@
-"""Form of the page: the base it starts from, its state as ``--set`` would give it, and its fields."""
+"""Form of the page: the base from which it starts, its state as overrides of ``--set``, and its fields."""
 
-import math
-import re
 import shlex
 from collections import namedtuple
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import lru_cache
 from types import UnionType
 from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
 
+from tomli_w import dumps
+
+from ..engines import build
 from ..errors import AfmcalcError, SpecError
 from ..messages import translate
-from ..render.amounts import display, display_unit
-from ..spec import Spec
+from ..render.amounts import display
+from ..spec import Spec, resolved
 from ..spec.catalogues import friction_materials
-from ..spec.fields import Key, Quantity, block_at
+from ..spec.fields import Key, block_at
 from ..spec.keys import keys
 from ..spec.parse import PREFIX, Source
 from ..spec.read import as_override, data_of, spec_of
 from ..spec.rules import given_in
+from ..spec.write import written
+from ..units import in_unit
 from ..variants import VARIANTS
+from .entered import as_spec, at_field, unit_at_field, unit_shown
 
 _REFUSED = ("catalogues.", "tolerance.fields")
-"""Keys that are not for a form: they name files, or hold tables."""
+"""Prefixes of keys that the form leaves out, because they name files or contain tables."""
 
 
 class Base(NamedTuple):
-    """A clutch that a page starts from: what its text is called, and what the command line puts over it.
+    """Spec from which a page starts: its label, its text, and the overrides of the command line.
 
-    ``argument`` is SPEC there: None of the built-in clutch, ``-`` of a text in no file; ``digest`` that of the file.
+    ``argument``: SPEC, None for the built-in clutch, ``-`` for a text without a file; ``digest``: SHA-256 of the text.
     """
 
     label: str
@@ -39,41 +44,56 @@ class Base(NamedTuple):
 
     @property
     def source(self) -> Source:
-        """Its text, as a spec is read from it."""
+        """Text of the clutch with its label, ready to be read as a spec."""
         return Source(f"{PREFIX}default" if self.argument is None else self.label, self.text)
 
 
 class State(NamedTuple):
-    """State of a form: texts of the keys that are not as in its base, empty of those taken out."""
+    """State of a form: path of a key → its text, if the text differs from the base; empty for a removed key."""
 
     base: Base
     fields: Mapping[str, str] = {}
 
     @property
     def overrides(self) -> list[str]:
-        """All that ``--set`` has to say; a key that is not for a form is an ``AfmcalcError``."""
-        texts = _texts(*self.base[:3], tuple(self.base.overrides))
-        changed = {path: text.strip() for path, text in self.fields.items() if text.strip() != texts.get(path, "")}
-        for path in changed:
+        """Overrides, as for ``--set``, that give this state; raises AfmcalcError for a key not in the form."""
+        for path in self.fields:
             if path not in editable():
                 raise AfmcalcError("{path:.80}: is no key of the form", path=path)
+        texts = self._of_base
+        changed = {path: text.strip() for path, text in self.fields.items() if text.strip() != texts.get(path, "")}
         gone = _emptied(texts, changed)
-        left = [f"{path}={text}" for path, text in changed.items() if not path.startswith(gone)]
+        left = [f"{path}={as_spec(editable()[path], text)}" for path, text in changed.items()]
+        left = [override for override in left if not override.startswith(gone)]
         return [*self.base.overrides, *(table.removesuffix(".") + "=" for table in gone), *left]
 
     @property
     def spec(self) -> Spec:
-        """The clutch."""
+        """Spec of this state."""
         return spec_of(self.base.source, self.overrides)
 
     @property
     def texts(self) -> dict[str, str]:
-        """Text that the form shows of each key that is given."""
-        texts = _texts(*self.base[:3], tuple(self.base.overrides))
-        return {path: text for path, text in {**texts, **self.fields}.items() if text.strip()}
+        """Path of every given key → its text in the form."""
+        return {path: text for path, text in {**self._of_base, **self.fields}.items() if text.strip()}
+
+    @property
+    def calculated(self) -> dict[str, str]:
+        """Path of each key at whose field a sum or product is typed → the result of the sum or product."""
+        given = {path: as_spec(editable()[path], text) for path, text in self.fields.items()}
+        return {
+            path: text.removesuffix(f" {unit_at_field(editable()[path])}")
+            for path, text in given.items()
+            if not text.startswith(self.fields[path].strip())
+        }
+
+    @property
+    def _of_base(self) -> dict[str, str]:
+        given = _given(*self.base[:3], tuple(self.base.overrides))
+        return {path: _text(key, given[path]) for path, key in keys().items() if path in given}
 
     def command(self, *words: str) -> str:
-        """Return the command line, for a POSIX shell, that gives the same; ``words``: the command and its options."""
+        """Command line for a POSIX shell that calculates this state; ``words``: the command and its options."""
         name, *options = words
         sets = [part for override in self.overrides for part in ("--set", override)]
         spec = [] if self.base.argument is None else [self.base.argument]
@@ -88,24 +108,31 @@ class State(NamedTuple):
 
 @lru_cache(maxsize=1)
 def editable() -> dict[str, Key]:
-    """Every key that a form has."""
+    """Path → key, for every key of the form."""
     return {path: key for path, key in keys().items() if not path.startswith(_REFUSED)}
 
 
 @lru_cache(maxsize=32)
-def _texts(label: str, text: str, argument: str | None, overrides: tuple[str, ...]) -> dict[str, str]:
-    """Return the text of each key that a base has."""
-    given = given_in(data_of(Base(label, text, argument).source, overrides)[0])
-    return {path: as_override(given[path]) for path in keys() if path in given}
+def _given(label: str, text: str, argument: str | None, overrides: tuple[str, ...]) -> dict[str, Any]:
+    """Path → value of every key given in a base."""
+    return given_in(data_of(Base(label, text, argument).source, overrides)[0])
+
+
+def _text(key: Key, value: Any) -> str:
+    """Text at the field of a key for a value of a spec."""
+    if key.about and not isinstance(value, list):
+        with suppress(ValueError):
+            return at_field(key, key.about.read(value))
+    return as_override(value)
 
 
 def _tables(paths: Mapping[str, Any]) -> set[str]:
-    """Return the tables that keys are in, with the dot at their end."""
+    """Paths of the tables that contain the keys, each with a final dot."""
     return {path[: at + 1] for path in paths for at, sign in enumerate(path) if sign == "."}
 
 
 def _emptied(texts: Mapping[str, str], changed: Mapping[str, str]) -> tuple[str, ...]:
-    """Return the tables that nothing is left of, and that a spec may do without, outermost first."""
+    """Optional tables that have no key left, outermost first."""
     left, gone = [path for path, text in {**texts, **changed}.items() if text], tuple[str, ...]()
     for table in sorted(_tables(texts)):
         *outer, name = table.removesuffix(".").split(".")
@@ -116,32 +143,46 @@ def _emptied(texts: Mapping[str, str], changed: Mapping[str, str]) -> tuple[str,
     return gone
 
 
+RESULTS = ("nominal_torque", "torque_min", "torque_max", "accuracy_factor", "trip_ratio_min", "trip_ratio_max")
+TUNED: tuple[str, ...] = ("closing_spring.force", "control_unit.gain", "friction_group.pairs")
+TUNED += ("friction_group.mean_radius", "friction_group.outer_radius", "adjustment.nominal_torque")
+"""Results that the page can hold constant, and keys that it can change for this."""
+
+
 def refusal(error: AfmcalcError, option: str = "") -> dict[str, Any]:
-    """Return what a page is told of an error: sentences at the fields they are about, or at an option, and others."""
+    """Answer to an error: ``errors``, field or option → sentence, and ``problems``, all other sentences."""
     if option:
         return {"errors": {option: str(error)}, "problems": []}
     if not isinstance(error, SpecError):
         return {"errors": {}, "problems": str(error).split("\n")}
     known = {*editable(), *(table.removesuffix(".") for table in _tables(editable()))}
     sentences = [(problem.path, str(problem)) for problem in error.problems]
-    errors = {path: sentence for path, sentence in sentences[::-1] if path in known}  # of each the first
+    errors = {path: sentence for path, sentence in sentences[::-1] if path in known}  # first sentence of each path
     problems = [sentence for path, sentence in sentences if path not in known]
     return {"errors": dict(reversed(errors.items())), "problems": problems}
 
 
 Field = namedtuple(
-    "Field", "key label symbol unit text required kind choices whole bounds low high step",
-    defaults=("text", (), False, "", None, None, None),
+    "Field", "key label symbol unit text required kind choices whole bounds least most",
+    defaults=("text", (), False, "", None, None),
 )  # fmt: skip
-"""One key; ends and step of the slider are in the unit that the text is written in."""
+"""Field of one key; the limits of its slider are in the unit of the text."""
 Group = namedtuple("Group", "key fields groups given")
-"""One table of the spec, with the tables in it, and how many keys are given."""
+"""Table of the spec with its fields and subtables; ``given``: number of keys given."""
+
+
+_ORDER = (
+    *("machine", "requirements", "envelope", "shaft", "friction", "friction_group", "control_unit", "closing_spring"),
+    *("control_spring", "adjustment", "drive", "heat", "fatigue", "tolerance", "drawing", "report"),
+)
+"""Tables in the order of a design."""
 
 
 def form_of(state: State) -> list[Group]:
-    """Return the form of a clutch, filled in: keys that are in no table first, then the tables."""
+    """Groups of a filled-in form: name and variant, the tables in the order of a design, and what a search needs."""
     top = _group(state.texts, "")
-    return [top._replace(groups=[]), *top.groups]
+    tables = sorted(top.groups, key=lambda group: _ORDER.index(group.key))
+    return [Group("", top.fields[:2], [], 0), *tables, Group("search", top.fields[2:], [], 0)]
 
 
 def _group(texts: Mapping[str, str], table: str) -> Group:
@@ -160,20 +201,21 @@ def _group(texts: Mapping[str, str], table: str) -> Group:
 
 def _field(path: str, info: Any, text: str) -> Field:
     key = editable()[path]
-    about_key = translate(key.description), key.symbol or "", display_unit(key.unit or "")
+    about_key = translate(key.description), key.symbol or "", unit_shown(key)
     field = Field(path, *about_key, text, info.is_required())
     if about := key.about:
-        low, high, step = _slider(about, text)
+        unit = unit_at_field(key)
+        least, most = (in_unit(limit, unit) if unit else limit for limit in about.limits)
         ends = ((">", about.gt), ("≥", about.ge), ("<", about.lt), ("≤", about.le))
         bounds = ", ".join(f"{sign} {display(end, about.unit)}" for sign, end in ends if end is not None)
-        return field._replace(kind="number", whole=about.whole, bounds=bounds, low=low, high=high, step=step)
+        return field._replace(kind="number", whole=about.whole, bounds=bounds, least=least, most=most)
     choices = _choices(path, info.annotation)
     kind: Any = "flag" if "true" in choices else "choice" if choices else "text"
     return field._replace(kind=kind, choices=[(choice, translate(choice, "value")) for choice in choices])
 
 
 def _choices(path: str, annotation: Any) -> list[str]:
-    """Words that may stand at a key; none where any may."""
+    """Words allowed as the value of a key; empty if any text is allowed."""
     if path == "variant":
         return list(VARIANTS)
     if path.startswith("friction.") and path.endswith(".material"):
@@ -187,21 +229,14 @@ def _choices(path: str, annotation: Any) -> list[str]:
     return ["true", "false"] if annotation is bool else []
 
 
-_NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*)")
-
-
-def _slider(about: Quantity, text: str) -> tuple[float, float, float] | tuple[None, None, None]:
-    """Return ends and step of a slider from 0 to twice a number, as far as it may go."""
-    written = _NUMBER.fullmatch(text)
-    if written is None or not (number := float(written[1])):
-        return None, None, None
-    try:
-        scale = about.read(text if written[2] else number) / number
-    except ValueError:
-        return None, None, None
-    least, most = (end / scale for end in about.limits)
-    step = 1.0 if about.whole else 10.0 ** math.floor(math.log10(abs(number) / 100))
-    low, high = max(least, min(0.0, 2 * number)), min(most, max(0.0, 2 * number))
-    # an end that is not allowed itself is a step away
-    low += step * (low == least and about.gt is not None)
-    return low, high - step * (high == most and about.lt is not None), step
+def search_of(spec: Spec) -> str:
+    """Text of a spec's objectives and [search]; a spec without [search] gets a search around its clutch."""
+    pairs, least = spec.friction_group.pairs, spec.least_pairs
+    search: dict[str, Any] = {
+        "friction_group.pairs": [pairs + more for more in (-2, 0, 2, 4) if pairs + more >= least],
+        "adjustment.nominal_torque": [float(build(spec).nominal_torque)],
+    }
+    if spec.control_unit is not None and (gain := spec.control_unit.gain):
+        search["control_unit.gain"] = [float(f"{share * gain:.3g}") for share in (0.5, 0.75, 1.0, 1.25, 1.5)]
+    told = {"objectives": spec.objectives or ["closing_force", "accuracy_factor"]}
+    return dumps(written(told | {"search": resolved(spec).get("search") or search}))

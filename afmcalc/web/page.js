@@ -1,41 +1,61 @@
-// Sends what is typed to afmcalc on this computer and shows its answers; nothing is calculated here.
+// Sends the form to afmcalc on this computer and shows its answers; nothing is calculated here.
 "use strict";
 const find = (selector, inside = document) => inside.querySelector(selector);
 const all = (selector, inside = document) => [...inside.querySelectorAll(selector)];
 const form = find("#form"), live = find("#live"), words = document.body.dataset;
-const MEMORY = `afmcalc ${location.pathname}`;
-let pinned = null;
+const [hold, as, by] = all("#holding select, #holding input");
+const MEMORY = `afmcalc ${location.pathname}`, PAGE = `${Date.now()} ${Math.random()}`;
+let pinned = null, known = words.known;
 
 const say = (text) => { find("#status").textContent = text; };
+const status = () => { find("#status").innerHTML = find("#verdict .sum")?.innerHTML ?? ""; };
 const base = () => Number(find("#base").value);
 const asMade = (field) => field.defaultValue ?? (find("option[selected]", field) ?? field.options[0]).value;
 const fields = () => Object.fromEntries(
   [...form.elements].filter((one) => one.name && one.value.trim() !== asMade(one)).map((one) => [one.name, one.value.trim()]));
-const state = () => ({ base: base(), fields: fields(), pinned });
+const state = () => ({ base: base(), fields: fields(), pinned, page: PAGE });
 const clutch = ({ base, fields }) => JSON.stringify([base, fields]);
 
-function post(name, body, signal) {
-  return fetch(name, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body), signal });
-}
-
-/** Return an answer; where there is none, say so. */
-async function asked(name, body) {
+/** Answer to a POST, which may tell of its progress before, or null and ``fail`` with the reason. */
+async function asked(name, body, { fail = say, tell, signal } = {}) {
   try {
-    const reply = await post(name, body);
-    if (reply.ok) return await reply.json();
-    say(await reply.text());
-  } catch (error) { say(`${words.gone} (${error.message})`); }
+    const reply = await fetch(name, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body), signal });
+    if (!reply.ok) throw new Error(await reply.text());
+    for await (const line of lines(reply.body)) if ("progress" in line) tell?.(line); else return line;
+  } catch (error) { fail(signal?.aborted ? words.stopped : `${words.gone} (${error.message})`); }
   return null;
 }
 
-/** Put a fragment in its place; what was unfolded or scrolled in there stays so. */
+async function* lines(stream) {
+  const reader = stream.pipeThrough(new TextDecoderStream()).getReader();
+  for (let rest = ""; ;) {
+    const { done, value } = await reader.read();
+    const parts = (rest + (value ?? (rest && "\n"))).split("\n");
+    rest = parts.pop();
+    for (const part of parts) if (part) yield JSON.parse(part);
+    if (done) return;
+  }
+}
+
+/** Sentences of a refusal. */
+const sentences = ({ message, problems = [], errors = {} }) => message ?? [...problems, ...Object.values(errors)].join(" ");
+
+/** Answer to what is asked of the state shown, or null and say why there is none. */
+async function told(name, options = {}) {
+  const answer = await asked(`tab/${name}`, { ...state(), options });
+  if (!answer?.problems) return answer;
+  say(sentences(answer));
+  return null;
+}
+
+/** Replace the content of a place; opened details stay open, scrolled tables stay scrolled. */
 function put(place, html) {
   const open = all("details[id]", place).map((one) => [one.id, one.open]);
   const scrolled = all(".scroll", place).map((one) => one.scrollLeft);
   for (const frame of all("iframe", place)) URL.revokeObjectURL(frame.src);
   place.innerHTML = html;
   for (const frame of all("[data-page]", place)) {
-    // a document of its own: its links lead within it
+    // a separate document: its links lead within it
     frame.src = find("a[download]", place).href = URL.createObjectURL(new Blob([frame.dataset.page], { type: "text/html;charset=utf-8" }));
     frame.removeAttribute("data-page");
   }
@@ -93,7 +113,7 @@ function draw(svg) {
   }
 }
 
-/** What scrolls sideways can be reached, and scrolled, with the keyboard. */
+/** Let the keyboard reach and scroll everything that scrolls sideways. */
 function reachable() {
   for (const one of all(".scroll")) if (one.scrollWidth > one.clientWidth) one.tabIndex = 0; else one.removeAttribute("tabindex");
 }
@@ -103,7 +123,7 @@ function list(place, sentences) {
   place.hidden = !sentences.length;
 }
 
-/** Set each sentence at its field and return those that belong to none. */
+/** Show each error at its field; return the errors without a field. */
 function mark(errors, inside) {
   for (const one of all("[aria-invalid]", inside)) one.removeAttribute("aria-invalid");
   for (const one of all(".error", inside)) { one.hidden = true; one.textContent = ""; }
@@ -115,75 +135,138 @@ function mark(errors, inside) {
     field.setAttribute("aria-invalid", "true");
     place.textContent = text;
     place.hidden = false;
-    for (let one = field.closest("details"); one; one = one.parentElement.closest("details")) one.open = true;
+    reveal(field);
     return false;
   }).map(([key, text]) => (text.includes(key) ? text : `${key}: ${text}`));
 }
 
-// The newest state waits while one is calculated: an answer comes while a slider moves, and at most one is in hand.
+function reveal(field) {
+  for (let one = field.closest("details"); one; one = one.parentElement.closest("details")) one.open = true;
+}
+
+// While one state is calculated only the newest waits: answers come while a slider moves, one request at a time.
 let busy = false, waiting = false, latest = null;
-async function change() {
-  sessionStorage.setItem(MEMORY, JSON.stringify(state()));
+async function change(key = "") {
+  remember(key);
   if (busy) { waiting = true; return; }
   busy = true;
   do {
     waiting = false;
-    const sent = state(), answer = await asked("live", sent);
-    live.classList.toggle("stale", !answer?.fragments);
-    if (answer) show(answer, clutch(sent));
+    const sent = state(), answer = await asked("live", { ...sent, options: hold.value ? { hold: hold.value, as: as.value, by: by.value } : {} });
+    for (const place of [live, find("#strip")]) place.classList.toggle("stale", !answer?.fragments);
+    if (answer) show(answer, sent);
   } while (waiting);
   busy = false;
 }
 
 function show(answer, sent) {
   judge(answer.judging);
-  const problems = [...answer.problems ?? [], ...mark(answer.errors ?? {}, form)];
+  const problems = [...answer.problems ?? [], ...mark(answer.errors ?? {}, find("#inputs"))];
   list(find("#problems"), problems);
   if (!answer.fragments) { latest = null; say(words.refused); outdate(); return; }
   for (const [name, html] of Object.entries(answer.fragments)) put(find(`#${name}`), html);
   find("#command").textContent = answer.command;
   status();
-  latest = sent;
+  as.value ||= answer.as ?? "";
+  calculated = Object.fromEntries(Object.entries(answer.entries).map(([key, text]) => [key, [sent.fields[key], text]]));
+  // a sum that is still typed is replaced when its field is left
+  settle(Object.keys(calculated).filter((key) => key !== document.activeElement.name));
+}
+
+/** Replace sums by what they are, and values by those that hold a result, where nothing else was typed meanwhile. */
+function settle(keys) {
+  const typed = fields();
+  fill(Object.fromEntries(keys.filter((key) => typed[key] === calculated[key][0]).map((key) => [key, calculated[key][1]])));
+  now = snapshot();
+  keep();
+  latest = clutch(state());
   outdate();
 }
 
-function status() {
-  const factor = find('[data-path="accuracy_factor"]'), symbol = factor && find(".mark", factor.parentElement).innerHTML;
-  find("#status").innerHTML = `${factor ? `<b>${symbol} = ${factor.innerHTML}</b> · ` : ""}${find("#verdict .sum")?.innerHTML ?? ""}`;
+// The states from which undo and redo lead; what is typed into one field within a second is one change.
+const past = [], future = [], MOST = 200;
+let now = null, saved = null, calculated = {}, touched = ["", 0];
+const snapshot = () => JSON.stringify({ base: base(), fields: fields() });
+
+function remember(key) {
+  const next = snapshot(), again = key && key === touched[0] && Date.now() - touched[1] < 1000;
+  if (next !== now) {
+    if (now !== null && !again) past.push(now);
+    if (past.length > MOST) past.shift();
+    future.length = 0;
+    now = next;
+    touched = [key, Date.now()];
+  }
+  keep();
 }
 
-// What the verdict needs of an event takes longer: it comes once nothing changes any more.
+function keep() {
+  sessionStorage.setItem(MEMORY, JSON.stringify({ ...state(), known, saved }));
+  find("#undo").disabled = !past.length;
+  find("#redo").disabled = !future.length;
+}
+
+/** Go to a state before or after this one. */
+async function travel(from, to) {
+  if (!from.length) return;
+  to.push(now);
+  now = from.pop();
+  touched = ["", 0];
+  await restore(JSON.parse(now));
+  await change();
+}
+
+async function restore(wanted) {
+  if (wanted.base !== base()) await load({ base: wanted.base });
+  for (const one of form.elements) if (one.name) one.value = wanted.fields[one.name] ?? asMade(one);
+  all("[data-number]", form).forEach(follow);
+}
+
+/** Write texts into fields. */
+function fill(entries) {
+  for (const [key, text] of Object.entries(entries)) {
+    const field = form.elements[key];
+    if (field && field.value !== text) { field.value = text; follow(field); }
+  }
+}
+
+// The full verdict needs a simulation: it is requested when nothing has changed for 250 ms.
 let judging = new AbortController();
 async function judge(wanted) {
   judging.abort();
   const mine = judging = new AbortController();
+  if (!wanted) for (const one of all("#verdict .said, #strip .said")) one.textContent = "";
   await new Promise((done) => setTimeout(done, 250));
   if (!wanted || mine.signal.aborted) return;
-  const verdict = find("#verdict");
+  const verdict = find("#verdict"), fail = (text) => { if (!mine.signal.aborted) find(".said", verdict).textContent = text; };
   verdict.ariaBusy = "true";
-  try {
-    for await (const line of lines((await post("tab/check", state(), mine.signal)).body)) {
-      if (line.html) { put(verdict, line.html); status(); } else find(".said", verdict).textContent = line.text || (line.problems ?? [words.working]).join(" ");
-    }
-  } catch (error) {
-    if (!mine.signal.aborted) find(".said", verdict).textContent = `${words.gone} (${error.message})`;
-  }
-  if (judging === mine) verdict.ariaBusy = "false";
+  const tell = ({ text }) => fail(text || words.working);
+  const answer = await asked("tab/check", state(), { fail, tell, signal: mine.signal });
+  if (judging !== mine) return;
+  verdict.ariaBusy = "false";
+  if (!answer?.html) { if (answer) fail(sentences(answer)); return; }
+  const before = all("[data-code]", verdict);
+  put(verdict, answer.html);
+  for (const one of before) twin(one).innerHTML = one.nextElementSibling.innerHTML;
+  put(find("#strip"), answer.strip);
+  status();
 }
 
 // Sliders write the number and leave the unit as it was typed.
-const NUMBER = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(.*)$/is;
+const NUMBER = /^\s*([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:e[+-]?\d+)?)(.*)$/is;
 function follow(field) {
   const slider = find(`[data-of="${field.id}"]`), parts = NUMBER.exec(field.value);
   if (!slider) return;
-  slider.disabled = !parts;
-  if (!parts) return;
-  const number = Number(parts[1]), unit = parts[2].trim();
-  if (slider.dataset.unit !== unit && ("unit" in slider.dataset || !slider.hasAttribute("max"))) {
-    const size = 10 ** Math.floor(Math.log10(Math.abs(number) || 1));
-    Object.assign(slider, { min: Math.min(0, 2 * number), max: 2 * Math.abs(number) || 1, step: "whole" in slider.dataset ? 1 : size / 50 });
+  slider.disabled = !parts || /^\s*[-+*\/]/.test(parts[2]);
+  if (slider.disabled) return;
+  const number = Number(parts[1].replace(",", ".")), unit = parts[2].trim();
+  if (slider.dataset.unit !== unit) {
+    const { least, most, whole } = slider.dataset, size = Math.abs(number) || 1, limit = (text) => (unit ? NaN : parseFloat(text));
+    const step = whole === undefined ? 10 ** Math.floor(Math.log10(size / 50)) : 1, high = Math.ceil(size / (5 * step)) * 10 * step;
+    const low = number < 0 ? -high : 0;
+    Object.assign(slider, { min: Math.max(low, limit(least) || low), max: Math.min(high, limit(most) || high), step });
+    slider.dataset.unit = unit;
   }
-  slider.dataset.unit = unit;
   slider.min = Math.min(slider.min, number);
   slider.max = Math.max(slider.max, number);
   slider.value = number;
@@ -196,47 +279,99 @@ form.addEventListener("input", ({ target }) => {
     field.value = Number(Number(target.value).toPrecision(6)) + NUMBER.exec(field.value)[2];
     target.setAttribute("aria-valuetext", field.value);
   } else follow(target);
-  change();
+  change(target.dataset.of ?? target.name);
 });
+form.addEventListener("change", ({ target: { name } }) => { if (name in calculated) settle([name]); });
 form.addEventListener("submit", (event) => event.preventDefault());
 
-/** Put a numbered clutch into the form: that of the spec is 0. */
-async function load(number) {
-  const answer = await asked("form", { base: number });
-  if (!answer?.html) { if (answer) say((answer.problems ?? []).join(" ")); return; }
+/** Add one to the last digit of a number, or to the one before it. */
+function nudge(field, sign, tenfold) {
+  const [, number, rest] = /^\s*([+-]?\d*[.,]?\d*)(.*)$/s.exec(field.value), places = number.split(/[.,]/)[1]?.length ?? 0;
+  if (!/\d/.test(number) || /^\s*[-+*\/(]/.test(rest)) return;
+  const next = Number(number.replace(",", ".")) + sign * (tenfold ? 10 : 1) / 10 ** places;
+  field.value = next.toFixed(places).replace(".", number.includes(",") ? "," : ".") + rest;
+  field.dispatchEvent(new Event("input", { bubbles: true }));
+}
+addEventListener("keydown", (event) => {
+  const { key, target, shiftKey } = event;
+  // in other alphabets by the place on the keyboard
+  const command = (event.ctrlKey || event.metaKey) && (/^[a-z]$/i.test(key) ? key.toLowerCase() : event.code.slice(3).toLowerCase());
+  if ("number" in target.dataset && (key === "ArrowUp" || key === "ArrowDown")) nudge(target, key === "ArrowUp" ? 1 : -1, shiftKey);
+  else if (command === "s") find(find("#save").disabled ? "#save-as" : "#save").click();
+  else if ((command === "z" || command === "y") && !target.dataset.option) find(command === "y" || shiftKey ? "#redo" : "#undo").click();
+  else return;
+  event.preventDefault();
+});
+addEventListener("beforeunload", (event) => { if (now !== saved) event.preventDefault(); });
+
+/** Load a clutch into the form by the number of its base, 0 that of the spec; or from a file or an example. */
+async function load(wanted) {
+  const answer = await asked("open", wanted);
+  if (!answer?.html) { if (answer) say(sentences(answer)); return false; }
   form.innerHTML = answer.html;
-  all("input[type=text]", form).forEach(follow);
+  hold.value = as.value = "";
+  find("#requirements").value = answer.requirements;
+  find("#heading").textContent = document.title = answer.name;
+  find("#source").textContent = answer.source;
+  all("[data-number]", form).forEach(follow);
+  return true;
+}
+
+function download(content, kind) {
+  const [, name] = /([^\/\\:]*?)(?:\.\w+)?$/.exec(find("#source").textContent);
+  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(new Blob([content])), download: `${name || "clutch"}.${kind}` });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
 function pin(wanted) {
   pinned = wanted;
   find("#pin").textContent = pinned ? words.unpin : words.pin;
 }
-find("#pin").addEventListener("click", () => {
-  pin(pinned ? null : { base: base(), fields: fields() });
+const on = (selector, act, kind = "click") => find(selector).addEventListener(kind, act);
+on("#pin", () => {
+  pin(pinned ? null : JSON.parse(snapshot()));
   change();
 });
-find("#copy").addEventListener("click", async () => {
-  try {
-    await navigator.clipboard.writeText(find("#command").textContent);
-    say(words.copied);
-  } catch {
-    getSelection().selectAllChildren(find("#command"));
-    say(words.select);
-  }
+on("#copy", () => navigator.clipboard.writeText(find("#command").textContent).then(() => say(words.copied), () => {
+  getSelection().selectAllChildren(find("#command"));
+  say(words.select);
+}));
+on("#undo", () => travel(past, future));
+on("#redo", () => travel(future, past));
+on("#reset", async () => {
+  if (now !== JSON.stringify({ base: 0, fields: {} }) && confirm(words.back)) { await load({ base: 0 }); change(); }
 });
-find("#reset").addEventListener("click", () => load(0).then(change));
-find("#save").addEventListener("click", async () => {
-  const { base, fields } = state(), answer = await asked("save", { base, fields });
-  if (answer) say(answer.message ?? [...answer.problems ?? [], ...Object.values(answer.errors ?? {})].join(" "));
-});
+const opening = async (wanted, field) => {
+  if (await load(wanted)) await change();
+  field.value = "";
+};
+on("#new", ({ target }) => opening({ example: target.value }, target), "change");
+on("#open", () => find("#file").click());
+on("#file", async ({ target }) => opening({ label: target.files[0].name, text: await target.files[0].text() }, target), "change");
+
+/** Save to the file of the server, or as a download; over what another program wrote only if the person says so. */
+async function save(more = {}) {
+  const { base, fields } = state(), sent = snapshot(), answer = await asked("save", { base, fields, known, ...more });
+  if (!answer) return;
+  say(sentences(answer));
+  if (answer.text) download(answer.text, "toml");
+  if (answer.text || answer.saved) { saved = sent; known = answer.known ?? known; keep(); }
+  else if (answer.message && confirm(`${answer.message}\n${words.anyway}`)) await save({ anyway: true });
+}
+on("#save", () => save());
+on("#save-as", () => save({ download: true }));
+on("#holding", ({ target }) => {
+  if (target === hold) as.value = "";
+  change();
+}, "input");
 
 // Tabs: arrows move, Enter opens. "live" ones follow every change while open, "open" ones start when opened.
 const tabs = all("[role=tab]");
 const panel = (tab) => document.getElementById(tab.getAttribute("aria-controls"));
 const opened = () => find("[role=tab][aria-selected=true]");
 const running = new Map(), answered = new Map();
-let timer;
+let timer, due = null;
 
 function open(tab) {
   for (const one of tabs) {
@@ -248,28 +383,19 @@ function open(tab) {
   outdate(tab.dataset.when === "open");
 }
 
-/** Say of the open tab that its answer is old, or get a new one where that is quick or was asked for. */
+/** Mark the answer of the open tab as old, or request a new one if it is a live tab or is due: opened ``now``, not begun. */
 function outdate(now = false) {
   const tab = opened(), old = tab && answered.get(tab) !== latest;
+  if (now || !old) due = old ? tab : null;
   if (!tab || panel(tab).ariaBusy === "true" && !old) return;
   clearTimeout(timer);
-  if (old && latest && (now || tab.dataset.when === "live")) { timer = setTimeout(run, 250, tab); return; }
+  if (old && latest && (due === tab || tab.dataset.when === "live")) { timer = setTimeout(run, 250, tab); return; }
   find(".answer", panel(tab)).classList.toggle("stale", old);
   find(".said", panel(tab)).textContent = latest ? (old && answered.has(tab) ? words.changed : "") : words.refused;
 }
 
-async function* lines(stream) {
-  const reader = stream.pipeThrough(new TextDecoderStream()).getReader();
-  for (let rest = ""; ;) {
-    const { done, value } = await reader.read();
-    if (done) return;
-    const parts = (rest + value).split("\n");
-    rest = parts.pop();
-    for (const part of parts) if (part) yield JSON.parse(part);
-  }
-}
-
 async function run(tab) {
+  if (due === tab) due = null;
   running.get(tab)?.abort();
   const mine = new AbortController(), place = panel(tab), name = tab.id.slice(4), sent = state();
   const [answer, said, progress, stop] = [".answer", ".said", "progress", ".stop"].map((one) => find(one, place));
@@ -277,31 +403,23 @@ async function run(tab) {
   running.set(tab, mine);
   answered.set(tab, clutch(sent));
   const working = (on) => { place.ariaBusy = String(on); progress.hidden = stop.hidden = !on; };
+  const fail = (text) => { if (running.get(tab) === mine) said.textContent = text; };
+  const tell = (line) => {
+    said.textContent = line.text || words.working;
+    if (line.progress === null) progress.removeAttribute("value"); else progress.value = line.progress;
+  };
   working(true);
   progress.removeAttribute("value");
   said.textContent = words.working;
-  try {
-    const reply = await post(`tab/${name}`, { ...sent, options }, mine.signal);
-    if (!reply.ok) throw new Error(await reply.text());
-    for await (const line of lines(reply.body)) {
-      if ("progress" in line) {
-        said.textContent = line.text || words.working;
-        if (line.progress === null) progress.removeAttribute("value"); else progress.value = line.progress;
-        continue;
-      }
-      said.textContent = "";
-      list(find(".problems", place), [...line.problems ?? [], ...mark(line.errors ?? {}, place)]);
-      answer.classList.toggle("stale", line.html === undefined);
-      if (line.html !== undefined) put(answer, line.html); else answered.delete(tab);
-      if (line.command) { find(".command", place).textContent = line.command; find("pre", place).hidden = false; }
-    }
-  } catch (error) {
-    if (running.get(tab) !== mine) return;
-    answered.delete(tab);
-    answer.classList.add("stale");
-    said.textContent = mine.signal.aborted ? words.stopped : `${words.gone} (${error.message})`;
-  }
+  const line = await asked(`tab/${name}`, { ...sent, options }, { fail, tell, signal: mine.signal });
   if (running.get(tab) !== mine) return;
+  answer.classList.toggle("stale", line?.html === undefined);
+  if (line) {
+    said.textContent = "";
+    list(find(".problems", place), [...line.problems ?? [], ...mark(line.errors ?? {}, place)]);
+    if (line.command) { find(".command", place).textContent = line.command; find("pre", place).hidden = false; }
+  }
+  if (line?.html === undefined) answered.delete(tab); else put(answer, line.html);
   working(false);
   if (answered.has(tab)) outdate();
 }
@@ -319,21 +437,62 @@ for (const tab of tabs) {
   find(".stop", panel(tab)).addEventListener("click", () => running.get(tab)?.abort());
   for (const option of all("input[data-option]", panel(tab))) option.addEventListener("change", () => run(tab));
 }
+/** Show or hide the formulas of a key. */
+async function help(button, key) {
+  const place = document.getElementById(`help-${key}`), answer = place.hidden && await told("help", { key });
+  if (answer) put(place, answer.html);
+  place.hidden = !answer;
+  button.ariaExpanded = String(!place.hidden);
+}
+
+/** Show the keys that mend a finding. */
+async function mend(button) {
+  const { code, path } = button.dataset;
+  button.nextElementSibling.textContent = words.working;
+  const answer = await told("mend", { code, path });
+  put(twin(button), answer?.html ?? "");
+}
+
+/** Place for the keys that mend the finding of a button, also where the verdict was shown anew meanwhile. */
+function twin(button) {
+  const { code, path } = button.dataset, same = (one) => one.dataset.code === code && one.dataset.path === path;
+  return (button.isConnected ? button : all("[data-code]").find(same) ?? button).nextElementSibling;
+}
+
+/** Fill in the values that mend a finding, and go to the field. */
+async function take(key, entries) {
+  fill(entries);
+  const field = form.elements[key];
+  reveal(field);
+  field.focus();
+  if (!Object.keys(entries).length) return;
+  await change();
+  say(words.filled);
+}
+
 document.addEventListener("click", async ({ target }) => {
-  if (target.dataset.base) { await load(Number(target.dataset.base)); await change(); say(words.loaded); }
+  const { base, help: key, code, go, file } = target.dataset;
+  if (target.localName !== "button") return;
+  if (base) { await load({ base: Number(base) }); await change(); say(words.loaded); }
+  if (key) await help(target, key);
+  if (code) await mend(target);
+  if (go) await take(go, JSON.parse(target.dataset.fill));
+  if (!file) return;
+  say(words.working);
+  const answer = await told(file);
+  if (answer) { download(Uint8Array.from(atob(answer.file), (one) => one.charCodeAt(0)), file); status(); }
 });
 addEventListener("resize", reachable);
 
-/** Begin with what was typed before the page was reloaded. */
+/** Begin with the state kept from before a reload of the page. */
 async function begin() {
   const kept = JSON.parse(sessionStorage.getItem(MEMORY) ?? "null");
-  if (kept && kept.base !== base()) await load(kept.base);
-  if (kept && kept.base === base()) {
-    for (const [key, text] of Object.entries(kept.fields)) if (form.elements[key]) form.elements[key].value = text;
-    pin(kept.pinned);
-  }
-  all("input[type=text]", form).forEach(follow);
+  saved = kept?.saved ?? snapshot();
+  known = kept?.known ?? known;
+  if (kept) await restore(kept);
+  if (kept) pin(kept.pinned);
+  all("[data-number]", form).forEach(follow);
   await change();
-  open(tabs[0]);
+  if (!opened()) open(tabs[0]);
 }
 begin();

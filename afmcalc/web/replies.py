@@ -1,52 +1,52 @@
-"""Answers to the page: fragments of HTML, from the functions that the commands ask."""
+"""Answers to the page: fragments of HTML, from the same analyses that the commands run."""
 
+from base64 import b64encode
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from functools import lru_cache
+from json import dumps, loads
 from typing import Any
 
 from markupsafe import Markup
-from tomli_w import dumps
 
-from .. import __version__
 from ..analysis.asking import Answers
 from ..analysis.check import check, check_at_once, simulating
 from ..analysis.compare import change
 from ..analysis.design import shown
-from ..analysis.design_grid import candidate
 from ..analysis.dossier import dossier
 from ..analysis.plot_data import ParetoFigure, Request, gathered
 from ..analysis.registry import ANALYSES
 from ..analysis.sweep import parse_axis
 from ..engines import build
-from ..errors import AfmcalcError, CalculationError
-from ..messages import localized, native, say, translate
+from ..errors import AfmcalcError, CalculationError, SpecError
+from ..messages import localized, native, say
 from ..render.amounts import display_unit
 from ..render.document import Column, document
 from ..render.plot import sheet_of
 from ..render.plot.chart import Chart, Line, Sheet
 from ..render.plot.figure import inline_svg
-from ..render.report import Subject, render
-from ..render.report.chapters import chapters
+from ..render.report import render, subject_of
 from ..render.report.html import drawing
-from ..render.report.title import text_as_given, title_block
 from ..render.text_tables import TextTable, blocks, cells, ranked
 from ..result import Result
-from ..spec import Spec, make_spec, resolved, to_toml
+from ..spec import make_spec, resolved, to_toml
+from ..spec.edit import candidate
 from ..spec.parse import Source, parse
-from ..spec.write import written
+from .aids import FILES, formulas, held, mendings, now, sketch
 from .curve import curve
+from .entered import unit_shown
 from .filled import template
 from .form import Base, State, editable, refusal
+from .strip import tiles, values
 
 Job = Mapping[str, Any]
-"""Question: its ``name``, the state ``pinned``, ``options`` of a tab, number of the ``first`` base to make."""
+"""Request: its ``name``, the state ``pinned`` or None, ``options`` of a tab, number of the ``first`` new base."""
 Answer = dict[str, Any]
-_OBJECTIVES = ["closing_force", "accuracy_factor"]
 
 
 def answer(state: State, job: Job) -> Answer:
-    """Answer what a page asks, or say what is wrong with it."""
+    """Answer to a job, or the sentences of its error."""
     try:
         return _ANSWERS[job["name"]](state, job)
     except AfmcalcError as error:
@@ -54,39 +54,84 @@ def answer(state: State, job: Job) -> Answer:
 
 
 def fragment(name: str, *arguments: object) -> str:
-    """Fill a macro of the page."""
+    """HTML of a macro of ``parts.html``."""
     return str(getattr(template("parts.html").module, name)(*arguments))
 
 
 def _live(state: State, job: Job) -> Answer:
-    """Show a clutch after each change, judged at once but for its event; its numbers beside those of the pinned one."""
-    answers, pinned = Answers(build(state.spec)), job["pinned"]
+    """Answer after a change: verdict of the quick checks, drawing, torque, numbers beside those of the pinned state."""
+    options, pinned, entries = job["options"], job["pinned"], dict[str, str]()
+    if options.get("as", "").strip():
+        try:
+            state, entries = held(state, options)
+        except SpecError:
+            raise
+        except AfmcalcError as error:
+            return refusal(error, "hold-as")
+    answers = Answers(build(state.spec))
     checked, findings = check_at_once(answers)
-    judging = bool(simulating(answers.clutch))
+    without = simulating(answers.clutch)
     before, inputs, curves = None, [], list[Line]()
     if pinned:
         old, new = pinned.texts, state.texts
-        inputs = [
-            (path, translate(key.description), old.get(path, ""), new.get(path, "")) for path, key in editable().items()
-        ]
+        texts = ((key, old.get(path, ""), new.get(path, ""), unit_shown(key)) for path, key in editable().items())
+        inputs = [row for row in texts if row[1] != row[2]]
         with suppress(AfmcalcError):
             then = Answers(build(pinned.spec))
             before = then.ask("torque")[0]
             curves = sheet_of("torque", gathered("torque", Request([then]))).panels[0].lines
     fragments = {
-        "verdict": fragment("verdict", checked, ranked(findings), judging),
+        "strip": fragment("strip", [*tiles(answers, checked, without, _pinned(dumps(pinned), quick=True))]),
+        "verdict": fragment("verdict", checked, ranked(findings), bool(without)),
         "section": _figure("section", answers, 1),
         "torque": _figure("torque", answers, 2, curves),
         "numbers": fragment("numbers", *_numbers(answers.ask("torque")[0], before)),
-        "compare": fragment("compare", [each for each in inputs if each[2] != each[3]]) if pinned else "",
+        "compare": fragment("compare", inputs) if pinned else "",
     }
-    return {"fragments": fragments, "command": state.command("torque"), "judging": judging}
+    more = {"command": state.command("torque"), "judging": bool(without), "entries": state.calculated | entries}
+    if "hold" in options and not entries:
+        more["as"] = now(answers.clutch, options["hold"])
+    return {"fragments": fragments} | more
 
 
 def _check(state: State, job: Job) -> Answer:
-    """Judge a clutch by all that the command asks."""
-    checked, findings = check(build(state.spec))
-    return {"html": fragment("verdict", checked, ranked(findings), False), "command": state.command("check")}
+    """Answer with the verdict of all checks, simulations included."""
+    answers = Answers(build(state.spec))
+    checked, findings = check(answers.clutch, answers=answers)
+    strip = fragment("strip", [*tiles(answers, checked, (), _pinned(dumps(job["pinned"]), quick=False))])
+    html = fragment("verdict", checked, ranked(findings), False)
+    return {"html": html, "strip": strip, "command": state.command("check")}
+
+
+@lru_cache(maxsize=4)
+def _pinned(state: str, *, quick: bool) -> dict[str, list[Any]]:
+    """Numbers of the strip for a pinned state in JSON; empty without a pinned state, or if the state is no clutch."""
+    pinned = loads(state)
+    with suppress(AfmcalcError):
+        answers = pinned and Answers(build(State(Base(*pinned[0]), pinned[1]).spec))
+        return values(answers, simulating(answers.clutch) if quick else ()) if answers else {}
+    return {}
+
+
+def _help(state: State, job: Job) -> Answer:
+    """Answer with the formulas for a key, or with the drawing that shows the dimension of the key."""
+    path = job["options"].get("key", "")
+    if path not in editable():
+        raise AfmcalcError("{path:.80}: is no key of the form", path=path)
+    steps, drawn = formulas(state.spec, path), ""
+    if (name := sketch(path)) and not steps:
+        drawn = _figure(name, Answers(build(state.spec)), 100 + list(editable()).index(path))
+    return {"html": fragment("help", editable()[path], steps, drawn)}
+
+
+def _mend(state: State, job: Job) -> Answer:
+    """Answer with the keys that clear a finding."""
+    options = job["options"]
+    return {"html": fragment("mend", [*mendings(state.spec, options.get("code", ""), options.get("path", ""))])}
+
+
+def _file(state: State, job: Job) -> Answer:
+    return {"file": b64encode(FILES[job["name"]](state)).decode()}
 
 
 Cell = namedtuple("Cell", "path value shown pinned change")
@@ -94,7 +139,7 @@ Quantity = namedtuple("Quantity", "symbol name unit cells")
 
 
 def _numbers(result: Result, pinned: Result | None) -> tuple[list[Quantity], list[Quantity]]:
-    """Lay out single values and triples of a result, beside those of a pinned one."""
+    """Rows of single values and rows of triples of a result, beside the values of the pinned state."""
     now, then = document(result), document(pinned) if pinned else None
     before = {column.path: column for column in (*then.singles, *then.triples)} if then else {}
 
@@ -121,7 +166,7 @@ def _figure(name: str, answers: Answers, number: int, pinned: Sequence[Line] = (
 
 
 def _drawn(sheet: Sheet, number: int, pinned: Sequence[Line] = ()) -> tuple[Markup, str]:
-    """Return a sheet as part of a page, with its caption; ``number`` is that of no other drawing of the page."""
+    """Sheet as HTML, and its caption; ``number`` must differ from the numbers of other drawings on the page."""
     if isinstance(sheet.panels[0], Chart):
         charts = (fragment("curve", sheet.title, curve(chart, pinned)) for chart in sheet.panels)
         return Markup("").join(map(Markup, charts)), sheet.below
@@ -129,7 +174,7 @@ def _drawn(sheet: Sheet, number: int, pinned: Sequence[Line] = ()) -> tuple[Mark
 
 
 def _analysed(state: State, job: Job) -> Answer:
-    """Ask an analysis of a clutch, the accuracy also over a sweep: tables, plot and findings."""
+    """Answer with the tables, plots and findings of an analysis; the analysis of accuracy can have a sweep."""
     name, sweep = "simulate" if job["name"] == "drive" else job["name"], job["options"].get("sweep", "").strip()
     answers, figures = Answers(build(state.spec)), list[tuple[Markup, str]]()
     try:
@@ -139,7 +184,7 @@ def _analysed(state: State, job: Job) -> Answer:
         return refusal(error, "sweep" if sweep else "")
     plot = ANALYSES[name].plot
     if plot and plot.applies(answers.clutch):
-        with suppress(CalculationError):  # no curve
+        with suppress(CalculationError):  # there is nothing to plot
             sheet = sheet_of(plot.name, gathered(plot.name, Request([answers], sweep or None)))
             figures.append(_drawn(sheet, 2 + list(_ANSWERS).index(job["name"])))  # section and torque are first
     html = fragment("answer", blocks(document(result)), figures, ranked(findings), [])
@@ -147,35 +192,14 @@ def _analysed(state: State, job: Job) -> Answer:
 
 
 def _report(state: State, job: Job) -> Answer:
-    """Return the whole report, or of it how everything was calculated."""
-    base, spec = state.base, state.spec
-    told_of = dossier(spec)
-    if job["name"] == "report":
-        given, title = text_as_given(base.source), title_block(spec, {})
-        page = render(Subject(told_of, given, title, base.digest, spec.label, state.overrides, __version__))
-        html = fragment("report", page)
-    else:
-        html = fragment("explanation", [chapter for chapter in chapters(told_of) if chapter.steps])
-    return {"html": html, "command": state.command("report", "--output", "report.html")}
-
-
-def search_of(spec: Spec) -> str:
-    """Return objectives, requirements and search of a spec as text; without a search one around the clutch."""
-    pairs, least = spec.friction_group.pairs, spec.least_pairs
-    search: dict[str, Any] = {
-        "friction_group.pairs": [pairs + more for more in (-2, 0, 2, 4) if pairs + more >= least],
-        "adjustment.nominal_torque": [float(build(spec).nominal_torque)],
-    }
-    if spec.control_unit is not None and (gain := spec.control_unit.gain):
-        search["control_unit.gain"] = [float(f"{share * gain:.3g}") for share in (0.5, 0.75, 1.0, 1.25, 1.5)]
-    data = resolved(spec)
-    told = {"objectives": spec.objectives or _OBJECTIVES, "requirements": data.get("requirements")}
-    told["search"] = data.get("search") or search
-    return dumps(written({name: value for name, value in told.items() if value}))
+    """Answer with the report."""
+    base = state.base
+    page = render(subject_of(dossier(state.spec), base.source, base.digest, state.overrides))
+    return {"html": fragment("report", page), "command": state.command("report", "--output", "report.html")}
 
 
 def _design(state: State, job: Job) -> Answer:
-    """Search around a clutch; each clutch of the front that is shown is a base to go on from."""
+    """Answer with the front of a search around a clutch; each clutch shown becomes a base of the page."""
     source = Source(say("search"), job["options"].get("requirements", ""))
     try:
         given = parse(source)
@@ -209,5 +233,8 @@ _ANSWERS: Mapping[str, Callable[[State, Job], Answer]] = {
     "check": _check,
     **dict.fromkeys(("accuracy", "drive", "heat", "tolerance"), _analysed),
     "design": _design,
-    **dict.fromkeys(("explanation", "report"), _report),
+    "report": _report,
+    "help": _help,
+    "mend": _mend,
+    **dict.fromkeys(FILES, _file),
 }

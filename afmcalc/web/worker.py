@@ -1,6 +1,6 @@
-"""A process that calculates for the page: kept warm, and ended where nobody waits for its answer any more.
+"""Process that calculates for the page: it is started in advance, and killed when its answer is no longer wanted.
 
-It takes a job with each line of its standard input, and answers with lines of JSON.
+Each line of its standard input is a job, each line of its output reports progress or is an answer, as JSON.
 """
 
 import asyncio
@@ -12,50 +12,63 @@ import time
 import warnings
 from asyncio.subprocess import PIPE, Process
 from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping
-from contextlib import suppress
+from contextlib import aclosing, suppress
 from typing import Any, TextIO
 
-from ..errors import unexpected
+from ..errors import reason, unexpected
 from ..messages import language, say, speaking, spoken
 from ..progress import Bar
 from ..render.amounts import shown_in
 from ..spec.parse import example_text
 
 _MEMORY = 8 << 30
-"""Bytes of addresses that the process may have, so that what is asked by mistake does not take those of others."""
-_START = "import sys; sys.path[:] = {path!r}; from afmcalc.web.worker import main; main({language!r}, {units!r})"
+"""Limit of the process's address space, bytes: an oversized job must not take the memory of other programs."""
+_START = (
+    "import sys; sys.path[:] = {path!r}; from afmcalc.web.worker import main; main({language!r}, {units!r}, {nice})"
+)
 _LONGEST = 64 << 20
-"""Bytes that a line of an answer may have."""
+"""Largest length of a line of an answer, bytes."""
 
 
 class Worker:
     """One process, which takes one job at a time."""
 
     def __init__(self, units: str, limit: float, *, newest: bool) -> None:
-        """Show quantities in ``units``; a job may take ``limit`` seconds; ``newest``: a newer job ends all others."""
+        """Show quantities in ``units``; a job may take ``limit`` seconds.
+
+        ``newest``: a newer job of a page ends its older jobs, and other processes take precedence over this one.
+        """
         self._units, self._limit, self._newest = units, limit, newest
-        self._turn, self._busy, self._closed = 0, False, False
+        self._turn, self._closed = 0, False
+        self._latest = dict[str, int]()
+        """Page → turn of its newest job."""
+        self._busy: str | None = None
+        """Page whose job is calculated."""
         self._lock = asyncio.Lock()
         self._process: Process | None = None
         self._warm: asyncio.Task[Process] | None = None
 
     def start(self) -> "asyncio.Task[Process]":
-        """Start the process where there is none; it is there once it is warm."""
-        self._warm = self._warm or asyncio.create_task(self._started())
-        return self._warm
+        """Task that starts the process, or that has started the running process; it is done when that is ready."""
+        warm = self._warm
+        if warm is None or (warm.done() and (warm.exception() or warm.result().returncode is not None)):
+            self._warm = warm = asyncio.create_task(self._started())
+            warm.add_done_callback(lambda task: task.cancelled() or task.exception())
+        return warm
 
     async def _started(self) -> Process:
-        code = _START.format(path=sys.path, language=spoken(), units=self._units)
-        # in a session of its own: Ctrl-C is for the server, which ends it
+        code = _START.format(path=sys.path, language=spoken(), units=self._units, nice=10 * self._newest)
+        # in its own session: Ctrl-C reaches only the server, which then kills the process
         process = self._process = await asyncio.create_subprocess_exec(
             sys.executable, "-c", code, stdin=PIPE, stdout=PIPE, limit=_LONGEST, start_new_session=True
         )
         assert process.stdout
-        await process.stdout.readline()
+        if not await process.stdout.readline():
+            raise ChildProcessError(say("it ended at once"))
         return process
 
     def end(self, *, closed: bool = False) -> None:
-        """End the process, whatever it is at; another is started unless it is ``closed`` for good."""
+        """Kill the process, whatever it does; start another process unless ``closed``."""
         self._closed = self._closed or closed
         if self._process is not None and self._process.returncode is None:
             self._process.kill()
@@ -65,40 +78,61 @@ class Worker:
         if not self._closed:
             self.start()
 
-    async def ask(self, job: Any, gone: Callable[[], Awaitable[bool]]) -> AsyncGenerator[dict[str, Any]]:
-        """Give what is told of a job, its answer last; nothing where whoever asked is ``gone``.
+    async def ask(
+        self, job: Any, gone: Callable[[], Awaitable[bool]], page: str = ""
+    ) -> AsyncGenerator[dict[str, Any]]:
+        """Yield the progress of a page's job, then the answer; nothing if the client is ``gone``.
 
-        The process is ended where it takes too long, or whoever listens stops.
+        The process is killed at the time limit, or when the caller stops listening.
         """
-        turn = self._turn = self._turn + 1
-        superseded = say("a newer change has taken the place of this one")
-        if self._newest and self._busy:
+        turn = self._turn = self._latest[page] = self._turn + 1
+        if self._newest and self._busy == page:
             self.end()
-        async with self._lock:
-            if await gone():
-                return
-            process = await asyncio.shield(self.start())
-            if self._newest and turn != self._turn:
-                yield _problem(superseded)
-                return
-            self._busy, answered, clock = True, False, asyncio.get_running_loop().time
-            end, why = clock() + self._limit, say("the calculation ended without an answer: out of memory?")
-            assert process.stdin
-            assert process.stdout
-            try:
-                process.stdin.write(json.dumps(job).encode() + b"\n")
-                while not answered and (line := await asyncio.wait_for(process.stdout.readline(), end - clock())):
-                    said = json.loads(line)
-                    answered = "progress" not in said
-                    yield said
-            except TimeoutError:
-                why = say("the calculation takes longer than {limit:g} s: it was ended", limit=self._limit)
-            finally:
-                self._busy = False
-                if not answered and process is self._process:
-                    self.end()
-            if not answered:
-                yield _problem(why if turn == self._turn else superseded)
+        try:
+            async with self._lock:
+                if await gone():
+                    return
+                try:
+                    process = await asyncio.shield(self.start())
+                except OSError as error:
+                    yield _problem(say("the calculation could not be started: {why}", why=reason(error)))
+                    return
+                if not self._newest or turn == self._latest.get(page):
+                    self._busy = page
+                    async with aclosing(self._lines(process, job)) as lines:
+                        async for said in lines:
+                            yield said
+                            if "progress" not in said:
+                                return
+                if turn == self._latest.get(page):
+                    yield _problem(say("the calculation ended without an answer: out of memory?"))
+                else:
+                    yield _problem(say("a newer change has taken the place of this one"))
+        except TimeoutError:
+            yield _problem(say("the calculation takes longer than {limit:g} s: it was ended", limit=self._limit))
+        finally:
+            if self._latest.get(page) == turn:
+                del self._latest[page]
+
+    async def _lines(self, process: Process, job: Any) -> AsyncGenerator[dict[str, Any]]:
+        """Yield what the process writes about a job until it ends; a process that has not answered is killed."""
+        answered, clock = False, asyncio.get_running_loop().time
+        end = clock() + self._limit
+        assert process.stdin
+        assert process.stdout
+        try:
+            process.stdin.write(json.dumps(job).encode() + b"\n")
+            while not answered:
+                line = await asyncio.wait_for(process.stdout.readline(), end - clock())
+                if not line.endswith(b"\n"):
+                    return
+                said = json.loads(line)
+                answered = "progress" not in said
+                yield said
+        finally:
+            self._busy = None
+            if not answered and process is self._process:
+                self.end()
 
 
 def _problem(sentence: str) -> dict[str, Any]:
@@ -106,38 +140,40 @@ def _problem(sentence: str) -> dict[str, Any]:
 
 
 class _Progress(Bar):
-    """Progress of a calculation, written not too often."""
+    """Progress of a calculation, written at most ten times a second."""
 
     out: TextIO
     last = 0.0
 
     def advance(self, work: str, done: int, total: int) -> None:
-        """Write it."""
+        """Write the progress as a line of JSON."""
         if time.monotonic() - self.last >= 0.1:
             self.last = time.monotonic()
             _write(self.out, {"progress": done / total if total else None, "text": work})
 
 
-def main(language_name: str, units: str) -> None:
-    """Answer until the input ends."""
+def main(language_name: str, units: str, nice: int) -> None:
+    """Answer the jobs on standard input until its end; ``nice`` lowers the priority of the process."""
     from .form import Base, State
     from .replies import answer
 
-    with suppress(ImportError):  # of POSIX
+    with suppress(ImportError):  # the module exists only on POSIX
         from resource import RLIMIT_AS, setrlimit
 
         setrlimit(RLIMIT_AS, (_MEMORY, _MEMORY))
+    if hasattr(os, "nice"):
+        os.nice(nice)
     out = os.fdopen(os.dup(sys.stdout.fileno()), "w", encoding="utf-8")
-    sys.stdout = sys.stderr  # what a library prints is no answer
+    sys.stdout = sys.stderr  # what a library prints must not mix with the answers
     warnings.simplefilter("error", RuntimeWarning)
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
     with (
         speaking(language(language_name)),
         shown_in(units),
         suppress(BrokenPipeError),
-    ):  # whoever has gone wants no answer
-        answer(State(Base("", example_text("default"), None)), {"name": "live", "pinned": None})
-        _write(out, {})  # warm
+    ):  # if the server has ended
+        answer(State(Base("", example_text("default"), None)), {"name": "live", "pinned": None, "options": {}})
+        _write(out, {})  # tells the server that the process is ready
         for line in sys.stdin.buffer:
             job, began = json.loads(line), time.perf_counter()
             state, pinned = (each and State(Base(*each[0]), each[1]) for each in (job["state"], job["pinned"]))

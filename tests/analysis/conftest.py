@@ -1,4 +1,4 @@
-"""Libraries that analyses load when they need them are loaded here, not in the time of the first test that does."""
+"""Load libraries that analyses load at first use, so that their loading is not counted as time of a test."""
 
 import scipy.integrate  # noqa: F401
 import scipy.stats  # noqa: F401

@@ -4,6 +4,7 @@ import pytest
 from conftest import CONFIGS
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.optimize import brentq
 from strategies import direct_specs, indirect_specs, p5
 
 from afmcalc.analysis.asking import Answers
@@ -103,7 +104,7 @@ def test_splines_against_a_solution_of_the_pack_disc_by_disc(spec, mu, ratio):
 
 @pytest.mark.parametrize("friction", [0.394, 0.403, 0.405, 0.406, 0.408, 0.411])
 def test_a_pack_no_pair_of_which_is_pressed_as_at_rest(friction):
-    """The force on the first pair is where the search for it begins, give or take rounding."""
+    """Then the force on the first pair equals, but for rounding, the value at which the search for it begins."""
     splines = [f"friction_group.{key}={value}" for key, value in (SPLINES | {"spline_friction": 0.05}).items()]
     clutch = base(*splines, "z=7", "z1=6", "friction.mean=", f"f_max={friction}")
     expected = pressed(clutch, chain(0.05, 0.1, 2e3, back=True), friction, friction, (0.075, 0.125))
@@ -119,13 +120,15 @@ def test_what_locks_and_what_is_used_up():
         result, found = effects(own)
         (error,) = (each for each in found if each.level == "error")
         assert (error.code, error.value, result.effects) == (code, pytest.approx(value), [])
-    with pytest.raises(SpecError, match="no effect; to begin with wear, give heat.lining, closing_spring.stif") as none:
+    with pytest.raises(SpecError, match=r"one effect at least:[^$]*wear[^$]*heat.lining, closing_spring.stif") as none:
         effects(base())
     assert len(none.value.problems) == 1
+    with pytest.raises(SpecError, match=r"one effect at least:\n.*\(needs \S+inner\S+ \S+outer\S+\)(\nto|$)"):
+        effects(base("friction_group.spline_friction=0.1"))
 
 
 def test_a_worn_clutch_that_no_longer_carries_its_machine_is_said():
-    """T_н 118.5 N·m at f_min: with its lining gone a clutch has 1 − c z s/F of it."""
+    """With its lining worn off a clutch carries the share 1 − c z s/F of T_н, 118.5 N·m at f_min."""
     worn = "heat.lining=0.5 mm", "closing_spring.stiffness=20 N/mm"
     for margin, code, level in ((1.0, "worn-below-machine", "warning"), (1.25, "worn-below-nominal", "info")):
         clutch = base(*worn, f"adjustment.margin={margin}")
@@ -145,3 +148,35 @@ def test_wear_takes_the_force_of_the_spring_that_follows():
     # S21 (11) with the control spring 80 N weaker, the closing one as it was
     control, stiffness = 2000 * 1.8 - 80, 3e4 + 8 * 0.8 * 2e4
     assert worn.torque_low.max == pytest.approx(8 * 0.1 * 0.8 * (2000 * 1e4 + control * 2e4) / stiffness)
+
+
+@pytest.mark.parametrize("friction", [0.01, 0.05, 0.15])
+def test_the_key_of_the_pressure_disc_holds_back_what_the_pack_and_the_spring_differ_by(friction):
+    """N (1 ± e) = F_п1 − c_1 x in the balance of the sleeve; above d_7/(2 z R f_7) it locks itself (S21, theory)."""
+    own = [f"control_unit.pressure_disc_key.friction={friction}", "control_unit.pressure_disc_key.diameter=50 mm"]
+    clutch = build(read_spec("example:shishkarev2021", own))
+    result, findings = effects(clutch)
+    (row,) = (each for each in result.effects if each.effect == "pressure-disc-key")
+    arm, f = clutch.pairs * clutch.mean_radius, clutch.friction_max
+    closing, control = clutch.closing_force, clutch.control_force
+    for sign, told in ((1, row.torque_low.max), (-1, row.torque_high.max)):
+        held = 1 + sign * 2 * arm * f * friction / 0.05
+
+        def balance(travel, held=held):
+            force = (closing - clutch.closing_stiffness * travel) / held
+            return (
+                closing
+                - clutch.closing_stiffness * travel
+                + clutch.net_gain * arm * f * force / clutch.mean_radius
+                - (control + clutch.control_stiffness * travel)
+            )
+
+        if held > 0:
+            travel = brentq(balance, 0.0, closing / clutch.closing_stiffness)
+            normal = min((closing - clutch.closing_stiffness * travel) / held, control)
+            assert told == pytest.approx(arm * f * normal, rel=1e-9)
+        else:
+            assert told == pytest.approx(arm * f * control)
+    locks = [each.value for each in findings if each.code == "pressure-disc-key-locks"]
+    assert locks == ([pytest.approx(0.05 / (2 * arm * friction))] if friction > 0.04 else [])
+    assert row.accuracy_factor_high == pytest.approx({0.15: 10.56}.get(friction, row.accuracy_factor_high))

@@ -6,7 +6,7 @@ import json
 import math
 
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, overrides
 from drives import REFERENCE, VARIANTS, case, clutch, light, merged, run
 
 from afmcalc.analysis.simulate import dynamic_factors, simulate
@@ -42,7 +42,7 @@ def test_sweep_is_what_single_runs_give(changes):
 
 @pytest.mark.parametrize(("share", "grows"), [(0.9, True), (1.1, False)])
 def test_v6_judder(share, grows):
-    """A slow slip on a falling characteristic: swings grow where the shaft damps less than the friction drives."""
+    """In a slow slip on a falling characteristic, swings grow if the shaft damps less than the friction excites."""
     pack = {"static_ratio": 1.2, "decay_rate": 0.1 / 0.3}
     sliding = 200.0
     needed = law.judder_damping(sliding, 0.1, 1.2, 0.3)
@@ -74,9 +74,9 @@ def test_the_command(afmcalc, tmp_path):
 
 @pytest.mark.slow
 def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcalc):
-    """Which are, before the balls take over, an ordinary clutch of one pair."""
+    """Before the balls take over, the bypass pairs are an ordinary clutch of one pair."""
     sets = ["control_unit.gain=5", "friction.max=0.8", "drive.motor_inertia=0.05", "drive.load_torque=20"]
-    own = [CONFIGS / "drive.toml", "--json", *(part for each in sets for part in ("--set", each))]
+    own = [CONFIGS / "drive.toml", "--json", *overrides(*sets)]
     made = afmcalc("check", *own, "--set", "requirements.peak_torque=250").json
     (row, *_), spec = made["result"]["checks"], made["spec"]
     ordinary = {key: spec[key] for key in ("friction", "closing_spring", "drive")}
@@ -87,7 +87,7 @@ def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcal
     assert slipping["result"]["peak_torque"]["max"] < single
     assert slipping["result"]["peak_torque_bypass"] == row["value"]
     assert "bypass-peak" in {each["code"] for each in slipping["findings"]}
-    # the same peak in the column of a sweep, none where the balls hold first; the dynamic factor of a life is by it
+    # a sweep has the same peak, or none where the balls hold first; the dynamic factor of a life follows from it
     swept = afmcalc("simulate", *own, "--sweep", "control_unit.gain=0.5,5").json
     assert swept["result"]["sweep"][0]["peak_torque_bypass"] == [None, pytest.approx(single, rel=1e-9)]
     factor = single / slipping["result"]["sliding_torque"]["max"]
@@ -96,7 +96,7 @@ def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcal
 
 
 def test_a_load_that_is_carried_but_for_rounding_is_carried():
-    """Margin 1: a load of T_н, which is also what the clutch carries at f_min."""
+    """With margin 1 the load is T_н, and the clutch carries just T_н at f_min."""
     own = light()
     carried = case_of(own, own.spec.friction.groups[0].min).pack.breakaway
     assert "slips-before-event" not in codes(light(drive={"load_torque": carried * (1 + 1e-12)}))

@@ -1,4 +1,4 @@
-"""Solving: every root that a dense scan finds, what comes nearest where there is none, whole keys, events, the file."""
+"""Sweeps: each point is a single calculation. Solving: every root that a dense scan finds, whole keys, events, the file."""
 
 import random
 from contextlib import suppress
@@ -9,8 +9,10 @@ from random_clutches import random_clutches
 from sources import REFUSED
 
 from afmcalc import errors, load
+from afmcalc.analysis.registry import ANALYSES
 from afmcalc.analysis.solve import SEVERAL, parse_target, solve
 from afmcalc.engines import build
+from afmcalc.engines.evaluate import evaluate
 from afmcalc.equations.terms import TERMS
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.edit import respecified, value_at, with_key
@@ -22,7 +24,7 @@ AIMS = ("accuracy_factor", "accuracy_factor_peak", "nominal_torque", "torque_max
 
 
 def scan(spec, path, target, low, high):
-    """The quantity at so many values between two; NaN where the gain is above its limit."""
+    """Return many values of a key and the target there; NaN where the gain is above its limit."""
     dense = np.union1d(np.linspace(low, high, 4001), np.geomspace(max(low, high / 1e6), high, 4001))
     at = np.arange(low, high + 1) if is_whole(path) else dense
     with np.errstate(all="ignore"):
@@ -34,7 +36,7 @@ def scan(spec, path, target, low, high):
 
 
 def questions(seed):
-    """Random clutches, a key that each has, a target that depends on it, and a value that it may have."""
+    """Yield random clutches, each with one of its keys, a target that depends on this key, and a wanted value."""
     rnd = random.Random(seed)
     for data in random_clutches(10**6, seed):
         with suppress(errors.AfmcalcError):
@@ -51,7 +53,7 @@ def questions(seed):
 
 
 def judge(spec, name, target, wanted):
-    """Hold an answer to the scan between the ends that solve looked at; say which kind of answer it is."""
+    """Compare an answer with the scan over the range that solve looked at; return the kind of the answer."""
     path = ALIASES[name]
     result, solved, findings = solve(build(spec), name, target, wanted)
     at, value = scan(spec, path, target, result.low, result.high)
@@ -138,7 +140,7 @@ def test_nothing_attains_it():
 
 
 def test_a_whole_key_has_whole_values(afmcalc):
-    """T_max = 2000·0.1·z·0.8/(1 + 0.4 (z − 1)) of 4 and 5 pairs; at most 300 N·m is met by 4."""
+    """T_max = 2000·0.1·z·0.8/(1 + 0.4 (z − 1)) is nearest to 300 N·m with 4 and 5 pairs; 4 keep it at most 300."""
     result = afmcalc("solve", "torque_max=300", "--for", "z", "--json").json["result"]
     roots = [(z, pytest.approx(160 * z / (1 + 0.4 * (z - 1)))) for z in (4, 5)]
     assert [(root["value"], root["reached"]) for root in result["roots"]] == roots
@@ -148,7 +150,7 @@ def test_a_whole_key_has_whole_values(afmcalc):
 
 
 def test_a_range_of_values_is_said_to_be_one():
-    """Above C_1* the largest torque is that of the setting, whatever c_1 up to 1240 N/mm."""
+    """With a slope above C_1*, the largest torque is that of the setting for every c_1 up to 1240 N/mm."""
     overrides = {"control_unit.pocket": None, "control_unit.gain_slope": 900}
     result, _, findings = solve(build(read_spec("example:constant-torque", overrides)), "c1", "torque_max", 160.0)
     assert [root.reached for root in result.roots] == pytest.approx([160, 160])
@@ -157,13 +159,13 @@ def test_a_range_of_values_is_said_to_be_one():
 
 
 def test_rounding_makes_no_roots():
-    """Pockets that hold the torque have no scatter whatever the gain."""
+    """Pockets of constant torque have no scatter whatever the gain, so rounding errors must not count as roots."""
     result, _, findings = solve(build(read_spec("example:constant-torque")), "C", "scatter", 0.0)
     assert ([root.value for root in result.roots], findings[-1].code) == ([result.low, result.high], "solve-range")
 
 
 def test_a_jump_is_no_root():
-    """The next standard ball makes the pocket deeper at once: nothing is between."""
+    """The next standard ball makes the pocket deeper by a jump: no depth between is attainable."""
     clutch = build(read_spec("example:indirect", {"control_unit.ball_diameter": None}))
     at, depth = scan(clutch.spec, "control_spring.stiffness", "pocket_depth", 1e4, 1e7)
     jump = np.argmax(np.abs(np.diff(depth)))
@@ -176,7 +178,7 @@ LIFE = ["drive.dynamic_factor=2", "drive.event="]
 
 
 def test_force_for_a_life():
-    """N = N_0 (τ_limb/τ_eq)^m of τ_eq = k_д (T_min + T_max)/2 W; above N_0 a life has no number."""
+    """N = N_0 (τ_limb/τ_eq)^m with τ_eq = k_д (T_min + T_max)/2 W; a life above N_0 is unlimited, so no root."""
     spec = read_spec("example:drive", LIFE)
     result, _, _ = solve(build(spec), "F", "cycles", 1e6)
     per_force = sum(0.1 * 8 * f / (1 + 7 * 0.5 * f) for f in (0.1, 0.8)) / 2
@@ -194,6 +196,16 @@ def test_a_peak_of_an_event():
     result, solved, _ = solve(build(spec), "F", "peak_torque", 450.0)
     assert load(solved.spec.model_dump(exclude_none=True)).simulate().judged_peak == pytest.approx(450, rel=1e-4)
     assert 0.2 * 2000 < result.value < 2000
+
+
+@pytest.mark.slow
+def test_a_probability_that_falls_steeply_is_met():
+    """The root has the probability of the tolerance study; a change of 5 % between two samples is no jump."""
+    clutch = build(read_spec("example:tolerance", ["tolerance.samples=5000"]))
+    result, solved, _ = solve(clutch, "C", "exceedance", 0.05)
+    (root,) = result.roots
+    assert root.reached == pytest.approx(0.05, rel=0.02)
+    assert ANALYSES["tolerance"].function(solved)[0].probability_above_limit == root.reached
 
 
 def test_the_file_has_the_value_found(afmcalc, tmp_path):
@@ -219,7 +231,7 @@ def test_what_cannot_be_asked(arguments, afmcalc):
 
 
 def test_every_number_of_a_clutch_can_be_wanted():
-    """By its name; what a clutch lacks says what it needs."""
+    """Every quantity is a target by its name; the error for one that the clutch lacks names what it needs."""
     clutch = build(read_spec("example:indirect"))
     for name in TERMS.keys() - SEVERAL:
         if TERMS[name].unit:
@@ -239,10 +251,95 @@ def test_a_value_of_a_step_is_reached_and_an_unlimited_life_is_empty(afmcalc):
 
 @pytest.mark.slow
 def test_a_life_beside_an_event_takes_its_dynamic_factor(afmcalc, tmp_path):
-    """The spec that is solved for a life passes the check that requires it; asked by name the life needs the factor."""
-    with pytest.raises(LookupError, match="dynamic_factor_of_event"):
+    """The solved spec passes the check that requires the life; the quantity by itself needs a given dynamic factor."""
+    with pytest.raises(LookupError, match="drive.dynamic_factor"):
         load("example:drive")["cycles"]
     life, found = (*SHAFT, "--set=requirements.cycles=1e6"), str(tmp_path / "found.toml")
     afmcalc("solve", "cycles=1e6", "--for", "F", "example:drive", *life, "--save", found)
     rows = afmcalc("check", found, "--json").json["result"]["checks"]
     assert [row["value"] for row in rows if row["path"] == "requirements.cycles"] == pytest.approx([1e6], rel=1e-3)
+
+
+def test_sweep_is_the_single_calculations(afmcalc):
+    sweep = afmcalc("accuracy", "--sweep", "z=4,8,16", "--sweep", "C=0.2:1:3", "--json").json["result"]["sweep"]
+    assert [entry["parameter"] for entry in sweep] == ["z", "C"]
+    assert [entry["path"] for entry in sweep] == ["friction_group.pairs", "control_unit.gain"]
+    assert len(sweep[0]["values"]) == 9
+    for index, (z, c) in enumerate(zip(sweep[0]["values"], sweep[1]["values"], strict=True)):
+        single = ["--set", f"z={z:g}", "--set", f"C={c!r}", "--json"]
+        torque, accuracy = (afmcalc(command, *single).json["result"] for command in ("torque", "accuracy"))
+        assert sweep[0]["accuracy_factor"][index] == accuracy["accuracy_factor"]
+        assert sweep[1]["nominal_torque"][index] == torque["nominal_torque"]
+        assert sweep[1]["torque_max"][index] == torque["torque"]["max"]
+
+
+def test_any_quantity_is_a_column(afmcalc):
+    """This holds in JSON, table and CSV; a name that is no quantity, or a quantity that is no number, is refused."""
+    asked = ["accuracy", "example:indirect", "--sweep", "R=0.08,0.1", "--columns", "travel_max,normal_force_at_f_max"]
+    (entry,) = afmcalc(*asked, "--json").json["result"]["sweep"]
+    for index, radius in enumerate((0.08, 0.1)):
+        clutch = load("example:indirect", {"R": radius})
+        own = clutch["travel_max"], clutch.at("f_max").normal_force
+        assert (entry["travel_max"][index], entry["normal_force_at_f_max"][index]) == own
+    assert "N(f_max)" in afmcalc(*asked).out
+    assert "travel_max [m],normal_force_at_f_max [N]" in afmcalc(*asked, "--format", "csv").out
+    for wrong, says in (("travle_max", "did you mean 'travel_max'"), ("torque", "f_max"), ("is_locked", "--columns")):
+        run = afmcalc("accuracy", "example:indirect", "--sweep", "R", "--columns", wrong)
+        assert (run.code, says in run.err) == (2, True), run.err
+    assert "--sweep" in afmcalc("accuracy", "--columns", "gain").err
+
+
+NAMES = ["C", "z", "z1", "R", "F", "f_min", "f_max", "beta", "friction.mean", "drive.dynamic_factor", "alpha=0:0.5:5"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_sweep_has_a_sensible_range(name, afmcalc):
+    (entry,) = afmcalc("accuracy", "--sweep", name, "--json").json["result"]["sweep"]
+    assert len(entry["values"]) == len(entry["accuracy_factor"]) >= 3
+    assert min(entry["accuracy_factor"]) >= 1
+
+
+def test_a_sweep_of_a_stiffness_beside_disc_springs(afmcalc):
+    """A straight control spring against a closing spring of discs, behind curved walls."""
+    disc = "closing_spring.disc={outer_diameter=0.1,inner_diameter=0.051,thickness=0.005,free_height=0.00775,series=8}"
+    walls = ["--set", "control_unit.pocket=", "--set", "gain_slope=200"]
+    asked = ["accuracy", "example:constant-torque", "--set", disc, *walls, "--json"]
+    sweep = afmcalc(*asked, "--sweep", "c2=2e5,3e5").json["result"]["sweep"][0]
+    single = [afmcalc(*asked, "--set", f"c2={value}").json["result"]["accuracy_factor"] for value in (2e5, 3e5)]
+    assert sweep["accuracy_factor"] == pytest.approx(single, rel=1e-12)
+
+
+def test_a_sweep_from_no_gain_on(afmcalc):
+    """At κ = 0 nothing moves the sleeve, and nothing holds it back."""
+    asked = "accuracy", "example:constant-torque", "--set", "key_friction=0", "--set", "control_spring.force=6000"
+    (entry,) = afmcalc(*asked, "--sweep", "C=0,0.5", "--json").json["result"]["sweep"]
+    assert entry["accuracy_factor_hysteresis"][0] == pytest.approx(entry["accuracy_factor"][0])
+
+
+BAD = ["", "x", "n", "variant", "C=", "C=1:2", "C=1:2:1", "C=1:2:x", "C=a,b", "C=-1:1:5", "z=1.5,2", "f_min=0.5:0.9:5",
+       "F=1 J,2 J", "C=nan", "z=1,0", "z1=1:9:9", "C=0:1:99999999999", "friction.driving.min"]  # fmt: skip
+
+
+@pytest.mark.parametrize("sweep", BAD)
+def test_bad_sweeps(sweep, afmcalc, tmp_path):
+    run = afmcalc("accuracy", "--sweep", sweep, "-o", tmp_path / "x")
+    assert run.code == 2, run.out
+    assert run.err.strip().splitlines()[-1].startswith("error: ")
+    assert not (tmp_path / "x").exists()
+
+
+def test_a_long_sweep_is_calculated_in_stretches_that_join():
+    """More points than one stretch takes, against the formula F11 (14) over all of them."""
+    gain = np.linspace(0, 1.25, 96_001)
+    found = evaluate(read_spec(), {"control_unit.gain": gain}, {"factor": lambda clutch: clutch.accuracy_factor})
+    np.testing.assert_allclose(found["factor"], 8 * (1 + 0.7 * gain) / (1 + 5.6 * gain), rtol=1e-14)
+
+
+def test_what_is_swept_heads_its_column(afmcalc):
+    """The reduced gain, which is no key of the spec, heads its own column; its values are not shown as gains."""
+    run = afmcalc("accuracy", "example:all-driving", "--sweep", "zC=1:2:2", "--format", "csv")
+    head, first, _ = run.out.splitlines()
+    assert head.startswith("reduced_gain [1],accuracy_factor [1]")
+    low, high = (getattr(read_spec("example:all-driving").friction.range, end) for end in ("min", "max"))
+    told = [float(each) for each in first.split(",")[:2]]
+    assert told == pytest.approx([1.0, high * (1 + low) / (low * (1 + high))])

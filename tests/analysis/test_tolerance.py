@@ -1,4 +1,4 @@
-"""Distributions and figures against closed forms, clutches built one by one, single events; errors that hold."""
+"""Distributions and figures against closed forms, clutches built one by one and single events; standard errors."""
 
 import contextlib
 import copy
@@ -31,7 +31,7 @@ FORCE, RADIUS = "closing_spring.force", "friction_group.mean_radius"
 
 
 def study(data, fields, **options):
-    """Result and findings of a spec with a block of tolerances; few rows of Sobol indices."""
+    """Result and findings of a spec with a block of tolerances; a small sample for the Sobol indices."""
     data = data if isinstance(data, dict) else resolved(data)
     block = {"fields": fields, "sobol_base": 64, "samples": 20_000, **options}
     return tolerance(build(make_spec({**data, "tolerance": block})))
@@ -99,7 +99,7 @@ def test_lives_of_a_lognormal_torque():
 
 
 def test_error_bars_are_the_errors():
-    """Of many samples: their root mean square is that of the distances from the true figure."""
+    """Over many samples, the root mean square of the errors is that of the distances from the true figure."""
     runs, rng, size = 100, np.random.default_rng(7), 1600
     normal, truth = NormalDist(), {np.mean: math.exp(0.045), np.std: math.sqrt(math.expm1(0.09)) * math.exp(0.045)}
     truth |= {partial(np.quantile, q=0.05): math.exp(0.3 * normal.inv_cdf(0.05))}
@@ -184,7 +184,7 @@ def buildable():
             yield build(make_spec(data)).spec
 
 
-@pytest.mark.parametrize("number", [0, 1, *slow(*range(2, 20))])
+@pytest.mark.parametrize("number", [0, 1, *slow(*range(2, 8))])
 def test_against_clutches_built_one_by_one(number):
     spec = next(itertools.islice(buildable(), number, None))
     setting, count = ("as-made", "each-adjusted")[number % 2], 60 if number < 2 else 400
@@ -208,7 +208,7 @@ def test_against_clutches_built_one_by_one(number):
 
 
 def test_what_is_no_clutch_is_counted():
-    """C uniform on 0.45…1.55 against 2 R f_1/d = 0.6: P(κ ≤ 0) = 0.15/1.1, and torques as of C in 0.6…1.55."""
+    """C is uniform on 0.45…1.55, 2 R f_1/d = 0.6: P(κ ≤ 0) = 0.15/1.1; torques are those of C in 0.6…1.55."""
     whole, findings = study(p5(), {"control_unit.gain": {"distribution": "uniform", "spread": 0.55}}, samples=20_000)
     rest, _ = study(p5(), {"control_unit.gain": {"distribution": "uniform", "min": 0.6, "max": 1.55}}, samples=20_000)
     agrees(whole, "probability_no_clutch", 0.15 / 1.1)
@@ -223,7 +223,7 @@ def test_what_is_no_clutch_is_counted():
 
 @pytest.mark.parametrize("correlation", [1, 0.6])
 def test_one_clutch_has_one_life(correlation):
-    """Only friction scatters: every quantile is the life of the one clutch, by brute force over the frictions' scores."""
+    """If only friction scatters, every quantile is the life of the one clutch, by brute force over the frictions."""
     base = resolved(read_spec(CONFIGS / "unlike-materials.toml"))
     base |= {"fatigue": FATIGUE, "control_unit": {"gain": 0.05}}
     fields = {f"friction.{group}": {"distribution": "uniform", "spread": "20 %"} for group in ("driving", "driven")}
@@ -240,7 +240,7 @@ def test_one_clutch_has_one_life(correlation):
 
 
 def test_peaks_are_interpolated_between_single_events():
-    """The peak rises with friction: quantiles are events at its quantiles; of a force, events of other clutches."""
+    """Quantiles of the peak are peaks of events at quantiles of friction; for a force, of events of other clutches."""
     block = {"fields": {"friction": {"distribution": "uniform"}}, "quantiles": [0.25, 0.75]}
     block |= {"sobol_base": 64, "samples": 20_000}
     own = light(tolerance=block, requirements={"peak_torque": outcome_of(light(), 0.45).event.peak})
@@ -267,7 +267,7 @@ def test_the_same_seed_gives_the_same_digits():
 
 
 def test_springs_set_on_the_bench_are_those_of_the_nominal_torque():
-    """By the force given or the torque: each sample is set to the torque of the nominal clutch."""
+    """Whether the spec gives the force or the torque, each sample is set to the torque of the nominal clutch."""
     fields = {"friction_group.mean_radius": {"distribution": "uniform", "spread": 0.006}}
     study = {"tolerance": {"setting": "each-adjusted", "samples": 1000, "sobol_base": 64, "fields": fields}}
     by_force = build(read_spec("example:default", study))

@@ -1,14 +1,20 @@
-"""Torques of the groups, forces on balls, key and stop, the load up to slip; clutches side by side."""
+"""Torques of the groups, forces on balls, key and stop, the load up to slip; clutches side by side; a variant is one record."""
 
 import pytest
 from conftest import CONFIGS, S21
+from sources import DATA
 
+from afmcalc.analysis.asking import answer
 from afmcalc.analysis.compare import compare_variants
-from afmcalc.analysis.torque import torque
+from afmcalc.analysis.explain.explain import noting, steps_of
+from afmcalc.analysis.torque import FrictionPoint, torque
 from afmcalc.analysis.trip import overload
 from afmcalc.engines import build
+from afmcalc.equations.terms import DETAILS
 from afmcalc.errors import CalculationError
+from afmcalc.result import shown_as
 from afmcalc.spec import read_spec
+from afmcalc.variants import VARIANTS, Variant
 
 NAMES = ("default", "unlike-materials", "all-driving", "indirect", "constant-torque", "conventional")
 ENDS = ("min", "mean", "max")
@@ -70,7 +76,7 @@ def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
     assert {row["closing_force"] for row in rows[:4]} == {2000.0}
     assert [row["nominal_torque"] for row in rows[4:]] == pytest.approx([clutch.nominal_torque] * 4)
     assert rows[3]["accuracy_factor"] == pytest.approx(rows[7]["accuracy_factor"])
-    # with equal force and with equal torque K_т of 1.6 and of 1.5999999999999996 miss the same requirement
+    # K_т of 1.6 (equal force) and of 1.5999999999999996 (equal torque) must give one finding
     asked = [CONFIGS / "drilling-head-clutch.toml", "--set", "drive.event=", "--variants", "--json"]
     told = [each["message"] for each in afmcalc("compare", *asked).json["findings"]]
     assert len(told) == len({*told}) > 1
@@ -96,7 +102,7 @@ def test_what_is_not_possible_is_said(afmcalc):
 
 @pytest.mark.parametrize("made", [["indirect", "control_spring.force=5500"], ["constant-torque", "name=x"]])
 def test_among_its_variants_a_clutch_stands_as_it_is(made, afmcalc):
-    """The control spring and the pockets as made: with both springs set by S21 (14) K_т were 2.1304, not 2.1868."""
+    """It keeps the control spring and the pockets as made; set by S21 (14) its K_т would be 2.1304, not 2.1868."""
     asked = [f"example:{made[0]}", "--set", made[1], "--json"]
     torque = afmcalc("torque", *asked).json["result"]
     rows = afmcalc("compare", *asked, "--variants").json["result"]["clutches"]
@@ -104,3 +110,60 @@ def test_among_its_variants_a_clutch_stands_as_it_is(made, afmcalc):
     assert [row["basis"] for row in as_made] == ["spring force", "nominal torque"]
     for row in as_made:
         assert all(row[key] == torque[key] for key in ("closing_force", "torque", "accuracy_factor", "scatter"))
+
+
+def test_a_row_of_the_terms_makes_a_law_a_detail(monkeypatch):
+    """A row of the terms is enough: no result, sweep or explanation must be changed."""
+    monkeypatch.setitem(DETAILS, "breakaway_torque", "torque")
+
+    class Point(FrictionPoint):
+        pass
+
+    clutch = noting(read_spec("example:default"))
+    told = answer(Point, clutch.at(friction=0.3), friction_driving=None, friction_driven=None)
+    shown = shown_as(type(told).model_fields["breakaway_torque"])
+    assert told.breakaway_torque == clutch.at(friction=0.3)["breakaway_torque"] > 0
+    assert (shown.details, shown.unit, shown.symbol) == (True, "N*m", "P")
+    assert "breakaway_torque" in {step.name for step in steps_of(clutch)}
+
+
+SPEC = (DATA / "two-bypass.toml").read_text(encoding="utf-8")
+
+
+def carried(f: float, gain: float = 0.4, pairs: int = 8) -> float:
+    """T = F R (z_1 f + z_2 f)/(1 + C z_2 f) with two bypass pairs."""
+    return 2000 * 0.1 * pairs * f / (1 + gain * (pairs - 2) * f)
+
+
+@pytest.fixture
+def told(monkeypatch, afmcalc):
+    """Run commands on a clutch of a fifth variant, which is defined by one record."""
+    record = Variant("two-bypass", lambda pairs, driving: 2, needs=("control_unit",), gain_limit="breakaway")
+    monkeypatch.setitem(VARIANTS, record.name, record)
+    return lambda *arguments: afmcalc(*arguments, "-", "--json", stdin=SPEC)
+
+
+def test_a_fifth_variant_is_calculated(told):
+    found = told("torque").json["result"]
+    assert found["torque"] == pytest.approx({"min": carried(0.1), "mean": carried(0.3), "max": carried(0.8)})
+    assert found["reduced_gain"] == pytest.approx(6 * 0.4)
+    accuracy = told("accuracy").json["result"]
+    assert accuracy["accuracy_factor"] == pytest.approx(carried(0.8) / carried(0.1))
+    assert accuracy["gain_limit"] == pytest.approx(1 / (2 * 0.8))
+    adjusted = told("adjust").json["result"]
+    assert adjusted["scatter_ratio"] == pytest.approx(1.25 * carried(0.1) / carried(0.3))
+    assert adjusted["pairs_threshold"] == pytest.approx((1 / 0.1 - 1.25 / 0.3) / (0.25 * 0.4) + 2)
+
+
+def test_a_fifth_variant_is_checked_against_its_own_limit(told):
+    assert told("check").code == 0
+    (found,) = (each for each in told("check", "--set", "C=0.7").json["findings"] if each["code"] == "gain-above-limit")
+    assert found["limit"] == pytest.approx(0.625)
+
+
+def test_a_fifth_variant_has_its_own_keys(told):
+    """At least two bypass pairs and one driven pair; keys of other variants are refused, needed keys required."""
+    group = ("friction_group.pairs=2", "friction_group.driving_pairs=3")
+    for change in (*group, "control_unit.hub_diameter=0.1", "control_unit="):
+        path, run = change.partition("=")[0], told("torque", "--set", change)
+        assert (run.code, f"{path}:" in run.err or f"{path} =" in run.err) == (2, True), run.err

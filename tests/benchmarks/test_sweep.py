@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from sources import table
 
 import afmcalc
 from afmcalc.engines.evaluate import evaluate
@@ -37,44 +38,26 @@ def swept_three(gain):
     return swept(gain, ["accuracy_factor", "nominal_torque", "torque_max"])
 
 
-def torque(f):
-    return clutch().torque(f)
-
-
-def bare_torque(f):
-    return FORCE * RADIUS * (Z1 * f + Z2 * f) / (1 + 0.5 * Z2 * f)
-
-
-_ONCE = """
-import time, numpy as np, test_sweep
-values = np.linspace(0.1, 0.8, 1_000_000)
-test_sweep.{name}(values[:1000].copy())  # whatever is imported or compiled on first use
-start = time.perf_counter()
-answer = test_sweep.{name}(values)
-print(time.perf_counter() - start)
-"""
-
-
 def seconds(name):
-    """Of a sweep in a process of its own."""
+    """Time of a sweep in a process of its own, s."""
     paths = f"import sys; sys.path[:0] = {[path for path in sys.path if path]!r}\n"
-    run = subprocess.run([sys.executable, "-c", paths + _ONCE.format(name=name)], capture_output=True, check=True)
+    run = subprocess.run(
+        [sys.executable, "-c", paths + table("programs")["timed"].format(name=name)], capture_output=True, check=True
+    )
     return float(run.stdout)
 
 
 @pytest.mark.parametrize(("text", "ours", "plain", "limit"), [
-    ("torque of 1e6 frictions", torque, bare_torque, 1.2),
     ("sweep of 1e6 gains, accuracy factor alone", swept, bare, 1.25),  # 1.02 to 1.24 seen: validation is a tenth
     ("sweep of 1e6 gains, three answers each", swept_three, bare_three, 1.1),
 ])  # fmt: skip
-def test_a_million_points(text, ours, plain, limit, report):
+def test_a_million_points(text, ours, plain, limit, capsys):
     values = np.linspace(0.1, 0.8, 1001)
-    if ours is torque:
-        assert np.array_equal(ours(values), plain(values))
-    else:
-        own, theirs = ({name: each.tolist() for name, each in of(values).items()} for of in (ours, plain))
-        assert own == theirs
+    own, theirs = ({name: each.tolist() for name, each in of(values).items()} for of in (ours, plain))
+    assert own == theirs
     times = [(seconds(ours.__name__), seconds(plain.__name__)) for _ in range(PAIRS)]
-    # the quarter least disturbed: a single sweep is a few milliseconds
+    # the fastest quarter of the runs: a single sweep takes a few milliseconds, and is easily disturbed
     own, theirs = (statistics.quantiles(each, n=4)[0] for each in zip(*times, strict=True))
-    report(text, own / theirs, limit)
+    with capsys.disabled():
+        print(f"\n{text}: {own / theirs:.4g} (limit {limit:g})", end="")
+    assert own / theirs <= limit

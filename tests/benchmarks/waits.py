@@ -1,4 +1,4 @@
-"""The wait of a person: CPU seconds of every command on every shipped example, start-up included.
+"""How long a person waits: CPU seconds of every command on every shipped example, start-up included.
 
     python tests/benchmarks/waits.py simulate check --example drive    # all commands on all examples if none is named
 

@@ -1,24 +1,27 @@
-"""The program as a person or a script calls it."""
+"""The program as a person or a script calls it, and its progress bar."""
 
 import contextlib
 import io
-import json
 import re
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import pytest
-from conftest import CONFIGS, ROOT, Run, slow
+from conftest import CONFIGS, ROOT, Run, overrides, slow
 from jsonschema import Draft202012Validator
+from sources import table
 
 import afmcalc as package
+from afmcalc import progress
 from afmcalc.cli.main import main
+from afmcalc.cli.options import Common
 
 SPEC = CONFIGS / "default.toml"
 ERRONEOUS = ["pocket", SPEC, "--set", "balls=60", "--set", "allowable_contact_force="]
-"""Calculated with two findings of level error, among others."""
-GRAVE = ["check", SPEC, "--set", "C=2", "--set", "requirements.torque_max=50"]
-"""Has findings of every level, and not in their order."""
+"""Command line whose findings include two errors."""
+GRAVE = ["check", SPEC, "-v", "--set", "C=2", "--set", "requirements.torque_max=50"]
+"""Command line with findings of every level, which are not in the order of the levels."""
 
 
 class Terminal(io.TextIOWrapper):
@@ -36,7 +39,7 @@ class Terminal(io.TextIOWrapper):
 
 @pytest.fixture
 def at_a_terminal(monkeypatch):
-    """Run the program as a person does, with a terminal at all of its streams."""
+    """Run the program as a person does, with a terminal as all of its streams."""
 
     def run(*arguments, stdin="", term="xterm"):
         monkeypatch.setenv("TERM", term)
@@ -57,10 +60,10 @@ def test_version_and_a_command_that_there_is_not(afmcalc):
 
 @pytest.mark.parametrize(("command", "example", "light"), [
     (["torque"], None, "friction.mean=0.4"), (["simulate"], "drive", "drive.event.duration=0.002"),
-    (["plot", "torque"], None, ""), (["tolerance"], "tolerance", "tolerance.samples=1000 tolerance.sobol_base=64"),
+    (["plot", "torque"], None, ""),
 ])  # fmt: skip
 def test_without_spec_the_default_example_is_calculated_and_heads_the_table(command, example, light, answered):
-    sets = [part for each in light.split() for part in ("--set", each)]
+    sets = overrides(*light.split())
     example = f"example:{example or 'default'}"
     run, drawn = answered(*command, *sets), command[0] == "plot"
     said = f"no SPEC given: this is {example} (afmcalc init writes a spec to start from)"
@@ -78,8 +81,8 @@ MISUSED = [
     *([*command, "--set", "C=1"] for command in (["list", "examples"], ["papers"])),
     ["torque", "--set", "F=1e308", "--set", "R=1e10 m"],
     ["accuracy", "--set", "friction.min=1e-320", "--set", "friction.mean="],
-    ["simulate", *(part for name in ("min", "mean", "max") for part in ("--set", f"friction.{name}=1e-320"))],
-    ["schema", "torqe"], ["init", "--kind", "drive", "--from", "indirect"], ["init", "-", "--schema"], ["papers", "--claims", "--misprints"],
+    ["simulate", *overrides(*(f"friction.{name}=1e-320" for name in ("min", "mean", "max")))],
+    ["schema", "torqe"], ["init", "--kind", "drive", "--from", "indirect"], ["papers", "--claims", "--misprints"],
 ]  # fmt: skip
 
 
@@ -101,15 +104,19 @@ DESCRIBED["design"] = [
 DESCRIBED["simulate"] = ["--set", "drive.event.duration=0.005"]
 
 
-def test_a_schema_describes_what_is_printed(answered):
-    """Exactly: every key printed is described, and every key described is printed."""
-    for command, arguments in DESCRIBED.items():
-        schema, printed = json.loads(answered("schema", command).out), answered(command, *arguments, "--json").json
-        Draft202012Validator(schema).validate(printed)
-        result = schema["$defs"][schema["properties"]["result"]["$ref"].rpartition("/")[2]]
-        assert schema["properties"].keys() == printed.keys()
-        assert result["properties"].keys() == printed["result"].keys(), command
-    assert json.loads(answered("schema").out)["properties"].keys() == package.Spec.model_fields.keys()
+@pytest.mark.parametrize("command", DESCRIBED)
+def test_a_schema_describes_what_is_printed(command, answered):
+    """Every key that is printed is described, and every key that is described is printed."""
+    lines = ("schema", command), (command, *DESCRIBED[command], "--json")
+    schema, printed = (answered(*line).json for line in lines)
+    Draft202012Validator(schema).validate(printed)
+    result = schema["$defs"][schema["properties"]["result"]["$ref"].rpartition("/")[2]]
+    assert schema["properties"].keys() == printed.keys()
+    assert result["properties"].keys() == printed["result"].keys()
+
+
+def test_a_schema_of_specs_has_every_key(answered):
+    assert answered("schema").json["properties"].keys() == package.Spec.model_fields.keys()
 
 
 def test_a_schema_in_russian_has_other_descriptions_alone(answered):
@@ -126,21 +133,17 @@ ASKED = {
     "torque {} --json --lang ru": {"numpy", "pint", "rich", "tomli_w", "sympy", "matplotlib", "babel"},
     "accuracy {} --sweep C": {"matplotlib", "jinja2", "sympy", "pint", "afmcalc.render.plot.figure"},
 }
-"""Command line → what it, and those before it, do without; the first only imports the package."""
-IMPORTED = """
-import contextlib, io, sys, afmcalc
-for line in sys.argv[1:]:
-    with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):
-        if line:
-            from afmcalc.cli.main import main
-            main(line.split())
-    print(*sys.modules)
-"""
+"""Command line → modules that neither it nor the lines before it import; the first only imports the package."""
 
 
 def test_what_a_command_line_imports(answered, tmp_path):
     (tmp_path / "si.json").write_text(answered("torque", SPEC, "--json").out, encoding="utf-8")
-    asked = [sys.executable, "-c", IMPORTED, *(line.format(tmp_path / "si.json") for line in ASKED)]
+    asked = [
+        sys.executable,
+        "-c",
+        table("programs")["imported"],
+        *(line.format(tmp_path / "si.json") for line in ASKED),
+    ]
     run = subprocess.run(asked, capture_output=True, text=True, cwd=ROOT, check=True)
     for (line, without), modules in zip(ASKED.items(), run.stdout.splitlines(), strict=True):
         assert "afmcalc" in modules.split()
@@ -150,7 +153,7 @@ def test_what_a_command_line_imports(answered, tmp_path):
 @pytest.mark.parametrize("lang", ["en", *slow("ru")])
 @pytest.mark.parametrize("format_", ["table", "markdown", "csv", "json"])
 def test_quiet_leaves_results_and_errors(format_, lang, answered):
-    """Without notes and warnings; JSON has its findings as data, a check is about all of them."""
+    """--quiet leaves out notes and warnings, except in JSON, where they are data, and in a check, which judges them."""
     for arguments, kept in ((["life"], 0), (["accuracy", SPEC, "--sweep", "C=0:2:3"], 0), (ERRONEOUS, 2)):
         spoken = [*arguments, "--format", format_, "--lang", lang]
         run, quiet = answered(*spoken), answered(*spoken, "-q")
@@ -177,7 +180,7 @@ COLOURS = {"error": "1;31", "warning": "33", "info": "36"}
 
 
 def test_findings_stand_gravest_first_in_their_colours(answered, at_a_terminal):
-    """In tables and Markdown, beside CSV; JSON has them in the order of the analyses; a dumb terminal shows no colour."""
+    """So in tables, Markdown and beside CSV; JSON keeps the order of the analyses; a dumb terminal shows no colours."""
     levels = [each["level"] for each in answered(*GRAVE, "--json").json["findings"]]
     ranked = sorted(levels, key=[*COLOURS].index)
     assert set(levels) == {*COLOURS}
@@ -198,3 +201,62 @@ def test_a_spec_that_is_typed_is_waited_for_with_a_note(at_a_terminal, answered)
     assert run.out == quiet.out == answered("torque", SPEC).out
     assert re.fullmatch(r"note: .*Ctrl-D.*\n", run.err)
     assert quiet.err == ""
+
+
+LONG = """tolerance example:tolerance --set tolerance.samples=1000 --set tolerance.sobol_base=64
+design example:requirements --set search.friction_group.pairs=8 --set search.control_unit.gain=0.5:1:4
+plot pareto example:requirements --set search.friction_group.pairs=8 --set search.control_unit.gain=0.5:1:4
+simulate example:drive --set drive.event.duration=0.002 --sweep drive.shaft_stiffness=1000,2000
+check example:tolerance --set tolerance.samples=1000 --set tolerance.sobol_base=64 --set requirements.exceedance=0.5
+life example:drive --set drive.event.duration=0.004""".splitlines()
+"""Every command that may take long."""
+
+
+class Screen(io.StringIO):
+    def isatty(self):
+        return True
+
+
+@pytest.fixture
+def passes(monkeypatch):
+    """Stop the clock; return a function that lets time pass."""
+    now = [0.0]
+    monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
+
+    def passed(seconds):
+        now[0] += seconds
+
+    return passed
+
+
+WHERE = [(Screen, False, True), (Screen, True, False), (io.StringIO, False, False)]
+
+
+@pytest.mark.parametrize(("stream", "quiet", "shown"), WHERE)
+def test_where_and_when_the_bar_appears(stream, quiet, shown, passes, monkeypatch):
+    """It appears after a second, and disappears when the work ends."""
+    monkeypatch.setattr(sys, "stderr", stream())
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "100")
+    with Common("design", quiet=quiet).bar():
+        progress.tell("searching", 0, 10)
+        passes(0.9)
+        progress.tell("searching", 1, 10)
+        assert sys.stderr.getvalue() == ""
+        passes(4.1)
+        progress.tell("searching", 4, 10)
+    written = sys.stderr.getvalue()
+    assert (" 40%" in written) == ("searching" in written) == shown
+    assert written.rstrip().endswith("\x1b[2K") == shown, "what it showed is gone"
+    assert written.count("\x1b[?25h") == written.count("\x1b[?25l") == shown, "the cursor is there again"
+
+
+@pytest.mark.parametrize("line", [*LONG[:2], *slow(*LONG[2:])])
+def test_a_command_that_may_take_long_tells_how_far_it_is(line, afmcalc):
+    shares = set()
+    watcher = SimpleNamespace(advance=lambda work, done, total: shares.add(done / total))
+    token = progress.WATCHER.set(watcher)
+    assert afmcalc(*line.split()).code == 0
+    progress.WATCHER.reset(token)
+    assert max(shares) == 1
+    assert any(0 < share < 1 for share in shares)

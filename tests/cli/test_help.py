@@ -9,14 +9,14 @@ from importlib import import_module
 
 import pytest
 from conftest import CONFIGS, ROOT, slow
-from sources import READ
+from sources import READ, table
 
 from afmcalc.cli import main
 from afmcalc.cli.main import COMMANDS
 
 
 def examples(command):
-    """Command lines of a help, without what they are for."""
+    """Command lines of a help, without their descriptions."""
     name = "list_" if command == "list" else command
     called = getattr(import_module(f"afmcalc.cli.{COMMANDS[command]}"), name) if command else main._afmcalc
     lines = (line.strip().partition("  ")[0] for line in called.__doc__.splitlines())
@@ -25,7 +25,7 @@ def examples(command):
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_help_is_short_and_leaves_common_options_out(command, afmcalc, monkeypatch):
-    """At most 45 lines of 100 columns; examples whole; every own option, no common one."""
+    """It has at most 45 lines of 100 columns, whole examples, every option of its own and no common one."""
     monkeypatch.setenv("COLUMNS", "100")
     shown = afmcalc(command, "--help").out
     assert shown == afmcalc("help", command).out
@@ -51,23 +51,20 @@ def test_the_panels_hold_every_command_and_topics_the_rest(afmcalc):
     assert (wrong.code, "did you mean 'keys'" in wrong.err) == (2, True)
 
 
-@pytest.mark.parametrize("name", main.FORMER)
-def test_a_former_command_names_the_one_in_its_place(name, afmcalc):
-    run = afmcalc(name, "example:default")
-    assert (run.code, run.out, run.err) == (2, "", f"error: {name} is now: afmcalc {main.FORMER[name]}\n")
-    assert main.FORMER[name].split()[0] in COMMANDS
-
-
-@pytest.mark.parametrize("name", main.FORMER_OPTIONS)
-def test_a_former_option_names_what_is_in_its_place(name, afmcalc):
-    run = afmcalc("torque", name)
-    assert (run.code, run.out) == (2, "")
-    assert run.err.endswith(f"error: {name} is no option any more; instead: {main.FORMER_OPTIONS[name]}\n")
+def test_a_former_command_or_option_names_what_is_in_its_place(afmcalc):
+    for name, now in main.FORMER.items():
+        run = afmcalc(name, "example:default")
+        assert (run.code, run.out, run.err) == (2, "", f"error: {name} is now: afmcalc {now}\n")
+        assert now.split()[0] in COMMANDS
+    for name, now in main.FORMER_OPTIONS.items():
+        run = afmcalc("torque", name)
+        assert (run.code, run.out) == (2, "")
+        assert run.err.endswith(f"error: {name} is no option any more; instead: {now}\n")
 
 
 NEEDS = dict.fromkeys(("simulate", "effects"), "drive") | {"layout": "envelope"}
 NEEDS |= {"tolerance": "tolerance", "plot": "tolerance"}
-"""The example that stands for clutch.toml in the examples of a command, where it takes more than the default one."""
+"""Command → example spec used as clutch.toml, if the command needs more than the default example has."""
 SLOW = (
     "plot", "tolerance", "solve", "springs", "design", "papers", "simulate", "report", "check", "effects",
     "compare", "explain", "pocket", "life", "accuracy",
@@ -77,9 +74,9 @@ RUN = [*(each for each in OWN if each not in SLOW), *slow(*SLOW)]
 
 
 @pytest.mark.parametrize("command", RUN)
-def test_every_example_of_a_help_runs(command, undrawn, afmcalc, tmp_path, monkeypatch):
+def test_every_example_of_a_help_runs(command, searched_once, undrawn, afmcalc, tmp_path, monkeypatch):
     there = {"drive": "drive", "requirements": "requirements", "a": "default", "b": "all-driving"}
-    if command not in ("init", "design"):  # which write it
+    if command not in ("init", "design"):  # these commands write clutch.toml themselves
         there["clutch"] = NEEDS.get(command, "default")
     for number, example in enumerate(line for line in examples(command) if "pdf" not in line):
         folder = tmp_path / str(number)
@@ -104,17 +101,9 @@ def test_names_are_completed(afmcalc, monkeypatch):
         assert names or not afmcalc().out.strip(), typed
 
 
-TRIED = """source ~/.bashrc; entry=$(complete -p afmcalc); name=${entry##*-F }; name=${name% *}
-tried() { COMP_WORDS=($1); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); COMPREPLY=(); $name afmcalc
-[[ $entry == *"-o default"* && ${#COMPREPLY[@]} = 0 ]] && COMPREPLY=($(compgen -f -- ${COMP_WORDS[-1]}))
-echo "${COMPREPLY[*]}"; }
-tried 'afmcalc solve --for c'
-tried 'afmcalc torque my'"""
-
-
 @pytest.mark.tool
 def test_completion_in_a_shell(tmp_path):
-    """A value of an option, which the program gives, and a file, which the shell does."""
+    """Values of options are completed by the program, names of files by the shell."""
     program = tmp_path / "bin" / "afmcalc"
     program.parent.mkdir()
     program.write_text(f'#!/bin/sh\nexec {sys.executable} -m afmcalc "$@"\n')
@@ -124,6 +113,8 @@ def test_completion_in_a_shell(tmp_path):
     home |= {"PYTHONPATH": str(ROOT), "TERM": "dumb"}
     options = {"env": home, "cwd": tmp_path, "capture_output": True, "text": True}
     subprocess.run(["bash", "-c", "afmcalc --install-completion; true"], check=True, **options)
-    values, files = subprocess.run(["bash", "-c", TRIED], check=True, **options).stdout.splitlines()
+    values, files = subprocess.run(
+        ["bash", "-c", table("programs")["completed"]], check=True, **options
+    ).stdout.splitlines()
     assert {"c1", "c2"} <= set(values.split())
     assert "my-clutch.toml" in files.split()

@@ -42,9 +42,9 @@ def cases():
             yield ["check", spec, *short, "--set", f"{key}={value}"], language
 
 
-@pytest.mark.parametrize("share", [2400, pytest.param(300, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("share", [4800, pytest.param(600, marks=pytest.mark.slow)])
 def test_a_result_or_a_sentence(share, afmcalc, monkeypatch):
-    """Of all of them a share that is drawn with a seed."""
+    """A share of all command lines, drawn with a seed, is run."""
     monkeypatch.setenv("COLUMNS", "80")
     asked = [*cases()]
     wrong = []
@@ -60,13 +60,13 @@ def test_a_result_or_a_sentence(share, afmcalc, monkeypatch):
 
 
 def broken_range(arguments, run):
-    """True if a range that nobody gave breaks a rule of its key; a layout has no mean radius alone, whatever its range."""
+    """True if a default range breaks a rule of its key; that a layout needs more than a mean radius is not counted."""
     unlaid = "required beside [envelope]" in run.err
     return "--sweep" in arguments and not unlaid and re.search("sweep at|whole number", run.err)
 
 
 @pytest.mark.parametrize(("key", "ends"), [
-    # of 6 balls whole numbers, half to twice; ratios, radii and temperatures within what each may be
+    # half to twice the present value: whole numbers of balls; ratios, radii and temperatures within their limits
     ("control_unit.balls", (3, 12)), ("friction.static_ratio", (1, 2.3)), ("heat.ambient", (173.15, 586.3)),
     ("friction_group.inner_radius", (0.04, 0.12)), ("friction_group.outer_radius", (0.08, 0.24)),
 ])  # fmt: skip

@@ -3,6 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
+from sources import CLUTCHES
+
 from afmcalc.drive.cases import Case
 from afmcalc.drive.integrator import Event, step_of, stepped
 from afmcalc.drive.motion import Motion
@@ -12,18 +14,7 @@ from afmcalc.engines import Clutch, build
 from afmcalc.engines.quantities import Quantities
 from afmcalc.engines.selection import laws_for
 
-REFERENCE: dict[str, Any] = {
-    "variant": "differentiated",
-    "friction": {"min": 0.1, "mean": 0.3, "max": 0.8, "static_ratio": 1.2, "stribeck_speed": 0.3},
-    "friction_group": {"pairs": 8, "mean_radius": 0.1},
-    "control_unit": {"gain": 1.25},
-    "adjustment": {"nominal_torque": 200.0, "margin": 4 / 3},
-    "drive": {
-        "speed": 15.0, "motor_inertia": 8.0, "driven_inertia": 0.05, "shaft_stiffness": 8000.0, "damping_ratio": 0.03,
-        "load_torque": 150.0, "motor_torque": 150.0, "event": {"kind": "stop", "stop_time": 0.01},
-    },
-}  # fmt: skip
-"""Reference drive of theory-drive.md, section 9."""
+REFERENCE, P5 = CLUTCHES["reference"], CLUTCHES["p5"]
 
 VARIANTS: dict[str, dict[str, Any]] = {
     "conventional": {"variant": "conventional", "control_unit": None},
@@ -33,7 +24,7 @@ VARIANTS: dict[str, dict[str, Any]] = {
 
 
 def merged(data: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
-    """A spec with some keys changed, None taking them out."""
+    """A spec with some keys changed; None removes a key."""
     found = dict(data)
     for key, value in changes.items():
         if value is None:
@@ -68,7 +59,7 @@ def case(sliding: float, *, pack: dict[str, Any] | None = None, **changes: Any) 
 
 
 def run(own: Case, end: float, *, finer: float = 1.0, full: bool = True, **state: float) -> Event:
-    """Simulate from a state of its own, in steps so many times finer; the energy must close, whatever is asked."""
+    """Simulate from a given state, in steps ``finer`` times as fine as usual; assert that the energy balance closes."""
     motion = Motion(own.train, own.pack, float(step_of(own.train, own.pack)) / finer)
     vars(motion).update(state)
     motion.motor = motion.before = motion.driven + motion.rate + motion.slip
@@ -76,31 +67,17 @@ def run(own: Case, end: float, *, finer: float = 1.0, full: bool = True, **state
     motion.torque = motion.elastic + own.train.damping * motion.twisting
     found = stepped(motion, end, full=full)
     assert found.residual < 1e-3
-    return found
-
-
-P5 = {
-    "closing_force": 2500.0,
-    "mean_radius": 0.1,
-    "pairs": 8,
-    "gain": 1.0,
-    "closing_stiffness": 2e4,
-    "control_stiffness": 1e4,
-    "key_friction": 0.15,
-    "hub_diameter": 0.05,
-    "friction_set": 0.1,
-}
-"""Data of P5: κ 0.4, κ₊ 1.6, springs 20 and 10 N/mm."""
+    return found._replace(rows=found.rows.item())
 
 
 def springs(**changes: Any) -> Quantities:
-    """The clutch of P5 with other values of some quantities, None taking them out."""
+    """The clutch of P5 with other values of some quantities; None removes a quantity."""
     given = {name: value for name, value in (P5 | changes).items() if value is not None}
     return Quantities(laws_for("indirect", "min-friction", frozenset(given.keys() - P5.keys())), given)
 
 
 SLEEVE = Sleeve(springs(), friction=0.3)
-"""With T_н = 200 N·m at f 0.1: F_п2 3300 N."""
+"""Sleeve of P5, set to T_н = 200 N·m at f = 0.1, so F_п2 = 3300 N."""
 
 
 def indirect(friction: float = 0.3, *, law: dict[str, Any] | None = None, mass: float = 0.0, **changes: Any) -> Case:

@@ -19,7 +19,7 @@ class Event(NamedTuple):
 
 
 class Direct:
-    """Pack between motor side and driven half; with a lag its normal force is late."""
+    """Pack between motor side and driven half; with a release lag its normal force follows with a delay."""
 
     def __init__(self, spec: dict[str, Any], friction: list[float]):
         group, law, unit = spec["friction_group"], spec["friction"], spec.get("control_unit", {})
@@ -37,26 +37,26 @@ class Direct:
         return self.force * self.R * (self.z1 * f1 + self.z2 * f2) / (1 + self.C * self.z2 * f2)
 
     def ratio(self, v: float) -> float:
-        """Friction at a slip over that of fast slip."""
+        """Friction at a slip speed, over the friction of fast slip."""
         return 1 + self.excess * exp(-self.R * abs(v) / self.stribeck)
 
     def balance(self, torque: float) -> float:
-        """Normal force that a torque leaves in the end, shared by the pairs as in slip."""
+        """Normal force in equilibrium under a torque that the pairs share as in slip."""
         return self.force - self.C * abs(torque) / self.R * self.z2 * self.f2 / (self.z1 * self.f1 + self.z2 * self.f2)
 
     def begin(self, load: float, speed: float) -> float:
-        """Run under a load; its own largest frequency."""
+        """Set the state that runs under a load; return the largest natural frequency of the clutch."""
         self.normal = self.balance(load)
         return 0.1 / self.lag if self.lag else 0.0
 
     def drift(self, h: float, w2: float) -> None:
-        """Turn what turns."""
+        """Move the parts of the clutch by a step; a direct clutch has none."""
 
     def slip(self, w1: float, w2: float) -> float:
         return w1 - w2
 
     def kick(self, h: float, v: float, w1: float, w2: float) -> tuple[float, float, float]:
-        """Speeds of both sides and torque of the pack after a step, from the speeds that they would have without it."""
+        """Return the speeds of both sides and the torque of the pack after a step, from the speeds without the pack."""
         f1, f2 = self.f1 * self.ratio(v), self.f2 * self.ratio(v)
         most = self.R * self.normal * (self.z1 * f1 + self.z2 * f2) if self.lag else self.torque(f1, f2)
         stop = (w1 - w2) / (h / self.J1 + h / self.J2)
@@ -69,7 +69,7 @@ class Direct:
 
 
 class Indirect(Direct):
-    """Pack and balls in series, the hub between them: balls are seated, or have turned and moved the sleeve."""
+    """Pack and balls in series with the hub between them; the balls are seated, or have turned and moved the sleeve."""
 
     def __init__(self, spec: dict[str, Any], friction: list[float]):
         super().__init__(spec | {"variant": "conventional"}, friction)
@@ -113,11 +113,11 @@ class Indirect(Direct):
         push = spring - self.R * self.mass * self.sleeve / h
 
         def normal(balls: float) -> float:
-            """Normal force at the stop, in the play that the key leaves it."""
+            """Normal force of the sleeve at its stop, within the bounds that friction at the key allows."""
             return sorted((self.normal, *(most_normal - net * abs(balls) / self.R for net in (back, out))))[1]
 
         def pack(base: float, share: float, rests: bool) -> tuple[float, float, bool]:
-            """Torques of pack and balls, the latter base + share times the former; whether the pack sticks."""
+            """Return the torques of pack and balls, T_balls = base + share·T_pack, and True if the pack sticks."""
             stop = ((w1 - self.hub) / h + base / self.Jh) / (1 / self.J1 + (1 - share) / self.Jh)
             if abs(stop) <= grip * (normal(base + share * stop) if rests else free):
                 return stop, base + share * stop, True
@@ -149,7 +149,7 @@ class Indirect(Direct):
 
 
 def referee(spec: dict[str, Any], friction: list[float], end: float, steps: float = 1000.0) -> Event:
-    """The event of a drive until an end, ``steps`` for each radian of its fastest swing."""
+    """Simulate the event of a drive until ``end``, with ``steps`` per radian of its fastest swing."""
     clutch = (Indirect if spec["variant"] == "indirect" else Direct)(spec, friction)
     drive, event, own = spec["drive"], spec["drive"]["event"], spec["drive"].get("motor")
     k, J3, load, off = drive["shaft_stiffness"], drive.get("tool_inertia", inf), drive["load_torque"], inf

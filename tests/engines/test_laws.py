@@ -1,20 +1,26 @@
-"""Rules for the laws of every variant and option before anything is calculated, and of each law."""
+"""Rules for the laws of every variant and option before anything is calculated, of each law, and of their stub."""
 
 import ast
 import inspect
 import itertools
 import math
+import os
 import re
 from importlib import import_module
+from importlib.resources import files
+from inspect import signature
+from pathlib import Path
 
 import numpy as np
 import pint
 import pytest
 from random_clutches import random_clutches
+from sources import table
 
-from afmcalc.engines import selection
+from afmcalc.engines import named, selection
 from afmcalc.engines.quantities import Laws, Quantities, laws_in
 from afmcalc.engines.selection import NAMES, laws_for, quantities_of
+from afmcalc.equations.catalogue import equations
 from afmcalc.equations.terms import CASES, TERMS, term_of
 from afmcalc.equations.wiring import Either, Same
 from afmcalc.errors import AfmcalcError
@@ -25,27 +31,17 @@ NAMED = "accuracy adjustment control_unit curved curved_wall direct indirect lif
 MODULES = [import_module(f"afmcalc.equations.{name}") for name in NAMED.split()]
 KEYS = {name for names in NAMES.values() for name in names.values()} | {"closing_disc", "control_disc", "balls_listed"}
 FROM_OUTSIDE = {"risen_load"}
-"""Given by an analysis: a load that has risen."""
-ALTERNATIVES = {
-    "mean_radius", "gain", "bypass_pairs", "closing_force", "polar_section_modulus", "ball_diameter_standard", "margin",
-    "face_gap", "friction_mean", "friction_driving_mean", "friction_driven_mean", "friction_min", "friction_max",
-    "friction_driving_min", "friction_driving_max", "friction_driven_min", "friction_driven_max", "edge_clearance",
-    "ball_modulus", "ball_poisson", "wall_modulus", "wall_poisson", "allowable_pressure", "dynamic_factor",
-    "ultimate_strength", "mean_stress_sensitivity", "service_factor", "drive_ratio", "drive_efficiency", "wall_angle",
-    "gain_slope", "closing_disc", "control_disc",
-}  # fmt: skip
-"""Keys that win over a law of their name, on purpose: given, or by a law where they are not."""
-OF_SLEEVE = ("control_force_made", "gain_slope", "constant-torque", "closing_disc")
-OPTIONS = (
-    "wall_angle", "uniform-pressure", "uniform-wear", "motor_power", "amplitude", "goodman", "friction_driving_min", *OF_SLEEVE,
-)  # fmt: skip
+"""Quantity that an analysis gives: a load that has risen."""
+KNOWN = table("laws")
+ALTERNATIVES, OF_SLEEVE, ASKED_OF = {*KNOWN["alternatives"]}, {*KNOWN["of_sleeve"]}, KNOWN["asked_of"]
+OPTIONS = [*KNOWN["options"], *KNOWN["of_sleeve"]]
 
 
 def combinations():
-    """Every variant, method and up to three options."""
+    """Yield every variant with up to three options that it can have."""
     for variant, count in itertools.product(VARIANTS, range(4)):
         for options in itertools.combinations(OPTIONS, count):
-            if (variant == "indirect" or not {*options} & {*OF_SLEEVE}) and (
+            if (variant == "indirect" or not {*options} & OF_SLEEVE) and (
                 variant == "differentiated" or "friction_driving_min" not in options
             ):
                 yield variant, options
@@ -78,15 +74,8 @@ def problems(laws, given):
                 yield f"case {case}: nothing gives {target}"
 
 
-ASKED_OF = {
-    "low": "shear_stress", "high": "shear_stress", "each_slip": "counted_damage", "f_min_max": "torque", "f_max_min": "torque",
-    **dict.fromkeys(("worst_case", "peak", "hysteresis", "expected", "actual", "equilibrium"), "accuracy_factor"),
-}  # fmt: skip
-"""Case that changes a result → the one quantity that is asked in it."""
-
-
 def collisions(laws, given):
-    """Cases of which the one changes what a name that the other changes follows from, and a law that takes both."""
+    """Yield a law that takes a name set by one case, and a source of this name that another case sets."""
     for (one, first), (two, second) in itertools.permutations(laws.cases.items(), 2):
         asked = laws.needs(ASKED_OF[one], given.union(first)) if one in ASKED_OF else laws.laws
         for name in first.keys() - second.keys():
@@ -107,12 +96,11 @@ def test_laws_are_closed_without_cycles_and_have_terms(variant):
 @pytest.mark.slow
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_laws_of_all_options(variant):
-    for own, options in combinations():
+    for (own, options), method in zip(combinations(), itertools.cycle(selection.METHODS), strict=False):
         if own == variant:
-            for method in selection.METHODS:
-                given = frozenset({*options, "closing_force"})
-                laws = laws_of(variant, options, method)
-                assert [*problems(laws, given), *collisions(laws, given)] == [], options
+            given = frozenset({*options, "closing_force"})
+            laws = laws_of(variant, options, method)
+            assert [*problems(laws, given), *collisions(laws, given)] == [], options
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
@@ -144,7 +132,7 @@ def functions():
 LAWS = functions()
 UNITS = pint.UnitRegistry()
 ALONG = {"mean_damage", "contact_force", "friction_along_wall", "ball_diameter_standard"}
-"""Laws of arrays or of lists."""
+"""Quantities whose laws work on arrays or lists."""
 
 
 def test_a_law_is_short_and_says_its_source():
@@ -184,6 +172,18 @@ def test_terms_are_used():
     used = set().union(*(laws_of(*each).names for each in combinations())) | KEYS
     assert sorted(name for name in TERMS if name not in used) == []
     assert sorted(CASES.keys() - {case for each in combinations() for case in laws_of(*each).cases}) == []
+
+
+def test_a_term_of_one_module_is_used_there():
+    table = files("afmcalc.equations").joinpath("terms.txt").read_text(encoding="utf-8")
+    names = [name for row in table.splitlines() for name in row.partition("|")[0].split()]
+    assert len(names) == len(set(names))
+    used = set()
+    for law in equations().values():
+        module, own = law.name.split(".")[0], [*signature(law.function).parameters]
+        used |= {law.name, *(f"{module}.{name}" for name in own), *(f"{law.name}.{name}" for name in own)}
+    assert {name for name in names if "." in name} <= used
+    assert all(term.meaning for each in equations().values() for term in each.arguments.values())
 
 
 # quantities
@@ -251,3 +251,25 @@ def test_a_spec_gives_every_name_of_its_keys():
         clutch = quantities_of(spec)
         assert clutch.given.keys() <= KEYS
         assert clutch["torque_max"] >= clutch["torque_min"] > 0
+
+
+HEAD = '''# ruff: noqa: E501
+"""Quantities by name. AFMCALC_UPDATE=1 pytest tests/engines/test_laws.py writes this file from equations/terms.txt."""
+
+from typing import Any
+
+from ..equations.arrays import Values
+
+class Named:
+'''
+
+
+def test_the_stub_has_every_quantity():
+    rows = []
+    for name, term in TERMS.items():
+        kind, symbol = ("Values", f"{term.symbol}, {term.unit}: ") if term.unit else ("Any", "")
+        rows.append(f"    {name}: {kind}  # {symbol}{term.meaning}\n")
+    path, text = Path(named.__file__).with_suffix(".pyi"), HEAD + "".join(rows)
+    if os.environ.get("AFMCALC_UPDATE"):
+        path.write_text(text, encoding="utf-8")
+    assert text == path.read_text(encoding="utf-8"), "a quantity has changed; AFMCALC_UPDATE=1 writes the stub"

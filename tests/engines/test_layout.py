@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from sources import CLUTCHES
 
 from afmcalc.analysis.check import check
 from afmcalc.drive.train import inertias_of
@@ -20,7 +21,7 @@ SLEEVES = {"direct": {"thrust disc", "pressure disc"}, "indirect": {"ball sleeve
 
 
 def drawn(rng, travels):
-    """Sizes that collide as often as not."""
+    """Random sizes, with which parts collide in about half of the cases."""
     u = rng.uniform
     spring = lambda: SpringSize(inner := u(0.02, 0.11), inner + u(0.005, 0.03), u(0.005, 0.05), 0.3)  # noqa: E731
     return Sizes(
@@ -32,7 +33,7 @@ def drawn(rng, travels):
 
 
 def apart(one, other):
-    """How far one rectangle has to be moved along an axis of its own to be clear of another; 0 where it is."""
+    """Least distance by which one rectangle must be moved along one of its axes to be clear of another; 0 if it is."""
     moves = []
     for low, high in ((0, 1), (2, 3)):
         shared = min(one[high], other[high]) - max(one[low], other[low])
@@ -43,7 +44,7 @@ def apart(one, other):
 
 
 def outside(around, ring):
-    """How far a ring is outside the housing, or within the bore of the hub."""
+    """Distance by which a ring extends beyond the housing, or into the hub."""
     if not (ring.left < ring.right and ring.inner < ring.outer):
         return 0.0
     if around.name == "hub":
@@ -75,7 +76,7 @@ def test_what_overlaps_is_what_the_rectangles_do(kind):
 
 
 def ring(outer, inner, length):
-    """Mass and moment of inertia of a steel ring by the middles of thin ones, mm."""
+    """Mass and moment of inertia of a steel ring (sizes in mm), summed over thin rings."""
     edges = np.linspace(inner, outer, 20001) / 1000
     radii = (edges[1:] + edges[:-1]) / 2
     mass = 2 * math.pi * STEEL * length / 1000 * radii * np.diff(edges)
@@ -83,19 +84,7 @@ def ring(outer, inner, length):
 
 
 def direct(**given):
-    return make_spec(
-        {
-            "variant": "differentiated",
-            "friction": {"min": 0.1, "max": 0.8},
-            "friction_group": {"pairs": 5, "inner_radius": 0.08, "outer_radius": 0.12},
-            "closing_spring": {"force": 2000.0},
-            "control_unit": {"gain": 0.5, "ball_circle_radius": 0.05, "balls": 6, "face_gap": 0.002,
-                             "edge_clearance": 0.002, "ball_diameter": 0.026},
-            "envelope": {"bore": 0.03, "hub_diameter": 0.05, "disc_thickness": 0.003, "plate_thickness": 0.01,
-                         "housing_wall": 0.006},
-            **given,
-        }
-    )  # fmt: skip
+    return make_spec(CLUTCHES["spaced"] | given)
 
 
 def test_a_direct_clutch_by_hand():
@@ -121,7 +110,7 @@ def test_a_direct_clutch_by_hand():
 
 
 def test_an_indirect_clutch_by_hand():
-    """Its springs as set: the closing coils stand 14.8 mm long less 2000 N, the control coils as their force asks."""
+    """The springs have their length as set: free lengths of 14.8 and 70.1 mm, less the deflection by their force."""
     spec = read_spec("example:envelope")
     clutch = build(spec)
     closing = 14.8 - 2000 / spec.closing_spring.coil.rate * 1e3
@@ -161,7 +150,7 @@ def test_a_spring_outside_the_housing_and_pairs_that_are_odd():
 
 @pytest.mark.parametrize("unit", [{}, {"control_unit.ball_diameter": 0.02, **ODD}, {"friction_group.pairs": 12}])
 def test_the_room_that_is_left_is_that_of_the_layout(unit):
-    """A spring does not fit its room where the layout has it in the way of a part, or the clutch too long."""
+    """A spring exceeds its room exactly if in the layout it collides with a part, or the clutch is too long."""
     rng, seen, plain = np.random.default_rng(36), set(), respecified(direct(), {"envelope.length": 0.12, **unit})
     for _ in range(30):
         wire, wide, force = rng.uniform(4e-3, 8e-3), rng.uniform(0.03, 0.25), rng.uniform(1, 20)
@@ -180,7 +169,7 @@ def test_the_room_that_is_left_is_that_of_the_layout(unit):
 
 
 def test_a_space_that_is_none():
-    """A hub narrower than its bore, a housing narrower than the hub, no plates beside the envelope."""
+    """Invalid are a hub narrower than its bore, a housing narrower than the hub, and an envelope without plates."""
     for key, given in (("hub_diameter", 0.02), ("outer_diameter", 0.03), ("plate_thickness", None)):
         envelope = direct().envelope.model_dump(exclude_none=True) | {key: given}
         with pytest.raises(SpecError, match=f"envelope.{key}"):

@@ -15,12 +15,12 @@ from afmcalc.spec.catalogues import balls
 
 @cache
 def stored():
-    """Specs, and by quantity the values of each, null where a clutch has none or rounding decides."""
+    """Stored specs, and quantity → its value for each spec, null if a clutch has none or rounding errors decide."""
     return json.loads((Path(__file__).parents[1] / "data" / "quantities.json").read_text(encoding="utf-8"))
 
 
 def value(clutch, name):
-    """Value of a quantity as the data call it: cases, frictions, name."""
+    """Value of a quantity by its name in the stored data: cases, frictions and quantity."""
     *cases, quantity = name.replace("cycles", "cycles_extrapolated").split()
     frictions = {key: float(number) for key, at, number in (case.partition("=") for case in cases) if at}
     for case in cases:
@@ -29,14 +29,14 @@ def value(clutch, name):
 
 
 def compare(number):
-    """Compare every stored quantity of a clutch; say how many there are."""
+    """Compare every stored quantity of a clutch; return their number."""
     clutch = quantities_of(make_spec(stored()["specs"][number]))
     slopes = elasticities(clutch)
     if "balls_listed" in clutch.laws.names:
         clutch = clutch.at(balls_listed=balls())
     own = {name: values[number] for name, values in stored()["values"].items() if values[number] is not None}
     for name, old in own.items():
-        if name.startswith("∂ "):  # at a kink the old engine told one side
+        if name.startswith("∂ "):  # at a kink the old engine has the slope of one side
             sides = slopes.get(name[2:], (0.0, 0.0))
             assert min(abs(side - old) for side in sides) < 2e-7, (number, name)
         else:

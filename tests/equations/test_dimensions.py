@@ -11,7 +11,7 @@ from afmcalc.equations.catalogue import equations
 UNITS = pint.UnitRegistry()
 MODULES = {"drive", "effects", "heat", "sleeve", "springs"}
 OWN = sorted(name for name in equations() if name.partition(".")[0] in MODULES)
-"""Equations that are not wired; of the laws tests/engines/test_laws.py says it."""
+"""Equations that are not wired as laws; tests/engines/test_laws.py checks the laws."""
 
 OTHERS = {
     "m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3", "m^2": "inch**2", "1/m": "1/inch",
@@ -49,7 +49,7 @@ def test_dimension_is_as_documented(name):
 
 @pytest.mark.parametrize("name", [name for name in OWN if equations()[name].result.unit != "1"])
 def test_numbers_do_not_depend_on_the_units(name):
-    """The same arguments in other units give the same quantity: what a constant with a hidden unit would break."""
+    """The same arguments in other units give the same quantity; a constant with a hidden unit would break this."""
     equation = equations()[name]
     si = equation.function(**quantities(equation))
     other = {
@@ -67,7 +67,7 @@ POWERS = {"life.cycles", "life.damage", "life.cycles_of_band"}
 
 @given(st.lists(st.floats(0.05, 3), min_size=10, max_size=10))
 def test_floats_and_arrays_agree(values):
-    """The same function on an array of one gives the float, to the last bit but for powers."""
+    """A function of an array of one element gives the same as of a float; laws with powers are left out."""
     for equation in (equations()[name] for name in OWN):
         arguments = dict(zip(equation.arguments, values, strict=False))
         if equation.name in POWERS:

@@ -14,12 +14,11 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import tomllib
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from itertools import count
 from pathlib import Path
-from queue import SimpleQueue
 from typing import NamedTuple
 
 ROOT = Path(__file__).parents[2]
@@ -49,7 +48,7 @@ def read() -> list[Fault]:
 
 
 def misplaced(fault: Fault) -> str | None:
-    """A defect of a fault itself, or None."""
+    """Text on what is wrong with the record of a fault, or None."""
     file = ROOT / fault.file
     found = file.read_text(encoding="utf-8").count(fault.was) if file.is_file() else 0
     if found != 1:
@@ -89,13 +88,13 @@ def outcome(folder: Path, tests: str, *options: str) -> int | None:
 
 
 def put(file: Path, text: str) -> None:
-    """Write a file with a time of its own, so that no bytecode of another text is taken for it."""
+    """Write a file with a unique modification time, so that Python does not reuse bytecode of another text."""
     file.write_text(text, encoding="utf-8")
     os.utime(file, (at := 1_000_000_000 + 10 * next(_TIMES), at))
 
 
 def with_fault(folder: Path, fault: Fault) -> int | None:
-    """Exit code of the tests of a fault with it in place."""
+    """Exit code of the tests of a fault while the fault is in the copy."""
     file = folder / fault.file
     text = file.read_text(encoding="utf-8")
     put(file, text.replace(fault.was, fault.now))
@@ -103,23 +102,6 @@ def with_fault(folder: Path, fault: Fault) -> int | None:
         return outcome(folder, fault.tests, "-x")
     finally:
         put(file, text)
-
-
-def in_copies(folders: list[Path], jobs: list[Callable[[Path], int | None]]) -> list[int | None]:
-    """Run jobs, each in a copy that no other uses meanwhile."""
-    free: SimpleQueue[Path] = SimpleQueue()
-    for folder in folders:
-        free.put(folder)
-
-    def run(job: Callable[[Path], int | None]) -> int | None:
-        folder = free.get()
-        try:
-            return job(folder)
-        finally:
-            free.put(folder)
-
-    with ThreadPoolExecutor(len(folders)) as pool:
-        return list(pool.map(run, jobs))
 
 
 def main(chosen: list[str]) -> int:
@@ -131,17 +113,18 @@ def main(chosen: list[str]) -> int:
         return 1
     tests = sorted({path for fault in faults for path in fault.tests.split()})
     workers = os.cpu_count() or 1
-    with tempfile.TemporaryDirectory() as home:
-        folders = [copied(Path(tempfile.mkdtemp(dir=home))) for _ in range(workers)]
-        groups = [own for start in range(workers) if (own := tests[start::workers])]
-        sound = in_copies(folders, [lambda folder, own=own: outcome(folder, " ".join(own)) for own in groups])
-        if any(code != PASSED for code in sound):
-            print(
-                *((folder / "told").read_text(encoding="utf-8")[-2000:] for folder in folders[: len(groups)]), sep="\n"
-            )
+    copy = threading.local()  # a tree for each worker
+
+    def begin() -> None:
+        copy.folder = copied(Path(tempfile.mkdtemp(dir=home)))
+
+    with tempfile.TemporaryDirectory() as home, ThreadPoolExecutor(workers, initializer=begin) as pool:
+        groups = [" ".join(own) for start in range(workers) if (own := tests[start::workers])]
+        if any(code != PASSED for code in pool.map(lambda own: outcome(copy.folder, own), groups)):
+            print(*(told.read_text(encoding="utf-8")[-2000:] for told in Path(home).glob("*/told")), sep="\n")
             print("tests fail without a fault, or do not end: nothing here can be believed")
             return 2
-        codes = in_copies(folders, [lambda folder, fault=fault: with_fault(folder, fault) for fault in faults])
+        codes = list(pool.map(lambda fault: with_fault(copy.folder, fault), faults))
     missed = [fault for fault, code in zip(faults, codes, strict=True) if code not in FAILED]
     for fault in missed:
         print(f"not noticed: {fault}")

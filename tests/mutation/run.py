@@ -28,11 +28,14 @@ ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
 STORED = Path(__file__).with_name("equations.sha256")
 TESTED = (
-    "afmcalc/equations/*.py", "tests/proofs/*.py", "tests/equations/test_dimensions.py",
+    "afmcalc/equations/*.py",
+    "tests/proofs/*.py",
+    "tests/equations/test_dimensions.py",
     "tests/engines/test_oracle.py",
-)  # fmt: skip
+)
 EQUIVALENT: dict[str, str] = {}  # Mutants (as printed) that compute the same as the original, each with the reason
-NO_EQUATIONS = ("__init__", "arrays", "catalogue", "terms", "wiring")
+LOOKED_UP = ("__init__", "catalogue", "terms", "wiring")
+NO_EQUATIONS = ("arrays", *LOOKED_UP)
 SWAPS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
 SECONDS = 20
 FATES = ("survived", "by an assertion", "by another exception")
@@ -53,7 +56,7 @@ class Mutant(NamedTuple):
 
     @property
     def equation(self) -> str:
-        """Its name in the catalogue."""
+        """Name of the equation in the catalogue."""
         return f"{self.module}.{self.function}"
 
     def __str__(self) -> str:
@@ -103,14 +106,7 @@ def _apply(node: ast.AST) -> str:
 
 
 def fate(mutant: Mutant) -> int:
-    """Number of its fate, from a process of its own."""
-    child = os.fork()
-    if child == 0:
-        os._exit(_fate(mutant))
-    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-
-
-def _fate(mutant: Mutant) -> int:
+    """Number of its fate; it spoils the process."""
     signal.signal(signal.SIGALRM, _stop)
     try:
         module = import_module(f"afmcalc.equations.{mutant.module}")
@@ -139,7 +135,7 @@ def _stop(*_: object) -> None:
 
 
 def _prove_anew(name: str, anew: set[str]) -> None:
-    """Run a proof, its module imported again: what it prepares then must come from the mutant."""
+    """Run a proof with its module imported again, so that what the module prepares comes from the mutant."""
     from proofs.symbols import prove
 
     file, _, function = name.rpartition("/")[2].partition(".py::")
@@ -178,34 +174,36 @@ def _check_numbers(module: str, equation: str) -> None:
 
 
 def _control(folder: Path) -> Mutant:
-    """A function as it is: it must survive, or the run kills everything."""
+    """Judge an unchanged function as a mutant: it must survive, or the run kills everything."""
     tree = ast.parse((folder / "direct.py").read_text(encoding="utf-8"))
     function = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == "torque")
     return Mutant("direct", "torque", function.lineno, "unchanged", ast.Module([function], []))
 
 
 def fates(found: list[Mutant]) -> list[int]:
-    """Fates of all mutants, shared out among as many processes as there are processors."""
-    context, count = multiprocessing.get_context("fork"), os.cpu_count() or 1
-    pipes = [context.Pipe(duplex=False) for _ in range(count)]
-    workers = [
-        context.Process(target=lambda own=found[start::count], end=end: end.send([fate(each) for each in own]))
-        for start, (_, end) in enumerate(pipes)
-    ]
-    for worker in workers:
-        worker.start()
-    result = [0] * len(found)
-    for start, (receiver, _) in enumerate(pipes):
-        result[start::count] = receiver.recv()
-    for worker in workers:
-        worker.join()
-    return result
+    """Fates of all mutants, each from a process of its own, as many at once as there are processors."""
+    with multiprocessing.get_context("fork").Pool(maxtasksperchild=1) as pool:
+        return pool.map(fate, found, chunksize=1)
 
 
 def tested() -> str:
-    """Hash of everything that decides what a run finds."""
-    files = [file for pattern in TESTED for file in sorted(ROOT.glob(pattern))]
-    return hashlib.sha256(b"".join(file.name.encode() + file.read_bytes() for file in files)).hexdigest()
+    """Hash of everything that decides what a run finds: syntax trees without docstrings, and units."""
+    from afmcalc.equations.catalogue import equations
+
+    files = [file for pattern in TESTED for file in sorted(ROOT.glob(pattern)) if file.stem not in LOOKED_UP]
+    trees = [f"{file.name} {ast.dump(_bare(file))}" for file in files]
+    laws = equations().items()
+    units = [f"{name} {[term.unit for term in (*law.arguments.values(), law.result)]}" for name, law in laws]
+    return hashlib.sha256("\n".join(trees + units).encode()).hexdigest()
+
+
+def _bare(file: Path) -> ast.Module:
+    """Syntax tree of a file without its docstrings."""
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(node) is not None:
+            del node.body[0]
+    return tree
 
 
 def main(chosen: list[str]) -> int:
@@ -223,7 +221,7 @@ def main(chosen: list[str]) -> int:
     import afmcalc.equations
 
     folder = Path(afmcalc.equations.__file__).parent
-    if fate(_control(folder)) != 0:
+    if fates([_control(folder)]) != [0]:
         print("the control, an unchanged function, did not survive: nothing here can be believed")
         return 2
     names = chosen or sorted(file.stem for file in folder.glob("*.py") if file.stem not in NO_EQUATIONS)

@@ -11,12 +11,12 @@ def _torque(force, friction, bypass=z1):
 
 
 def _arm(friction):
-    """R g(f)."""
+    """Lever arm R g(f): slip torque over spring force."""
     return _torque(sp.Integer(1), friction)
 
 
 def spring_forces_of_both_methods():
-    """S19 (5)–(8): the springs for one nominal torque; (6) must be read with T_н2 = β_н T_н (M32)."""
+    """S19 (5)–(8): the springs for one nominal torque; (6) is β_н T_н, as the paper says after (7) (M32, withdrawn)."""
     first = adjustment.closing_force(T_n, 1, _arm(fmin))
     second = adjustment.closing_force(T_n, beta, _arm(fcp))
     yield "(5): T(f_min) = T_н", _torque(first, fmin) - T_n
@@ -27,7 +27,7 @@ def spring_forces_of_both_methods():
     yield "(7), z_1 = 1", (ratio - printed).subs(z1, 1)
     yield "(7) is F_п1/F_п2 with F = β_н F_п2", ratio - first / (second / beta)
     literal = solved(_torque(F1, fmin) - beta * _torque(F2, fcp), F1) / F2
-    yield Refutation("M32: T_н1 = T_н2 as printed gives (7) times β_н", literal - ratio)
+    yield Refutation("M32, withdrawn: with the margin kept (7) would be β_н times larger", literal - ratio)
     yield "(8): T_min1 through F_п2", _torque(ratio * F2, fmin) - _torque(F2, fcp)
     printed_9 = z * F2 * R * fcp * fmax * (1 + (z - 1) * C * fmin)
     printed_9 /= fmin * (1 + (z - 1) * C * fmax) * (1 + (z - 1) * C * fcp)
@@ -37,10 +37,7 @@ def spring_forces_of_both_methods():
 def _bands():
     """ΔT_1 and ΔT_2 from the torques, for the forces of both methods."""
     ratio = adjustment._force_ratio(_arm(fcp), _arm(fmin))
-    return (
-        _torque(ratio * F2, fmax) - _torque(ratio * F2, fmin),
-        _torque(beta * F2, fmax) - _torque(beta * F2, fmin),
-    )
+    return (_torque(ratio * F2, fmax) - _torque(ratio * F2, fmin), _torque(beta * F2, fmax) - _torque(beta * F2, fmin))
 
 
 def bands_of_both_methods():

@@ -24,7 +24,7 @@ def torque_law_from_the_balance():
     ball = positive("F_o")
     carried = indirect.torque(normal, R, z2, f2)
     printed_8 = indirect.torque(normal, R, z1, f1) + ball * r
-    yield "M43: (7) in (8) is (9)", printed_8.subs(ball, carried / r) - R * (z1 * f1 + z2 * f2) * normal
+    yield "(4), (7) in (1): (9) (M43)", printed_8.subs(ball, carried / r) - R * (z1 * f1 + z2 * f2) * normal
     around = control_unit.circumferential_force(carried, r)
     yield "(5), (10): F_o = T_2/r = F_p/tan α", around - release.subs(C, gain) / t
     yield "(12) follows from (9)", direct.torque(F, R, z1, z2, gain, f1, f2) - torque

@@ -14,6 +14,7 @@ POTENTIAL = overload.potential_torque(z, F, R, f, beta, U)
 RISE = overload.load_rise(POTENTIAL, MACHINE, V)
 PUBLISHED = overload.actuation_torque_published(POTENTIAL, RISE)
 EQUILIBRIUM = overload.actuation_torque_equilibrium(MACHINE, RISE)
+LIMIT = overload.distance_to_gain_limit(z1, C, f)
 FACTOR = overload.actuation_factor(V, U, f, fmin, beta)
 
 
@@ -45,6 +46,23 @@ def potential_torque_from_the_shares():
     yield "(8); (5) at f_min", _all(POTENTIAL) - printed
     risen = _capacity(MACHINE + q, f)
     yield "(6), (9): it falls by (z − z_1) C f ΔT", risen - overload.potential_torque_risen(POTENTIAL, V, q)
+
+
+def potential_torque_bypass_first():
+    """F11's loading: the bypass pairs hold z_1 f R N, the balls the rest, which takes C/R of it from the spring."""
+    force = positive("N")
+    relieved = solved(force - (F - C * (MACHINE - z1 * f * R * force) / R), force)
+    own = symbolic(overload.force_bypass_first)(F, C, R, LIMIT, MACHINE)
+    yield "N", relieved - own
+    half, tenth = sp.Rational(1, 2), sp.Rational(1, 10)
+    yield (
+        "N below the gain limit",
+        overload.force_bypass_first(2000, half, tenth, 17 * half * tenth, 100) - sp.Rational(30000, 17),
+    )
+    yield "F_п above it", overload.force_bypass_first(2000, 5, tenth, -half, 100) - 2000
+    yield "no force is larger", overload.potential_torque_bound(z, F, R, f) - z * R * f * F
+    carried = overload.potential_torque_bypass_first(z, symbolic(overload.force_bypass_first)(F, C, R, LIMIT, q), R, f)
+    yield "a load risen up to slip is T_муф", solved(q - carried, q) - EXPECTED
 
 
 def potential_torque_without_margin():

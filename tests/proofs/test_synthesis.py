@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 from proofs.symbols import *
 
-from afmcalc.equations import accuracy, control_unit, curved_wall, direct, indirect, pack, pressure
+from afmcalc.equations import accuracy, control_unit, curved_wall, direct, effects, indirect, pack, pressure
 
 ALPHA = positive("alpha")
 BALL, GAP, EDGE = positive("r_b s y")
@@ -19,18 +19,19 @@ def ball_and_pocket():
     tangent = pack.tan_wall_angle(C, r, R)
     yield "(24) inverts C = (R/r) tan α", pack._gain(R, r, tangent) - C
     sine, cosine = sp.sin(ALPHA), sp.cos(ALPHA)
-    ball = control_unit.ball_radius(x, GAP, EDGE, sine)
-    yield "(23)", ball * 2 * sine - (x + GAP + 2 * EDGE)
+    ball = control_unit.ball_radius(x, XI, GAP, EDGE, sine)
+    yield "(23), with a play", ball * 2 * sine - (x + XI + GAP + 2 * EDGE)
     apex = (BALL / cosine) * BALL / (BALL * sp.tan(ALPHA))
     yield "(20): OC = r_ш OA/AB of (17)–(19), less s/2", control_unit.pocket_depth(BALL, sine, GAP) - (apex - GAP / 2)
     below = apex - BALL * sine
-    deep = control_unit.pocket_depth_from_travel(BALL, sine, cosine, x, EDGE)
-    yield "(22): CD of (21) with x_max/2 + y", deep - (below + x / 2 + EDGE)
+    deep = control_unit.pocket_depth_from_travel(BALL, sine, cosine, x, XI, EDGE)
+    yield "(22): CD of (21) with x_max/2 + y", deep - (below + (x + XI) / 2 + EDGE)
     yield (
         "(20) = (22)",
-        control_unit.pocket_depth(ball, sine, GAP) - control_unit.pocket_depth_from_travel(ball, sine, cosine, x, EDGE),
+        control_unit.pocket_depth(ball, sine, GAP)
+        - control_unit.pocket_depth_from_travel(ball, sine, cosine, x, XI, EDGE),
     )
-    yield "y for a given ball inverts (23)", control_unit.edge_clearance_standard(ball, x, GAP, sine) - EDGE
+    yield "y for a given ball inverts (23)", control_unit.edge_clearance_standard(ball, x, XI, GAP, sine) - EDGE
 
 
 @pytest.mark.slow
@@ -121,7 +122,7 @@ def wall_of_a_curved_pocket():
     yield "the wall is r_ш off the path", (along - XI) ** 2 + (around - path) ** 2 - BALL**2
     yield "across it", (along - XI) + tangent * (around - path)
     depth = -along - GAP / 2
-    straight = control_unit.edge_clearance_standard(BALL, 2 * XI, GAP, sine)
+    straight = control_unit.edge_clearance_standard(BALL, 2 * XI, 0, GAP, sine)
     yield "S21 (23) with x = 2 ξ", depth - straight
     radius = curved_wall.undercut_radius(Q, cosine)
     yield "ρ = (1 + Y'²)^{3/2}/Y''", radius - secant**3 / sp.diff(path, XI, 2)
@@ -144,3 +145,27 @@ def best_attainable_accuracy():
     yield "all-driving at zC = 5: m (1 + 5 f_min)/(1 + 5 f_max)", driving - own
     factor = accuracy_as_set(fmin, fset, fmax, c1, c2, z, q)
     yield "indirect: K_т → 1 as the gain grows, whatever the setting", sp.limit(factor, q, sp.oo) - 1
+
+
+def margin_of_the_balls():
+    """With s_0 the allowed force is that of the static limit over s_0; every pair gives the play of its own lining."""
+    limit, modulus = positive("p_s E")
+    forces = [
+        control_unit.contact_force_hertz(control_unit.allowable_pressure(limit, s), BALL, modulus) for s in (1, Q)
+    ]
+    yield "F(s_0) = F(1)/s_0", sp.nsimplify(forces[1] / forces[0], rational=True) - 1 / Q
+    yield "the pressure at s_0 = 1", control_unit.allowable_pressure(limit, 1) - limit
+    yield "z pairs, each x", control_unit.wear_play(3, x) - (x + x + x)
+
+
+def key_of_the_pressure_disc():
+    """The torque T = z R f N passes the key as a couple 2 T/d, whose friction holds f_7 times it."""
+    couple = 2 * indirect.torque(N, R, f, z) / d
+    yield "e N = 2 T f_7/d_7", effects.key_share(z, R, f, fk, d) * N - couple * fk
+
+
+def trip_of_an_ordinary_clutch():
+    """T ∝ f with the same T_min."""
+    least = accuracy.trip_ratio_min(direct.torque(F, R, z, 0, C, fmin, fmin), T_n)
+    most = accuracy.trip_ratio_max(direct.torque(F, R, z, 0, C, fmax, fmax), T_n)
+    yield "k_o", accuracy.trip_ratio_ordinary(least, fmax / fmin) - most

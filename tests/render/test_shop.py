@@ -9,7 +9,8 @@ import xml.etree.ElementTree as ElementTree
 import ezdxf
 import numpy as np
 import pytest
-from conftest import CONFIGS, slow
+from conftest import CONFIGS, overrides, slow
+from sources import REFUSED
 
 from afmcalc.analysis.asking import Answers
 from afmcalc.analysis.assembly import section
@@ -42,14 +43,14 @@ def drawn(request):
 
 
 def distances(points, wall, start, stop):
-    """Of places from the wall (mm), which is the distance of the path (sampled, then by its chords) less the ball."""
+    """Distances of points from the wall, mm: those from the sampled path of the ball's centre, less the ball radius."""
     depth = np.linspace(start, stop, 20001)
     path = np.stack([depth, depth * wall.tangent + wall.steepening * depth**2 / 2]) * 1e3
     found = []
     for point in points:
         gaps = np.hypot(*(path - np.array(point)[:, None]))
         i = int(np.clip(np.argmin(gaps), 1, len(depth) - 2))
-        # the parabola through three samples: the sampling is no error of the drawing
+        # a parabola through three samples, so that sampling is not taken for an error of the drawing
         a, b, c = gaps[i - 1 : i + 2] ** 2
         found.append(math.sqrt(b - (c - a) ** 2 / (8 * (a - 2 * b + c))) - wall.ball_radius * 1e3)
     return np.array(found)
@@ -89,7 +90,7 @@ def test_the_contours_are_the_wall(drawn):
 
 
 def whole(contour):
-    """Points of a polyline, the first again at the end of a closed one; none of them twice in a row."""
+    """Points of a polyline, with the first again at the end of a closed one; asserts that no neighbours coincide."""
     points = np.array([point[:2] for point in contour.get_points()])
     points = np.vstack([points, points[:1]]) if contour.closed else points
     assert np.hypot(*np.diff(points, axis=0).T).min() > 1e-6, contour.dxf.layer
@@ -116,7 +117,7 @@ def test_the_ball_touches_the_walls_and_not_the_floor(drawn, name):
 
 
 def test_dimensions_are_those_of_the_spec(drawn):
-    """Of the geometry, and as they are written: the end view is drawn at a scale of its own."""
+    """Dimensions are right by the geometry and as written, although the end view has its own scale."""
     clutch, found, drawing, document = drawn
     unit, alpha, radius = clutch.spec.control_unit, found.wall_angle, found.ball_diameter / 2
     relief = math.ceil(round(found.ball_diameter * 1e4 * 0.05, 6)) / 1e4
@@ -131,10 +132,10 @@ def test_dimensions_are_those_of_the_spec(drawn):
     measured, written = [], []
     for line in space.query("DIMENSION"):
         value = line.get_measurement()
-        # of an angle ezdxf takes the one or the other side of the two lines
+        # ezdxf may measure an angle or its complement to 360°
         measured.append(min(value, 360 - value) if line.dimtype == 2 else value * line.override().get("dimlfac"))
         (text,) = (part.plain_text() for part in line.virtual_entities() if part.dxftype() == "MTEXT")
-        text = text.replace("<>", f"{measured[-1]:.9g}")  # older ezdxf leaves what is measured to the reader
+        text = text.replace("<>", f"{measured[-1]:.9g}")  # older ezdxf leaves this placeholder for the measured value
         written.append(float(re.sub(f"[Ø*°]|^{unit.balls}×", "", text)))
     assert sorted(measured) == pytest.approx(wanted, rel=1e-6)
     assert sorted(written) == pytest.approx(wanted, abs=0.0501), "of no tolerance, to a tenth"
@@ -167,8 +168,8 @@ SHOP = {"tolerance": "±0.02 mm", "roughness": "Ra 0.8", "hardness": "58…62 HR
 
 
 def test_what_the_shop_needs_is_on_the_sheet(afmcalc, tmp_path):
-    given = [part for name, text in SHOP.items() for part in ("--set", f"drawing.{name}={text}")]
-    given += ["--set", "report.drawing=AFM 01.02", "--set", "report.author=A_b Turner"]
+    given = overrides(*(f"drawing.{name}={text}" for name, text in SHOP.items()))
+    given += overrides("report.drawing=AFM 01.02", "report.author=A_b Turner")
     spec = CONFIGS / "envelope.toml"
     assert afmcalc("pocket", spec, "-o", tmp_path / "plain.dxf").code == 0
     assert afmcalc("pocket", spec, "-o", tmp_path / "x.dxf", *given).code == 0
@@ -219,7 +220,7 @@ def test_svg_has_the_contours_in_true_millimetres(drawn):
 
 @pytest.mark.parametrize(("tolerance", "written"), [("±0.002 mm", "20.299"), (None, "20.3")])
 def test_a_calculated_length_is_as_its_tolerance(tolerance, written, afmcalc, tmp_path):
-    """Width of a pocket of the indirect example, 20.2985 mm; the ball as its standard has it."""
+    """The width of a pocket, 20.2985 mm, has as many decimals as the tolerance; the ball those of its standard."""
     more = ["--set", f"drawing.tolerance={tolerance}"] if tolerance else []
     assert afmcalc("pocket", "example:indirect", "-o", tmp_path / "x.dxf", *more).code == 0
     space = ezdxf.readfile(tmp_path / "x.dxf").modelspace()
@@ -227,18 +228,9 @@ def test_a_calculated_length_is_as_its_tolerance(tolerance, written, afmcalc, tm
     assert (texts[20.2985], texts[19.05]) == (written, "Ø19.05")
 
 
-REFUSED = """
-plot torque -o x.dxf | .png, .svg, .pdf
-pocket -o x.dxf --set sleeve_depth=7.5mm | 7.5 mm
-pocket -o x.dxf --set balls=16 | pockets
-pocket -o x.dxf --set C=1 | undercut
-"""
-
-
 def test_what_is_refused(afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    for line in REFUSED.strip().splitlines():
-        asked, said = line.split(" | ")
+    for asked, said in REFUSED["shop"]:
         what, options = asked.split(" -o ")[0].split(), ["-o", *asked.split(" -o ")[1].split()]
         run = afmcalc(*what, CONFIGS / "constant-torque.toml", *options)
         assert (run.code, said in run.err, [*tmp_path.iterdir()]) == (2, True, []), run.err

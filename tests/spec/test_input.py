@@ -1,7 +1,9 @@
-"""A mistake in an input is said with the place, the line, what, and the fix."""
+"""The message on a mistake names place, line, mistake and remedy; too large inputs are refused before any work."""
 
 import json
+import os
 import re
+import time
 import tomllib
 
 import pytest
@@ -9,31 +11,18 @@ from conftest import CONFIGS
 from hypothesis import given
 from hypothesis import strategies as st
 from jsonschema import validate
-from sources import READ, REFUSED
+from sources import DATA, READ, REFUSED
 
 from afmcalc.analysis.solve import parse_target
-from afmcalc.errors import SpecError
+from afmcalc.errors import LONGEST_LINE, AfmcalcError, SpecError
 from afmcalc.messages import did_you_mean
-from afmcalc.spec import read_spec
+from afmcalc.render.report.title import today
+from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.edit import replaced, respecified
-from afmcalc.spec.parse import Source
+from afmcalc.spec.parse import DEEPEST, Source, parse
 from afmcalc.spec.read import spec_of
 
-BASE = """\
-variant = "differentiated"
-[friction]
-min = 0.1
-max = 0.8
-[friction_group]
-pairs = 8
-driving_pairs = 1
-mean_radius = "100 mm"
-[closing_spring]
-force = "2 kN"
-[control_unit]
-gain = 0.5
-ball_circle_radius = "50 mm"
-"""
+BASE = (DATA / "base.toml").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(("old", "new", "says"), REFUSED["line"])
@@ -157,7 +146,7 @@ def test_a_mistyped_file_is_a_spec_or_an_error_at_a_place_that_there_is(file, as
 
 
 def bare(run):
-    """Key and value of each number that is asked after, a warning."""
+    """Key and value of each number without a unit on which there is a warning."""
     asked = [each for each in run.json["findings"] if each["code"] == "number-without-unit"]
     assert {each["level"] for each in asked} <= {"warning"}
     return [(each["path"], each["value"]) for each in asked]
@@ -214,8 +203,8 @@ def test_sweeps_and_designs_ask_too(afmcalc):
 
 def test_a_temperature_without_a_unit_asks_for_degrees(afmcalc):
     err = afmcalc("torque", "-", stdin=BASE + "[heat]\nambient = 20\n").err
-    assert 'heat.ambient = 20: a number without a unit is in K, and must be at least 173.15: "20 degC"?\n' in err
-    assert "at least 173.15\n" in afmcalc("torque", "-", stdin=BASE + '[heat]\nambient = "20 K"\n').err
+    assert "heat.ambient = 20: must be at least 173.15 K (-100 degC); a number without a unit is in K\n" in err
+    assert "at least 173.15 K" in afmcalc("torque", "-", stdin=BASE + '[heat]\nambient = "20 K"\n').err
 
 
 def test_the_nearest_known_word_is_suggested():
@@ -224,7 +213,7 @@ def test_the_nearest_known_word_is_suggested():
 
 
 def test_a_nominal_torque_takes_the_place_of_both_springs():
-    """The forces as given are those of another torque."""
+    """The given forces are dropped, because they belong to another torque."""
     spec = read_spec(CONFIGS / "indirect.toml", ["control_spring.force=2640"])
     taken = replaced(spec, ["adjustment.nominal_torque"])
     assert taken == dict.fromkeys(("closing_spring.force", "control_spring.force"), "adjustment.nominal_torque")
@@ -233,7 +222,7 @@ def test_a_nominal_torque_takes_the_place_of_both_springs():
 
 
 def test_the_line_of_a_key():
-    """In TOML as people write it; of a key that lacks, that of its table."""
+    """The line of a key is found in TOML as people write it; for a missing key it is that of its table."""
     text = """# [no.table]
 a.b = 1 # gain = 2
 'c.d' = "x"
@@ -248,3 +237,81 @@ k = 1
         place = Source("x", text).place(path)
         assert (place.line, place.text) == (line, text.split("\n")[line - 1]), path
     assert Source("x", text).place("z") is None
+
+
+DEFAULT = (CONFIGS / "default.toml").read_text(encoding="utf-8")
+
+
+def repeated(text):
+    """A text, what is to be in it many times repeated."""
+    return re.sub(r"⟨(.+?)×(\d+)⟩", lambda part: part[1] * int(part[2]), text)
+
+
+@pytest.mark.parametrize(("text", "says"), REFUSED["limit_text"])
+def test_text_beyond_a_limit(text, says):
+    start = time.process_time()
+    with pytest.raises(SpecError) as error:
+        parse(Source("text", repeated(text)))
+    assert [str(problem) for problem in error.value.problems] == [says]
+    assert time.process_time() - start < 2
+
+
+def test_what_is_within_every_limit_is_read():
+    deep = "[" * (DEEPEST - 1) + "]" * (DEEPEST - 1)
+    assert parse(Source("text", f"{DEFAULT}\n[x]\n{'.'.join('a' * (DEEPEST - 3))} = 1\n[y]\nz = {deep}"))["variant"]
+    assert "1.2.3" in parse(Source("text", "name = '" + "1.2.3," * 50 + "'"))["name"]
+    output = json.dumps({"command": "x", "result": {"a": [0.5] * 200_000}, "spec": {"variant": "y"}})
+    assert parse(Source("text", output)) == {"variant": "y"}
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no endless file")
+def test_an_endless_file_is_not_read_to_its_end(afmcalc):
+    run = afmcalc("torque", "/dev/zero")
+    assert (run.code, run.err) == (2, "error: /dev/zero: is larger than 64 MiB, the most that is read\n")
+
+
+@pytest.mark.parametrize(("arguments", "says"), REFUSED["limit_argument"])
+def test_arguments_beyond_a_limit(arguments, says, afmcalc):
+    start = time.process_time()
+    run = afmcalc(*map(repeated, arguments))
+    assert time.process_time() - start < 2
+    assert (run.code, run.out) == (2, "")
+    assert says in run.err
+    assert max(map(len, run.err.splitlines())) <= 400
+
+
+def test_a_sweep_without_a_range_has_as_many_points_as_one_can_look_at(afmcalc):
+    pairs = 10**18
+    (swept,) = afmcalc("accuracy", "--set", f"z={pairs}", "--sweep", "z", "--json").json["result"]["sweep"]
+    values = swept["values"]
+    assert (values[0], values[-1], len(values)) == (2, 2 * pairs, 200)
+    assert all(value == int(value) for value in values)
+
+
+@pytest.mark.parametrize("part", ['"name": "\\ud800"', '"\\udfff": 1', '"tolerance": {"fields": ["\\ud800"]}'])
+def test_half_a_character_is_refused(part, afmcalc):
+    """JSON can spell half a character, which UTF-8 cannot hold; the refusal is JSON too."""
+    run = afmcalc("check", "-", "--json", stdin=f'{{"variant": "conventional", {part}}}')
+    assert (run.code, {each["code"] for each in run.json["findings"]}) == (2, {"bad-spec"})
+
+
+def test_errors_stay_short():
+    """At most twenty problems are listed, and no line is too long, wherever its text comes from."""
+    data = parse(Source("text", DEFAULT)) | {f"key{number}": "x" * 900 for number in range(1500)}
+    with pytest.raises(SpecError) as error:
+        make_spec(data, "spec.toml")
+    assert str(error.value).splitlines()[20:] == ["spec.toml: and 1,480 more"]
+    with pytest.raises(SpecError) as error:
+        make_spec(parse(Source("text", DEFAULT)) | {"k" * 900: 1}, "s" * 300)
+    assert [len(line) for line in str(error.value).splitlines()] == [LONGEST_LINE]
+
+
+@pytest.mark.parametrize("number", ["9" * 5000, "-5", "nonsense"])
+def test_a_nonsense_number_of_the_environment(number, afmcalc, monkeypatch):
+    """As a width of the terminal it does no harm; as a date it is refused."""
+    with pytest.MonkeyPatch.context() as patch:  # pytest -v, which reports right after, would not bear it
+        patch.setenv("COLUMNS", number)
+        assert [afmcalc(*line.split()).code for line in ("torque", "help keys")] == [0, 0]
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", number)
+    with pytest.raises(AfmcalcError, match="SOURCE_DATE_EPOCH"):
+        today()

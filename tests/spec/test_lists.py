@@ -1,42 +1,27 @@
-"""Lists: friction materials and their names, disc springs, balls (ISO 3290-1); those that ship and one's own."""
+"""Lists: friction materials and their names, disc springs, balls (ISO 3290-1); those that ship and those of a user."""
 
 import json
 
 import pytest
 from conftest import CONFIGS
-from sources import READ, REFUSED
+from sources import DATA, READ, REFUSED
 
 from afmcalc.analysis.clutch_findings import clutch_findings
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError
 from afmcalc.messages import language, speaking
 from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.catalogues import ball_designation, balls, friction_materials, material_named
-from afmcalc.spec.lists import balls as own_balls
-from afmcalc.spec.lists import discs
-from afmcalc.spec.lists import friction_materials as own_materials
+from afmcalc.spec.catalogues import (
+    ball_designation,
+    balls,
+    balls_in,
+    discs_in,
+    friction_materials,
+    material_named,
+    materials_in,
+)
 
-CSV = """# from the works' laboratory
-name,description,condition,friction_min,friction_max,pressure_min_kPa,pressure_max_MPa,temperature_min_C,temperature_max,source,also
-F1,felt,dry,0.2,0.3,50,0.08,90,368.15 K,Test 12,войлок; felt pad
-F2,resin,in oil,0.05,0.1,,,,,Maker's sheet,
-"""
-TOML = """
-[materials.F1]
-description = "felt"
-condition = "dry"
-friction = [0.2, 0.3]
-pressure = ["50 kPa", "80 kPa"]
-temperature_C = [90, 95]
-source = "Test 12"
-also = ["войлок", "felt pad"]
-[materials.F2]
-description = "resin"
-condition = "in oil"
-friction_min = 0.05
-friction_max = 0.1
-source = "Maker's sheet"
-"""
+CSV, TOML = ((DATA / f"materials.{form}").read_text(encoding="utf-8") for form in ("csv", "toml"))
 NO_RANGE = {"friction.min": None, "friction.mean": None, "friction.max": None}
 
 
@@ -46,18 +31,20 @@ def file(folder, name, text):
 
 
 def test_materials_of_ones_own_in_both_forms(tmp_path):
-    listed = own_materials(file(tmp_path, "own.csv", CSV))
+    listed = materials_in(file(tmp_path, "own.csv", CSV))
     assert [*listed] == ["F1", "F2"]
-    assert listed["F1"][1:11] == ("felt", "dry", 0.2, 0.3, 50e3, 80e3, 90, 95, "Test 12", "Test 12")
-    assert listed["F2"][5:9] == (None, None, None, None)
-    assert own_materials(file(tmp_path, "own.toml", TOML)) == listed
+    said = {"description": "felt", "condition": "dry", "friction_min": 0.2, "friction_max": 0.3, "pressure_min": 50e3}
+    said |= {"pressure_max": 80e3, "temperature_min": 90, "temperature_max": 95, "source": "Test 12"}
+    assert said.items() <= listed["F1"].model_dump().items()
+    assert not {"pressure_min", "pressure_max", "temperature_min", "temperature_max"} & listed["F2"].model_fields_set
+    assert materials_in(file(tmp_path, "own.toml", TOML)) == listed
 
 
 @pytest.mark.parametrize(("text", "says"), REFUSED["material"])
 def test_what_is_wrong_with_a_row_is_said_in_one_sentence(text, says, tmp_path, afmcalc):
     path = file(tmp_path, "own.csv", "\n".join([*CSV.splitlines()[:2], text]))
     with pytest.raises(AfmcalcError, match="own.csv") as told:
-        own_materials(path)
+        materials_in(path)
     assert says in str(told.value)
     run = afmcalc(
         "torque", CONFIGS / "default.toml", "--set", f"catalogues.materials={path}", "-o", tmp_path / "out.json"
@@ -75,7 +62,7 @@ def test_a_heading_that_is_not_known_and_a_list_that_is_none(tmp_path):
         ("d.toml", TOML.replace("[materials.", "[material."), "is no list of materials"),
     ):
         with pytest.raises(AfmcalcError, match=name) as told:
-            own_materials(file(tmp_path, name, text))
+            materials_in(file(tmp_path, name, text))
         assert says in str(told.value)
 
 
@@ -161,12 +148,13 @@ def test_paths_are_relative_to_the_file_that_names_them(tmp_path, afmcalc, monke
 
 
 def test_disc_springs_of_ones_own(tmp_path, afmcalc):
-    """They are called by their designation, else by name and source."""
+    """Disc springs of a user's list are named by their designation, else by name and source."""
     heading, *rows = DISCS.splitlines()
     listed = "\n".join([f"{heading},designation", f"{rows[0]},Пружина 50х25 ТУ 1", f"{rows[1]},"])
     path, sprung = file(tmp_path, "discs.csv", listed), tmp_path / "sprung.toml"
-    first, second = discs(path)
-    assert first[:7] == ("X 50", 0.05, 0.0254, 0.002, None, 0.0034, None)
+    first, second = discs_in(path)
+    sizes = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
+    assert [getattr(first, name) for name in sizes] == [0.05, 0.0254, 0.002, None, 0.0034]
     assert [first.title, second.title] == ["Пружина 50х25 ТУ 1", "X 60 (Maker's list)"]
     asked = ("springs", CONFIGS / "default.toml", "--set", f"catalogues.discs={path}", "--kind", "disc")
     parts = [each["part"] for each in afmcalc(*asked, "--json").json["result"]["closing"]]
@@ -180,7 +168,7 @@ def test_disc_springs_of_ones_own(tmp_path, afmcalc):
         (DISCS.replace("3.4", "2"), "X 50: free_height .* must be greater than thickness"),
     ):
         with pytest.raises(AfmcalcError, match=says):
-            discs(file(tmp_path, "wrong.csv", wrong))
+            discs_in(file(tmp_path, "wrong.csv", wrong))
 
 
 INCH = 25.4
@@ -212,14 +200,14 @@ LISTS = {
 @pytest.mark.parametrize("name", LISTS)
 def test_a_list_of_the_users_own(tmp_path, name):
     (tmp_path / name).write_bytes(LISTS[name].encode())
-    assert [1000 * size for size in own_balls(tmp_path / name)] == pytest.approx([5, 6.35, 8])
+    assert [1000 * size for size in balls_in(tmp_path / name)] == pytest.approx([5, 6.35, 8])
 
 
 @pytest.mark.parametrize(("name", "text", "says"), REFUSED["balls"])
 def test_what_is_no_list(tmp_path, name, text, says):
     (tmp_path / name).write_text(text, encoding="utf-8")
     with pytest.raises(AfmcalcError, match=says) as raised:
-        own_balls(tmp_path / name)
+        balls_in(tmp_path / name)
     assert name in str(raised.value)
 
 

@@ -34,7 +34,7 @@ class Opened:
         self.page = self.tab()
 
     def tab(self) -> Any:
-        """A tab of the browser with the page, its first answer shown."""
+        """Open the page in a new tab of the browser, and wait for its first answer."""
         page = self.context.new_page()
         page.on("console", lambda message: self.problems.append(message.text) if message.type != "log" else None)
         page.on("pageerror", lambda error: self.problems.append(str(error)))
@@ -50,7 +50,7 @@ class Opened:
         self.page.evaluate("document.querySelectorAll('#form details, form details').forEach(one => one.open = true)")
 
     def put(self, key: str, text: str) -> None:
-        """Write into a field, wait for nothing."""
+        """Write a text into a field, without waiting for the answer."""
         self.unfold()
         field = self.field(key)
         if field.evaluate("field => field.tagName") == "SELECT":
@@ -59,7 +59,7 @@ class Opened:
             field.fill(text)
 
     def answered(self, part: str) -> None:
-        """Wait until the command shown has this in it."""
+        """Wait until the command that the page shows contains a text."""
         has = "part => document.querySelector('#command').textContent.includes(part)"
         self.page.wait_for_function(has, arg=part)
 
@@ -79,7 +79,7 @@ class Opened:
     def open(self, name: str) -> None:
         """Open a tab and wait until it answers."""
         self.page.click(f"#tab-{name}")
-        if name == "design":  # as long as it takes only where it is asked for
+        if name == "design":  # a search takes long, so it starts only by a button
             self.page.click(f"#panel-{name} .start")
         self.page.wait_for_function(
             """name => { const panel = document.getElementById(`panel-${name}`)

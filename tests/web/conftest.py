@@ -12,7 +12,7 @@ from serving import Served
 
 @pytest.fixture(scope="session")
 def site(afmcalc: Any, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
-    """The page of a copy of the base clutch, which nothing may change."""
+    """The page for a copy of the base clutch; asserts at the end that its file is unchanged."""
     spec = spec_in(tmp_path_factory.mktemp("site"))
     before = spec.read_bytes()
     yield Site(afmcalc, spec)
@@ -44,7 +44,7 @@ def serve(tmp_path: Path) -> Iterator[Any]:
 
 @pytest.fixture
 def opened(chromium: Any) -> Iterator[Any]:
-    """Open the page of a server: ``opened(served, width=375, scheme="dark")``; the console has nothing to say of it."""
+    """Open the page of a server: ``opened(served, width=375, scheme="dark")``; its console must stay empty."""
     pages: list[Opened] = []
 
     def open_page(served: Served, **settings: Any) -> Opened:

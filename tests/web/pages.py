@@ -18,7 +18,7 @@ from conftest import CONFIGS, Run
 
 MISSING = [name for name in ("starlette", "uvicorn", "jinja2", "matplotlib") if not find_spec(name)]
 web = pytest.mark.skipif(bool(MISSING), reason=f"the extra web is not installed: no {', '.join(MISSING)}")
-TABS = ["accuracy", "drive", "heat", "tolerance", "design", "explanation", "report"]
+TABS = ["accuracy", "drive", "heat", "tolerance", "design", "report"]
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Answer:
 
 
 class Here:
-    """Answers in this process what a ``Worker`` has a process of its own answer; keeps the jobs."""
+    """Stand-in for a ``Worker`` that answers in this process, not in one of its own; it records the jobs."""
 
     jobs: list[Any] = []
 
@@ -48,7 +48,7 @@ class Here:
     def end(self, *, closed: bool = False) -> None:
         pass
 
-    async def ask(self, job: Any, gone: Any) -> Any:
+    async def ask(self, job: Any, gone: Any, page: str = "") -> Any:
         from afmcalc.web.replies import answer
 
         self.jobs.append(job)
@@ -56,16 +56,17 @@ class Here:
 
 
 def finished(coroutine: Any) -> Any:
-    """Result of a coroutine that runs in a thread of its own: in this one a browser may keep a loop running."""
+    """Result of a coroutine, which is run in a new thread: in this thread a browser may keep an event loop running."""
     with ThreadPoolExecutor(1) as pool:
         return pool.submit(contextvars.copy_context().run, asyncio.run, coroutine).result()
 
 
 class Site:
-    """What ``afmcalc serve …`` would serve; ``listening``: the address it would listen on, None where it refused to."""
+    """What ``afmcalc serve …`` would serve; ``listening``: the address it would listen on, None if it refuses to."""
 
     def __init__(self, afmcalc: Callable[..., Run], *arguments: object) -> None:
         self.listening: tuple[str, int] | None = None
+        self.known: dict[str, str] = {}
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr("afmcalc.web.app.Worker", Here)
             patch.setattr("uvicorn.Server.run", lambda server, sockets: self._started(server.config.app, *sockets))
@@ -143,8 +144,10 @@ class Site:
         return json.loads(answer.body.splitlines()[-1])
 
     def save(self, fields: dict[str, str], **more: object) -> Any:
-        answer = self.post("save", {"base": 0, "fields": fields, **more})
+        """The answer to the button, which tells what the page knows of the file."""
+        answer = self.post("save", {"base": 0, "fields": fields, **self.known, **more})
         assert answer.status == 200, answer
+        self.known = {"known": answer.json["known"]} if "known" in answer.json else self.known
         return answer.json
 
 

@@ -1,4 +1,4 @@
-"""The real ``afmcalc serve`` as a process of its own, and what may be asked of it."""
+"""The real ``afmcalc serve`` as a process of its own, with functions to query it."""
 
 import http.client
 import json
@@ -21,12 +21,12 @@ import pytest
 from pages import Answer
 
 PROGRAM = [sys.executable, "-m", "afmcalc"]
-_SECONDS = 60  # After which nothing is waited for any longer
+_SECONDS = 60  # Longest time to wait for an answer
 proc = pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="processes are counted in /proc")
 
 
 def answer_of(received: bytes) -> Answer:
-    """The first answer in what came over a socket; status 0 where there is none."""
+    """The first answer in the bytes received over a socket; status 0 if there is none."""
     head, _, body = received.partition(b"\r\n\r\n")
     first, *lines = head.decode("latin-1").split("\r\n")
     status = re.match(r"HTTP/1\.[01] (\d{3})", first)
@@ -41,7 +41,7 @@ class Served:
         self.spec, self.mark = spec, f"AFMCALC_TEST={uuid.uuid4().hex}"
         name, _, value = self.mark.partition("=")
         given = [*PROGRAM, "serve", str(spec), *map(str, arguments), "--no-browser", "--port", "0"]
-        # what a background job of a shell ignores would be ignored by the server too
+        # a background job of a shell ignores SIGINT, and the server would inherit that
         if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
             signal.signal(signal.SIGINT, signal.default_int_handler)
         self.process = subprocess.Popen(
@@ -62,7 +62,7 @@ class Served:
             self.said += line
 
     def post(self, path: str, body: object) -> Any:
-        """The answer to the page; None where the server ends before."""
+        """The answer to a request of the page; None if the server ends before it answers."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=_SECONDS)
         try:
             connection.request("POST", self.root + path, json.dumps(body), self.headers)
@@ -82,7 +82,7 @@ class Served:
 
     @contextmanager
     def streaming(self, name: str, **options: str) -> Iterator[Iterator[Any]]:
-        """The lines of a tab's answer as they come; leaving ends the connection."""
+        """Yield the lines of a tab's answer as they come; leaving the context ends the connection."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=_SECONDS)
         body = json.dumps({"base": 0, "fields": {}, "pinned": None, "options": options})
         connection.request("POST", f"{self.root}tab/{name}", body, self.headers)
@@ -97,7 +97,7 @@ class Served:
         return socket.create_connection(("127.0.0.1", self.port), timeout=_SECONDS)
 
     def raw(self, *request: bytes) -> tuple[Answer, int]:
-        """Send bytes as they are; the answer, and how many bytes of them were taken."""
+        """Send bytes as they are; return the answer, and the number of bytes that the server took."""
         with self.connected() as connection:
             received, sent = b"", 0
             with suppress(OSError):
@@ -111,15 +111,15 @@ class Served:
 
     # its processes
     def family(self) -> set[int]:
-        """Processes alive that this server or one of its children started, orphans too."""
+        """Processes still alive that this server or one of its children started, also orphans."""
         return {pid for pid in _marked(self.mark) if (_stat(pid) or "Z")[0] not in "ZX"}
 
     def memory(self) -> int:
-        """Bytes of memory that all of them hold; what they share counts once for each."""
+        """Memory of all these processes, bytes; shared memory counts once for each process."""
         return sum(int((_read(f"/proc/{pid}/statm") or "0 0").split()[1]) for pid in self.family()) * 4096
 
     def ticks(self) -> int:
-        """Processor time that they have taken, in hundredths of a second."""
+        """Processor time that these processes have taken, in hundredths of a second."""
         return sum(sum(map(int, fields[11:13])) for pid in self.family() if (fields := _stat(pid)))
 
     def is_quiet(self) -> bool:

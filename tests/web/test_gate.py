@@ -7,20 +7,20 @@ import tomllib
 
 import pytest
 from conftest import CONFIGS
-from pages import Here, Site, spec_in, web
+from pages import Here, Site, finished, spec_in, web
 from sources import DATA
 
 pytestmark = web
 LIVE = {"base": 0, "fields": {}, "pinned": None}
-POSTS = ["live", "save", "form", "tab/accuracy", "tab/design"]
+POSTS = ["live", "save", "open", "tab/accuracy", "tab/design"]
 LIMIT = 64 * 1024
 
 
 @pytest.fixture(autouse=True)
 def jobs(monkeypatch):
-    """The questions to the workers; they answer nothing."""
+    """Jobs that the workers get; they give an empty answer."""
 
-    async def ask(self, job, gone):
+    async def ask(self, job, gone, page):
         self.jobs.append(job)
         yield {"fragments": {}}
 
@@ -30,7 +30,7 @@ def jobs(monkeypatch):
 
 
 def refused(site, status, method, path, body=LIVE, **headers):
-    """Nothing of the clutch and no token is in a refusal, nothing may be read by another origin."""
+    """Assert a refusal: it has no token and nothing of the clutch, and no other origin may read it."""
     answer = site.ask(method, path, body, **headers)
     assert answer.status == status, (method, path, headers, answer)
     told = answer.body + str(answer.headers).encode()
@@ -44,7 +44,7 @@ def refused(site, status, method, path, body=LIVE, **headers):
 POLICY = {"default-src": "'none'", "frame-ancestors": "'none'", "base-uri": "'none'", "form-action": "'none'"}
 POLICY |= {"script-src": "'self'", "connect-src": "'self'", "style-src": "'self' 'unsafe-inline'"}
 POLICY |= {"img-src": "'self' data:", "frame-src": "blob:"}
-"""The sources that the drawings and the report need beside the server's own, and no more."""
+"""Sources that only the drawings and the report need, besides the server itself."""
 SAFE = {"x-content-type-options": "nosniff", "referrer-policy": "no-referrer", "cache-control": "no-store"}
 SAFE |= {"cross-origin-resource-policy": "same-origin"}
 
@@ -61,14 +61,14 @@ SERVED = {
     ("GET", ""): "text/html; charset=utf-8",
     ("GET", "page.css"): "text/css; charset=utf-8",
     ("GET", "page.js"): "text/javascript; charset=utf-8",
-    **{("POST", path): "application/json" for path in ("live", "save", "form")},
+    **{("POST", path): "application/json" for path in ("live", "save", "open")},
     ("POST", "tab/accuracy"): "application/x-ndjson",
 }
 
 
 @pytest.mark.parametrize(("method", "path"), SERVED)
 def test_what_is_served_and_to_whom(site, method, path):
-    """The page itself, a program without a browser, this machine by its other name; a GET also by an address typed in."""
+    """Served are the page itself, programs that are no browser, the name localhost; a typed address only with GET."""
     other = f"localhost:{site.host.partition(':')[2]}"
     for headers in ({}, {"origin": None, "sec_fetch_site": None}, {"host": other, "origin": f"http://{other}"}):
         answer = site.ask(method, site.root + path, LIVE, **headers)
@@ -88,7 +88,7 @@ SITES = ["cross-site", "same-site", "none", ""]
 
 
 def test_who_is_not_the_page_is_refused(site):
-    """A foreign name for this machine (DNS rebinding: with its own origin too), another origin, another site."""
+    """Refused are a foreign host name (DNS rebinding, also with its own origin), another origin, another site."""
     port = site.host.partition(":")[2]
 
     def filled(value):
@@ -108,8 +108,42 @@ def test_who_is_not_the_page_is_refused(site):
     refused(site, 403, "GET", site.root, sec_fetch_site="cross-site")
 
 
+def test_the_file_that_opens_the_browser_leads_to_the_page(site):
+    """A file belongs to no site: it may navigate to the page if it knows the token, but not query or frame it."""
+    opened = {"sec_fetch_site": "cross-site", "sec_fetch_mode": "navigate", "sec_fetch_dest": "document"}
+    assert site.get(**opened, origin=None).status == 200
+    refused(site, 404, "GET", "/", **opened, origin=None)
+    for other in ({"sec_fetch_dest": "iframe"}, {"sec_fetch_mode": "cors"}, {"sec_fetch_dest": "empty"}):
+        refused(site, 403, "GET", site.root, **(opened | other), origin=None)
+    refused(site, 403, "POST", site.root + "live", **opened, origin=None)
+
+
+def test_a_browser_leaves_port_80_out():
+    """A browser leaves port 80 out of host and origin."""
+    from starlette.applications import Starlette
+
+    from afmcalc.web.app import Gate
+
+    async def status(port, host):
+        async def send(message):
+            got.append(message.get("status"))
+
+        got, headers = [], [(b"host", host.encode()), (b"origin", f"http://{host}".encode())]
+        scope = {"type": "http", "method": "GET", "path": "/token/x", "headers": headers, "query_string": b""}
+        await Gate(Starlette(), port, "token")(scope, None, send)
+        return got[0]
+
+    for port, host, wanted in (
+        (80, "127.0.0.1", 404),
+        (80, "localhost:80", 404),
+        (80, "localhost.", 403),
+        (81, "127.0.0.1", 403),
+    ):
+        assert finished(status(port, host)) == wanted
+
+
 def test_without_the_token_there_is_nothing(site, afmcalc):
-    """The same answer whether there is such a path or not; the token is 128 bits at least, and new each time."""
+    """The answer is the same whether a path exists or not; the token has at least 128 bits, and is new each time."""
     token = site.root.strip("/")
     assert len(token) >= 22
     assert Site(afmcalc).root != site.root
@@ -155,7 +189,7 @@ BASES = [-1, 1, 99999, 1.5, 0.0, True, False, "0", "../x", None, [], {}, float("
 
 
 def test_what_is_no_request_of_a_page_is_refused(site):
-    """In base and fields, of what is pinned too; a form has a base alone."""
+    """Base and fields are checked, those of a pinned state too; the form takes only a base."""
     for body in UNREADABLE:
         for path in ("live", "save", "tab/design"):
             refused(site, 400, "POST", site.root + path, body)
@@ -174,7 +208,7 @@ def test_what_is_no_request_of_a_page_is_refused(site):
 
 
 def test_no_more_is_read_than_is_allowed(site):
-    """By what its head says, and by what comes, in one piece or in many."""
+    """A body is too long by its header, or by the bytes that come, in one piece or in many."""
     body = json.dumps(LIVE).encode()
     fits, more = body.ljust(LIMIT), body.ljust(LIMIT + 1)
     for path in POSTS:
@@ -202,11 +236,11 @@ def test_a_worker_is_asked_what_the_page_asked(site, jobs):
     for job, name in zip(jobs, ("live", "heat"), strict=True):
         assert job.keys() == {"name", "state", "pinned", "options", "first"}
         assert (job["name"], job["state"].fields, job["pinned"].fields) == (name, body["fields"], pinned["fields"])
-        assert (job["options"], job["first"]) == ({"sweep": "C"}, 1)
+        assert job["options"] == {"sweep": "C"}
 
 
 def test_a_fault_of_our_own_is_said(site, monkeypatch):
-    async def broken(self, job, gone):
+    async def broken(self, job, gone, page):
         raise KeyError("control\x1b_unit")
         yield
 
@@ -218,7 +252,7 @@ def test_a_fault_of_our_own_is_said(site, monkeypatch):
 
 
 def test_what_cannot_be_served_is_told(afmcalc, tmp_path, monkeypatch):
-    """A port that is taken or none, no file, no spec, a file that is there, the spec itself."""
+    """Refused are a port that is taken or invalid, a missing file, no spec, an existing file, the spec itself."""
     monkeypatch.chdir(tmp_path)
     (spec_in(tmp_path, file="there.toml"), spec_in(tmp_path))
     with socket.create_server(("127.0.0.1", 0)) as other:

@@ -17,7 +17,7 @@ OTHER = FIELDS | {"control_unit.gain": "0.9"}
 
 
 def test_without_permission_nothing_is_written(afmcalc, tmp_path):
-    """Neither what is built in nor an example nor a file of the user; wherever the form says to write."""
+    """Without --save or --force no file is written, whatever the form says: no example, no file of the user."""
     spec, elsewhere = spec_in(tmp_path), {"file": "x.toml", "output": "x.toml", "saved": "x.toml", "force": True}
     for arguments in ([], [spec], ["example:indirect", "--force"]):
         site = Site(afmcalc, *arguments)
@@ -31,7 +31,7 @@ def test_without_permission_nothing_is_written(afmcalc, tmp_path):
 
 @pytest.mark.parametrize("output", [["--force"], ["--save", "other.toml"], ["--save", "other.json"]])
 def test_what_is_saved_is_the_clutch_shown(output, afmcalc, tmp_path, monkeypatch):
-    """Twice: what was saved is saved over; a state that is no clutch is not written; what SPEC names is kept."""
+    """A file that was saved is saved again; an invalid state is not written; files that SPEC names stay in it."""
     monkeypatch.chdir(tmp_path)
     head = "name,description,condition,friction_min,friction_max,source\n"
     (tmp_path / "own.csv").write_text(f"{head}felt,felt,dry,0.2,0.3,Test 12\n", encoding="utf-8")
@@ -53,7 +53,7 @@ def test_what_is_saved_is_the_clutch_shown(output, afmcalc, tmp_path, monkeypatc
         ):
             assert site.save({key: text}).keys() == {"errors", "problems"}
         assert (tmp_path / name).read_text("utf-8") == written
-    assert written.count("#") >= 15 or name.endswith("json")  # what each key is stands beside it
+    assert written.count("#") >= 15 or name.endswith("json")  # a comment explains each key
     assert name == "clutch.toml" or spec.read_bytes() == before
     assert set(os.listdir()) == {"clutch.toml", "own.csv", "shipped.toml", name}
 
@@ -65,26 +65,47 @@ def test_a_file_made_meanwhile_is_not_replaced(afmcalc, tmp_path, monkeypatch):
     for _ in range(2):
         assert "--force" in str(site.save(FIELDS)["problems"])
     assert (tmp_path / "other.toml").read_text(encoding="utf-8") == "mine"
-    assert "gone" in str(Site(afmcalc, "clutch.toml", "--save", "gone/other.toml").save(FIELDS)["problems"])
+    assert "gone/other.toml: cannot be written" in Site(afmcalc, "clutch.toml", "--save", "gone/other.toml").run.err
+
+
+def test_what_an_editor_changed_is_not_overwritten(afmcalc, tmp_path):
+    """Unless the user confirms it; the second of two pages that save is warned as well; a pipe is refused at once."""
+    spec = spec_in(tmp_path)
+    site, edited = Site(afmcalc, spec, "--force"), f"{spec.read_text(encoding='utf-8')}# mine\n"
+    spec.write_text(edited, encoding="utf-8")
+    told = site.save(FIELDS)
+    assert told.keys() == {"message"}
+    assert "another program" in told["message"]
+    assert spec.read_text(encoding="utf-8") == edited
+    assert site.save(FIELDS, anyway=True)["saved"]
+    first, site.known = site.known, {}
+    assert site.save(OTHER).keys() == {"message"}
+    site.known = first
+    assert site.save(OTHER)["saved"]
+    assert "gain = 0.9" in spec.read_text(encoding="utf-8")
+    spec.unlink()
+    os.mkfifo(spec)
+    for more in ({}, {"anyway": True}, {"known": ""}):
+        assert "could be replaced" in str(site.save(OTHER, **more)["problems"])
 
 
 @proc
 @pytest.mark.tool
 def test_killed_while_saving_the_file_is_whole(serve, tmp_path):
-    """Ended by SIGKILL at any moment, the file is the old one or one of those saved."""
+    """If the server is ended by SIGKILL at any moment, the file is the old one or a saved one, whole."""
     states = [{"name": letter * 900, "control_unit.gain": f"0.{number}"} for number, letter in enumerate("abc", 4)]
     draw, whole = random.Random(7), {(CONFIGS / "default.toml").read_bytes()}
     for number in range(3):
         served = serve("default", "--force")
         if not number:
             for fields in states:
-                assert served.post("save", {"base": 0, "fields": fields})["saved"]
+                assert served.post("save", {"base": 0, "fields": fields, "anyway": True})["saved"]
                 whole.add(served.spec.read_bytes())
         ended = threading.Event()
 
         def save(served=served, ended=ended):
             while not ended.is_set():
-                served.post("save", {"base": 0, "fields": draw.choice(states)})
+                served.post("save", {"base": 0, "fields": draw.choice(states), "anyway": True})
 
         threads = [threading.Thread(target=save) for _ in range(2)]
         for thread in threads:

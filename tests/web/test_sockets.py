@@ -1,4 +1,4 @@
-"""Bytes sent to a real server that are no whole request, too large, too slow, or too much at once."""
+"""Bytes sent to a real server: incomplete requests, too large, too slow, or too many at once."""
 
 import time
 from contextlib import ExitStack
@@ -13,7 +13,7 @@ LIVE = b'{"base": 0, "fields": {}, "pinned": null}'
 
 
 def request(served, method="POST", path=None, body=LIVE, drop=(), **headers):
-    """A request byte by byte; headers of the page but for those dropped or changed."""
+    """Bytes of a request, with the headers that the page sends, except those dropped or changed."""
     sent = {"Host": served.host, **served.headers, "Content-Length": str(len(body)), "Connection": "close"}
     sent |= {name.replace("_", "-"): value for name, value in headers.items()}
     lines = [f"{name}: {value}" for name, value in sent.items() if name not in drop]
@@ -23,7 +23,7 @@ def request(served, method="POST", path=None, body=LIVE, drop=(), **headers):
 
 @pytest.fixture(autouse=True)
 def is_alive(served):
-    """After every test, with no more memory than before; its workers have started each time."""
+    """Assert after every test that the server answers and holds no more memory than before."""
 
     def settled():
         assert served.live({})["fragments"]["numbers"]
@@ -37,7 +37,7 @@ def is_alive(served):
 
 
 def test_what_is_no_request_is_refused(served):
-    """Two hosts or none, a character that is none, what would be another header, another protocol."""
+    """Two hosts or none, an invalid character, an injected header, another protocol."""
     upgrade = {"Connection": "Upgrade", "Upgrade": "websocket", "Sec_WebSocket_Version": "13"}
     after = {"Origin": f"http://{served.host}\r\nOrigin: http://evil.example"}
     for status, sent in (
@@ -59,7 +59,7 @@ def test_what_is_no_request_is_refused(served):
 
 
 def test_no_more_is_read_than_is_allowed(served):
-    """A large body, one without an end, a head without an end; the answer is lost where the connection is reset."""
+    """A large body, a body or a head without an end; the answer is lost if the connection is reset."""
     large = request(served, body=b"", Content_Length=str(100 * MIB))
     chunked = request(served, body=b"", drop=["Content-Length"], Transfer_Encoding="chunked")
     head = request(served, body=b"").removesuffix(b"\r\n")
@@ -78,7 +78,7 @@ def test_no_more_is_read_than_is_allowed(served):
 
 
 def test_half_requests_hold_up_nobody(served):
-    """Of many at once; half a body is ended after ten seconds."""
+    """A hundred half requests at once delay no answer; half a body is refused after ten seconds."""
     half = request(served, body=b"{" * 1000)[:-500]
     with ExitStack() as stack:
         for cut in range(100):

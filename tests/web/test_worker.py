@@ -1,4 +1,4 @@
-"""The process that calculates: whom it answers, when it is ended, what it may take."""
+"""The process that calculates: which jobs it answers, when it is ended, what memory and time it may take."""
 
 import asyncio
 import io
@@ -24,7 +24,7 @@ adjustment.nominal_torque = "200 N*m"
 
 
 class Process:
-    """Stands for the process of a worker: what it is asked, and the lines that it is made to answer."""
+    """Stand-in for the process of a worker: records the jobs, and answers with given lines."""
 
     returncode = None
 
@@ -45,7 +45,7 @@ class Process:
 
 @pytest.fixture
 def started(monkeypatch):
-    """The processes that are started, as they are."""
+    """List of the stand-ins started so far."""
     processes = []
 
     async def start(*arguments, **options):
@@ -62,7 +62,7 @@ async def here():
 
 
 def run(scene, *arguments, **options):
-    """Play a scene with a worker."""
+    """Run a coroutine that takes a worker."""
     from afmcalc.web.worker import Worker
 
     async def played():
@@ -76,12 +76,12 @@ def run(scene, *arguments, **options):
     finished(asyncio.wait_for(played(), 20))
 
 
-async def asked(worker, job, gone=here):
-    return [each async for each in worker.ask(job, gone)]
+async def asked(worker, job, gone=here, page=""):
+    return [each async for each in worker.ask(job, gone, page)]
 
 
 def test_a_job_is_told_of_and_answered(started):
-    """One after the other; nothing is calculated for whom has gone."""
+    """Jobs are answered one after the other; nothing is calculated for a client that has left."""
 
     async def scene(worker):
         async def gone():
@@ -99,7 +99,7 @@ def test_a_job_is_told_of_and_answered(started):
 
 
 def test_who_stops_listening_ends_the_process(started):
-    """Another takes its place; after an answer there is nothing to end."""
+    """A new process replaces one that was calculating; after an answer the process stays."""
 
     async def scene(worker):
         for said in ({"progress": 0.1}, {"html": ""}):
@@ -116,9 +116,11 @@ def test_who_stops_listening_ends_the_process(started):
 @pytest.mark.parametrize(("limit", "said"), [(0, "longer than 0 s"), (1e9, "without an answer")])
 def test_what_takes_too_long_or_dies_is_said_and_replaced(started, limit, said):
     async def scene(worker):
+        job = asyncio.create_task(asked(worker, {}))
+        await asyncio.sleep(0.001)
         if limit:
             started[0].kill()
-        (told,) = await asked(worker, {})
+        (told,) = await job
         assert said in told["problems"][0]
         await asyncio.sleep(0.001)
         assert [process.returncode for process in started] == [-9, None]
@@ -126,9 +128,57 @@ def test_what_takes_too_long_or_dies_is_said_and_replaced(started, limit, said):
     run(scene, limit=limit)
 
 
+def test_what_died_or_could_not_start_is_started_again(started, monkeypatch):
+    """At the next job a process is started anew if it was killed while idle, could not start, or ended at once."""
+
+    async def scene(worker):
+        started[0].kill()
+        job = asyncio.create_task(asked(worker, {}))
+        await asyncio.sleep(0.001)
+        started[1].answer({"html": 1})
+        assert await job == [{"html": 1}]
+        start = asyncio.create_subprocess_exec
+
+        async def refused(*arguments, **options):
+            raise OSError("no memory")
+
+        async def ends(*arguments, **options):
+            (process := await start(*arguments, **options)).stdout = asyncio.StreamReader()
+            process.kill()
+            return process
+
+        worker.end()
+        for how, why in ((refused, "no memory"), (refused, "no memory"), (ends, "it ended at once")):
+            monkeypatch.setattr(asyncio, "create_subprocess_exec", how)
+            assert f"could not be started: {why}" in str(await asked(worker, {}))
+        monkeypatch.setattr(asyncio, "create_subprocess_exec", start)
+        job = asyncio.create_task(asked(worker, {}))
+        await asyncio.sleep(0.001)
+        started[-1].answer({"html": 2})
+        assert await job == [{"html": 2}]
+
+    run(scene)
+
+
+def test_one_page_does_not_end_the_work_of_another(started):
+    async def scene(worker):
+        tasks = []
+        for number, page in enumerate("aba"):
+            tasks.append(asyncio.create_task(asked(worker, number, page=page)))
+            await asyncio.sleep(0.001)
+        for number in (1, 2):
+            started[-1].answer({"html": number})
+            await asyncio.sleep(0.001)
+        told = await asyncio.gather(*tasks)
+        assert told[1:] == [[{"html": 1}], [{"html": 2}]]
+        assert "newer change" in str(told[0])
+
+    run(scene, newest=True)
+
+
 @pytest.mark.parametrize("newest", [True, False])
 def test_a_newer_job_takes_the_place_of_others(started, newest):
-    """Of the one that is calculated and of one that waits; or all are answered, one after the other."""
+    """With ``newest``, a job replaces the one calculated and the one that waits; else all are answered in turn."""
 
     async def scene(worker):
         tasks = [asyncio.create_task(asked(worker, 0))]
@@ -150,9 +200,9 @@ def test_a_newer_job_takes_the_place_of_others(started, newest):
     run(scene, newest=newest)
 
 
-@pytest.mark.filterwarnings("ignore::ResourceWarning")  # its output is open until it ends
+@pytest.mark.filterwarnings("ignore::ResourceWarning")  # the output of the process is open until it ends
 def test_the_process_itself(monkeypatch, tmp_path):
-    """It limits its memory, says that it is warm, tells of a job and answers it, also where that is at fault."""
+    """It limits its memory, reports that it is ready and its progress, and answers each job, also one that fails."""
     from afmcalc.web import worker
 
     limits, texts = [], (CONFIGS / "default.toml").read_text(encoding="utf-8")
@@ -164,7 +214,7 @@ def test_the_process_itself(monkeypatch, tmp_path):
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO("\n".join(map(json.dumps, jobs)).encode())))
     monkeypatch.setattr(os, "dup", lambda number: os.open(tmp_path / "out", os.O_CREAT | os.O_WRONLY))
     monkeypatch.setattr(sys, "stdout", sys.__stdout__)
-    worker.main("ru", "si")
+    worker.main("ru", "si", 0)
     said = [json.loads(line) for line in (tmp_path / "out").read_text(encoding="utf-8").splitlines()]
     assert limits == [(resource.RLIMIT_AS, 8 << 30, 8 << 30)]
     assert said[0] == {}
@@ -178,12 +228,12 @@ def test_the_process_itself(monkeypatch, tmp_path):
     assert "KeyError" in str(fault["problems"])
 
 
-# real ones
+# real processes
 
 
 @pytest.fixture
 def search(served):
-    """A search under way, and the lines that come of it."""
+    """Start a search; yield the lines of its answer."""
     assert served.live({})["fragments"]
     with served.streaming("design", requirements=LONG) as lines:
         assert "progress" in next(lines)
@@ -193,7 +243,7 @@ def search(served):
 @proc
 @pytest.mark.tool
 def test_while_a_search_runs(served, search):
-    """A change is answered, another tab takes its place, and nothing is calculated any longer."""
+    """A change is answered at once; a job of another tab replaces the search, which then takes no more time."""
     before = served.family()
     assert served.live({"control_unit.gain": "0.7"})["fragments"]
     assert served.family() == before
@@ -207,7 +257,7 @@ def test_while_a_search_runs(served, search):
 @proc
 @pytest.mark.tool
 def test_whoever_goes_leaves_one_worker(served):
-    """Twice; what is killed from outside is replaced, too."""
+    """Leaving a search twice leaves one worker; workers that are killed from outside are replaced, too."""
     assert "html" in served.tab("accuracy", {})
     family = served.family()
     assert len(family) == 3
@@ -217,7 +267,7 @@ def test_whoever_goes_leaves_one_worker(served):
     until(lambda: len(served.family()) == 3 and served.is_quiet())
     for pid in served.family() - {served.process.pid}:
         os.kill(pid, signal.SIGKILL)
-    served.live({})  # may say that it was ended
+    served.live({})  # the answer may be that the worker was ended
     served.tab("accuracy", {})
     assert served.live({})["fragments"]
     assert "html" in served.tab("accuracy", {})
@@ -227,7 +277,7 @@ def test_whoever_goes_leaves_one_worker(served):
 @pytest.mark.tool
 @pytest.mark.parametrize(("number", "codes"), [("SIGINT", [130]), ("SIGTERM", [143, -15]), ("SIGKILL", [-9])])
 def test_no_process_is_left(serve, number, codes):
-    """While a search runs and half a request has come; Ctrl-C in a terminal is for all of its processes."""
+    """The server ends during a search and a half request; Ctrl-C in a terminal reaches all of its processes."""
     served = serve()
     with served.connected() as connection, served.streaming("design", requirements=LONG) as lines:
         connection.sendall(f"POST {served.root}live HTTP/1.1\r\nHost: {served.host}\r\nContent-Le".encode())

@@ -1,1 +1,1 @@
-"""A calculation as an engineer writes it."""
+"""Explanations: a calculation as steps with formulas; errors and warnings with the changes that clear them."""

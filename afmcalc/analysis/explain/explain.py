@@ -1,4 +1,4 @@
-"""A calculation as an engineer writes it: formula, numbers put in, value, source, and where the print differs.
+"""Steps of a calculation as an engineer writes them: formula, formula with numbers, value, source, misprints.
 
 ``explain`` lists the laws that were applied; a report shows each formula once, then a row of numbers for each case
 (``derivations``).
@@ -16,9 +16,10 @@ from ...equations.arrays import is_array
 from ...equations.catalogue import Equation, equation_of
 from ...equations.terms import CASES, Term, quantity_of, term_of
 from ...errors import AfmcalcError
-from ...findings import Finding
-from ...formula_tree import Tree, latex, symbol_tree
+from ...findings import FINDINGS, Finding
+from ...formula_tree import Tree, text
 from ...messages import did_you_mean, native, say, translate
+from ...papers.handbook_text import sections
 from ...papers.register import register
 from ...result import Answer, Result, described
 from ...spec import Spec
@@ -31,7 +32,6 @@ class Step(Result):
     """One quantity: what it is, its formula, the formula with numbers, its value."""
 
     symbol: str = described("symbol")
-    symbol_latex: str = described("symbol, LaTeX")
     name: str = described("what it is")
     at: str | None = described("friction it is for", optional=True)
     setting: Method | None = described("how the spring is set", optional=True)
@@ -43,8 +43,6 @@ class Step(Result):
     source: str = described("source")
     print_differs: str | None = described("what the paper prints instead", optional=True)
     function: str = described("equation function that ran")
-    formula_latex: str = described("formula, LaTeX")
-    substituted_latex: str = described("formula with numbers, LaTeX")
 
 
 class ExplainResult(Answer):
@@ -57,12 +55,14 @@ class ExplainResult(Answer):
 def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[ExplainResult, list[Finding]]:
     """Run a calculation and explain every law it applied; the findings are those of the calculation.
 
-    Raises AfmcalcError: no such calculation.
+    Raises AfmcalcError if there is no such calculation.
     """
     if command not in EXPLAINED:
-        hint = did_you_mean(command, EXPLAINED)
+        hint = did_you_mean(command, [*EXPLAINED, *sections("en")])
+        if command in {code.partition("/")[0] for code in FINDINGS}:
+            hint = say(" (a note: it says what is, and there is nothing to mend)")
         raise AfmcalcError(
-            "explain: no calculation {command!r}{hint}; explained are {analyses}",
+            "explain: no calculation {command!r}{hint}; explained are {analyses}; errors and warnings by their codes",
             command=command, hint=hint, analyses=", ".join(EXPLAINED),
         )  # fmt: skip
     clutch = noting(spec)
@@ -74,7 +74,7 @@ def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[
 
 def noting(spec: Spec) -> Clutch:
     """Return a clutch that notes the laws it applies."""
-    build(spec)  # refuses what is no clutch
+    build(spec)  # raises SpecError if the spec is no clutch
     return quantities_of(spec, noted=True)
 
 
@@ -84,7 +84,7 @@ def steps_of(clutch: Clutch) -> list[NotedStep]:
 
 
 def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
-    """Return the steps with one number each: along a wall that of the largest contact force, or else pressure."""
+    """Yield steps with one value each; along a wall the value at the largest pressure, or largest contact force."""
     steps = list(steps)
     largest = {
         step.name: int(step.value.argmax()) for step in steps if step.case == "along_wall" and step.name in _LARGEST
@@ -102,7 +102,7 @@ _LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
 
 
 def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
-    """Return the steps that are a formula with finite numbers, each once."""
+    """Return each step once whose law is a formula and whose numbers are finite."""
     found: dict[tuple[object, ...], NotedStep] = {}
     for step in steps:
         numbers = (*step.values.values(), step.value)
@@ -112,16 +112,16 @@ def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
 
 
 def _has_formula(step: NotedStep) -> bool:
-    """True if a law is a formula; one that compares numbers, as for the friction of the largest torque, is none."""
+    """True if the law of a step is a formula; a law that compares numbers, as in a search for a maximum, is not."""
     with suppress(TypeError):
         return bool(_formula(step))
     return False
 
 
 def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[NotedStep]]:
-    """Group the steps shown by law, each group after the steps that it uses.
+    """Group the steps in ``shown`` by law, each group after the steps that it uses.
 
-    A group is split where that needs it: a setting follows from a torque, and gives torques of its own.
+    A group is split if the order requires it: a spring setting follows from a torque, other torques from the setting.
     """
     left, parts, before = dict[tuple[str, str], list[NotedStep]](), list[list[NotedStep]](), dict[int, set[int]]()
     of_quantity, kept = dict[str, set[int]](), {*map(id, shown)}
@@ -148,20 +148,20 @@ def _equation(step: NotedStep) -> Equation:
 
 
 def _result(step: NotedStep) -> Term:
-    """Term of the result of a step; in some cases it has a name of its own, as K_т,w."""
+    """Term for the result of a step; some cases have their own term, such as K_т,w in the worst case."""
     own = next((case for case in step.case.split() if not CASES[case]), None)
     return Term(*term_of(f"{step.name}_at_{own}")) if own else _equation(step).result
 
 
 class Circumstance(NamedTuple):
-    """Circumstance that a value is for."""
+    """Circumstance in which a value was calculated."""
 
     at: str | None = None
-    """Friction it is for, such as ``f_max``, whether it falls, and the like."""
+    """Friction, or another condition, in words, such as ``f_max``; None if there is none."""
     setting: Method | None = None
-    """Setting of the spring; None: as it is."""
+    """Method by which the spring is set; None: as in the spec."""
     side: str | None = None
-    """Side of the clutch that the load is on, where that is the unprotected one."""
+    """``unprotected`` if the load is on that side of the clutch, else None."""
 
 
 _SETTINGS: dict[str, Method] = {"by_min": "min-friction", "by_mean": "mean-friction"}
@@ -175,7 +175,7 @@ def _circumstance(cases: str) -> Circumstance:
 
 
 def _formula(step: NotedStep, *, special: bool = True) -> FormulaText:
-    """Return the formula of a step with its numbers; ``special``: with the symbols of what its arguments stand for."""
+    """Formula of a step with the symbols of its law's arguments or, if ``special``, of the quantities put in."""
     terms = {name: (translate(own.symbol), own.unit) for name, own in _equation(step).arguments.items()}
     if special:
         terms |= {name: (translate(term_of(one).symbol), terms[name][1]) for name, one in step.arguments.items()}
@@ -183,7 +183,7 @@ def _formula(step: NotedStep, *, special: bool = True) -> FormulaText:
 
 
 def _print_differs(function: str) -> str:
-    """Text that the papers print in the place of an equation."""
+    """Text of the misprints of an equation in the papers; empty if there are none."""
     said = [
         say(
             "{id} prints {printed} ({misprint})",
@@ -200,12 +200,11 @@ def _print_differs(function: str) -> str:
 def _step(step: NotedStep) -> Step:
     equation, formula, case, result = _equation(step), _formula(step), _circumstance(step.case), _result(step)
     return Step(
-        symbol=native(result.symbol), symbol_latex=latex(symbol_tree(translate(result.symbol))),
+        symbol=native(result.symbol),
         name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
-        formula=formula.text(), substituted=formula.text_with_numbers(), value=float(step.value),
+        formula=text(formula.tree), substituted=text(formula.with_numbers()), value=float(step.value),
         unit=result.unit, source=translate(equation.source),
         print_differs=_print_differs(equation.name) or None, function=equation.name,
-        formula_latex=latex(formula.tree()), substituted_latex=latex(formula.tree_with_numbers()),
     )  # fmt: skip
 
 
@@ -214,17 +213,17 @@ class Meaning(NamedTuple):
 
     symbol: str
     text: str
-    """In words; empty where the formula it comes from says it."""
+    """Meaning in words."""
     unit: str
     """SI unit."""
     source: str = ""
-    """Symbol of the quantity it is, where that has another."""
+    """Symbol of the quantity that takes its place, if the two differ; else empty."""
     number: int | None = None
-    """Formula that it comes from; None of what is given."""
+    """Number of the formula that gives the value of the symbol; None for an input."""
 
 
 class CaseRow(NamedTuple):
-    """One case: what it is for, the numbers put in, and what comes out (SI)."""
+    """One case of a formula: circumstance, formula with numbers, and value (SI)."""
 
     case: Circumstance
     numbers: Tree
@@ -232,29 +231,29 @@ class CaseRow(NamedTuple):
 
 
 class Derivation(NamedTuple):
-    """One quantity of a calculation."""
+    """Formula of one quantity, and its values in each case."""
 
     number: int
-    """Number of its formula; the formula is shown where the number first stands."""
+    """Number of the formula; only the first derivation with this number shows the formula."""
     symbol: str
     name: str
     unit: str
     formula: Tree
-    """Empty where an earlier derivation has shown it."""
+    """Formula; empty if an earlier derivation has shown it."""
     where: list[Meaning]
-    """Symbols that no formula before has explained so."""
+    """Meanings of symbols that no earlier formula has explained."""
     rows: list[CaseRow]
     source: str
     differs: str
-    """Text that the paper prints instead."""
+    """Text of the misprints in the papers; empty if there are none."""
 
 
 _FEW = 4
-"""Cases above which the numbers are put into one line, not into fractions."""
+"""Number of cases above which the formulas with numbers are set in one line, without fractions."""
 
 
 def derivations(sections: Mapping[str, Iterable[NotedStep]]) -> dict[str, list[Derivation]]:
-    """Return the derivations of each section, of the steps noted for it; what was shown is not shown again."""
+    """Return the derivations of each section, from the steps noted in it; each formula is shown once."""
     report, known = _Report(), dict[int, str]()
     sections = {name: [*where_largest(steps)] for name, steps in sections.items()}
     for name, steps in sections.items():
@@ -274,7 +273,7 @@ class _Report:
         self.quantities: dict[str, int] = {}
         """Quantity → number of the formula that gives it."""
         self.terms: dict[Term, int] = {}
-        """Term → number of the formula that gives it, of equations that are not wired."""
+        """Term → number of the formula that gives it, for arguments that no noted quantity fills."""
         self.meanings: set[Meaning] = set()
 
     def derivation(self, steps: list[NotedStep]) -> Derivation:
@@ -288,22 +287,22 @@ class _Report:
             symbol=result.symbol,
             name=result.meaning or equation.about,
             unit=result.unit,
-            formula=formulas[0].tree() if is_new else (),
+            formula=formulas[0].tree if is_new else (),
             where=list(self.meanings_of(steps)),
             rows=[
                 CaseRow(
                     _circumstance(step.case),
-                    text.tree_with_numbers(units=False, line=len(steps) > _FEW),
+                    formula.with_numbers(units=False, line=len(steps) > _FEW),
                     float(step.value),
                 )
-                for step, text in zip(steps, formulas, strict=True)
+                for step, formula in zip(steps, formulas, strict=True)
             ],
             source=equation.source if is_new else "",
             differs=_print_differs(equation.name) if is_new else "",
         )
 
     def meanings_of(self, steps: list[NotedStep]) -> Iterator[Meaning]:
-        """Say what the symbols of a formula stand for, each meaning once in a report."""
+        """Yield the meanings of the symbols of a formula, each once in a report."""
         for step in steps:
             for name, own in _equation(step).arguments.items():
                 (symbol, unit, words), number, source = own, self.terms.get(own), ""

@@ -1,204 +1,167 @@
-"""The formula of a law, as text and as a tree, from running it on terms that keep what is done to them."""
+"""Formula of a law as a tree, read from the source of its function: with symbols of its arguments, or with numbers."""
 
-import math
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
-from typing import Any, NamedTuple, TypeAlias
+import ast
+import inspect
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import Any, NamedTuple
 
-from ...formula_tree import TIMES, Node, Tree, bracketed, is_single, raised, symbol_tree, text, value_tree
+from ...formula_tree import TIMES, Node, Tree, bracketed, is_single, raised, symbol_tree, value_tree
 from ...messages import localized, translate
 from ...units import typeset
 
-Factor: TypeAlias = "Tree | Expression"
-"""An atom or a quotient as a tree, or a sum."""
+
+@cache
+def _returned(function: Callable[..., Any]) -> ast.expr:
+    """Expression that a law returns, its local variables replaced by the expressions assigned to them.
+
+    Raises TypeError if the function has other statements than assignments and a return.
+    """
+    named: dict[str, ast.expr] = {}
+
+    class PutIn(ast.NodeTransformer):
+        def visit_Name(self, node: ast.Name) -> ast.expr:  # noqa: N802
+            return named.get(node.id, node)
+
+    (law,) = ast.parse(inspect.getsource(function)).body
+    for line in law.body[1:] if isinstance(law, ast.FunctionDef) else ():
+        match PutIn().visit(line):
+            case ast.Assign([ast.Name(name)], value):
+                named[name] = value
+            case ast.Assign([ast.Tuple(names)], ast.Tuple(values)):
+                named |= zip(map(ast.unparse, names), values, strict=True)
+            case ast.Return(ast.expr() as value):
+                return value
+            case _:
+                break
+    raise TypeError(f"{function.__name__} is no formula")
 
 
-class Style(NamedTuple):
-    """How products and quotients are written."""
-
-    dots: bool = False
-    """True if a dot stands between factors, as between numbers."""
-    line: bool = False
-    """True if quotients are in one line, not fractions."""
-
-
-_OF_SYMBOLS = Style()
+def _terms(node: ast.expr) -> list[tuple[bool, ast.expr]]:
+    """Terms of a sum, each after a flag that is True if the term is subtracted."""
+    match node:
+        case ast.BinOp(left, ast.Add(), right):
+            return [*_terms(left), *_terms(right)]
+        case ast.BinOp(left, ast.Sub(), right):
+            return [*_terms(left), (True, right)]
+    return [(False, node)]
 
 
-class Product(NamedTuple):
-    """A product; without factors it is 1."""
+class _Product(NamedTuple):
+    """Factors in the numerator and in the denominator of a product; a product without factors is 1."""
 
-    negative: bool = False
-    over: tuple[Factor, ...] = ()
-    under: tuple[Factor, ...] = ()
+    negative: bool
+    over: list[ast.expr]
+    under: list[ast.expr]
 
 
-@dataclass(frozen=True)
-class Expression:
-    """A sum of products, kept as it was written; arithmetic on it gives another."""
+def _product(node: ast.expr) -> _Product:
+    match node:
+        case ast.BinOp(left, ast.Mult(), right):
+            one, two = _product(left), _product(right)
+            return _Product(one.negative != two.negative, one.over + two.over, one.under + two.under)
+        case ast.BinOp(left, ast.Div(), right) | ast.Call(ast.Name("quotient"), [left, right]):
+            one, two = _product(left), _product(right)
+            if two.under:  # a quotient in a denominator stays a quotient
+                return one._replace(under=[*one.under, right])
+            return _Product(one.negative != two.negative, one.over, one.under + two.over)
+        case ast.UnaryOp(ast.USub(), operand):
+            return (one := _product(operand))._replace(negative=not one.negative)
+        case ast.Constant(1):
+            return _Product(False, [], [])
+    return _Product(False, [node], [])
 
-    terms: tuple[Product, ...] = (Product(),)
-    style: Style | None = None
-    """None of a number of the law itself."""
-    value: float = math.nan
-    """Value that it stands for: a law may ask whether there is one."""
 
-    def __gt__(self, other: float) -> bool:
-        """Compare what it stands for; what is calculated from it stands for no value."""
-        if math.isnan(self.value):
-            raise TypeError("a law that compares results is no formula")
-        return self.value > other
+_FUNCTIONS = {"larger": "max", "smaller": "min", "sin": "sin", "cos": "cos", "tan": "tan", "atan": "arctan"}
+"""Function of ``equations.arrays`` → its name in a formula."""
 
-    def __add__(self, other: "Expression | float") -> "Expression":
-        """Join sums."""
-        return self._with((*self.terms, *_term(other).terms), other)
 
-    def __sub__(self, other: "Expression | float") -> "Expression":
-        """Take off; a sum that is taken off stays in brackets."""
-        return self + -_term(other)
+class _Writer(NamedTuple):
+    """Writer of expressions as trees: ``names`` has the tree of each argument, ``values`` the number of each."""
 
-    def __mul__(self, other: "Expression | float") -> "Expression":
-        """Join products and quotients."""
-        one, two = _product(self), _product(_term(other))
-        return self._joined(Product(one.negative != two.negative, one.over + two.over, one.under + two.under), other)
+    names: Mapping[str, Tree]
+    values: Mapping[str, Any]
+    dots: bool
+    """True if factors are joined by dots, as numbers are."""
+    line: bool
+    """True if quotients are written in one line, not as fractions."""
 
-    def __truediv__(self, other: "Expression | float") -> "Expression":
-        """Put below the line; a quotient stays one."""
-        one, two = _product(self), _product(_term(other))
-        below = (self._with((two._replace(negative=False),), other).tree(),) if two.under else two.over
-        return self._joined(Product(one.negative != two.negative, one.over, one.under + below), other)
-
-    def __pow__(self, exponent: "Expression | float") -> "Expression":
-        """Raise; a third stays a fraction, which has no last decimal."""
-        base = self.tree()
-        if exponent == 0.5:
-            return self._atom((Node("root", parts=(base,)),))
-        power = Expression() / 3 if exponent == 1 / 3 else _term(exponent)
-        return self._atom(raised(base if is_single(base) else bracketed(base), power.tree()))
-
-    def __neg__(self) -> "Expression":
-        """Change the sign."""
-        own = _product(self)
-        return self._joined(own._replace(negative=not own.negative), 1.0)
-
-    def called(self, name: str, *values: "Expression | float") -> "Expression":
-        """Keep a function that is no arithmetic, as ``equations.arrays`` calls it."""
-        shown = [sign for one in values for sign in (",", *_term(one).tree())][1:]
-        function = Node("function", translate(name.replace("atan", "arctan"), "symbol"))
-        return self._atom((function, *bracketed(tuple(shown))))
-
-    def __radd__(self, other: float) -> "Expression":
-        """Join sums."""
-        return _term(other) + self
-
-    def __rsub__(self, other: float) -> "Expression":
-        """Take off."""
-        return _term(other) - self
-
-    def __rmul__(self, other: float) -> "Expression":
-        """Join products."""
-        return _term(other) * self
-
-    def __rtruediv__(self, other: float) -> "Expression":
-        """Put below the line."""
-        return _term(other) / self
-
-    def _with(self, terms: tuple[Product, ...], other: "Expression | float") -> "Expression":
-        return Expression(terms, self.style or _term(other).style)
-
-    def _atom(self, tree: Tree) -> "Expression":
-        return Expression((Product(over=(tree,)),), self.style)
-
-    def _joined(self, product: Product, other: "Expression | float") -> "Expression":
-        match product:
-            case Product(False, (Expression() as only,), ()):
-                return only
-        return self._with((product,), other)
-
-    def tree(self) -> Tree:
-        """Return it as a tree."""
+    def tree(self, node: ast.expr) -> Tree:
+        """Tree of an expression; a subtracted sum keeps its brackets."""
         tree: Tree = ()
-        for term in self.terms:
-            own = self._quotient(term)
-            is_sum = not term.under and len(term.over) == 1 and isinstance(term.over[0], Expression)
-            sign = ("−",) if term.negative else ("+",) if tree else ()
-            tree += (*sign, *(bracketed(own) if is_sum else own))
+        for taken_off, term in _terms(node):
+            product = _product(term)
+            negative, own = product.negative != taken_off, self._quotient(product)
+            is_sum = not product.under and [*map(_is_sum, product.over)] == [True]
+            sign = ("−",) if negative else ("+",) if tree else ()
+            tree += (*sign, *(bracketed(own) if is_sum and negative else own))
         return tree
 
-    def _quotient(self, term: Product) -> Tree:
-        above, below = self._factors(term.over) or (Node("number", "1"),), self._factors(term.under)
+    def _quotient(self, product: _Product) -> Tree:
+        above, below = self._factors(product.over) or (Node("number", "1"),), self._factors(product.under)
         if not below:
             return above
-        if not (self.style and self.style.line):
+        if not self.line:
             return (Node("fraction", parts=(above, below)),)
-        if len(term.over) == 1 and isinstance(term.over[0], Expression):
+        if [*map(_is_sum, product.over)] == [True]:
             above = bracketed(above)
-        # a number with its unit is divided by as a whole
+        # brackets keep a number and its unit together in the denominator
         return (*above, "/", *(below if is_single(below) else bracketed(below)))
 
-    def _factors(self, factors: tuple[Factor, ...]) -> Tree:
+    def _factors(self, factors: list[ast.expr]) -> Tree:
         tree: Tree = ()
         for factor in factors:
-            own = replace(factor, style=self.style).tree() if isinstance(factor, Expression) else factor
-            own = bracketed(own) if isinstance(factor, Expression) and len(factors) > 1 else own
+            own = bracketed(self.tree(factor)) if _is_sum(factor) and len(factors) > 1 else self._factor(factor)
             digits = tree and all(isinstance(each, Node) and each.kind == "number" for each in (tree[-1], own[0]))
-            dot = digits or (self.style and self.style.dots)
-            tree += ("·" if dot else TIMES, *own) if tree else own
+            tree += ("·" if digits or self.dots else TIMES, *own) if tree else own
         return tree
 
+    def _factor(self, node: ast.expr) -> Tree:
+        match node:
+            case ast.Name(name):
+                return self.names[name]
+            case ast.Constant(int() | float() as value):
+                return value_tree(localized(f"{value:g}"))
+            case ast.Attribute(attr="pi"):
+                return ("π",)
+            case ast.BinOp(base, ast.Pow(), ast.Constant(0.5)):
+                return (Node("root", parts=(self.tree(base),)),)
+            case ast.BinOp(base, ast.Pow(), exponent):
+                own = self.tree(base)
+                return raised(own if is_single(own) else bracketed(own), self.tree(exponent))
+            case ast.BinOp():
+                return self.tree(node)
+            case ast.Call(ast.Name("chosen"), [ast.Compare(ast.Name(name)), ast.Lambda(body=yes), ast.Lambda(body=no)]):
+                return self.tree(yes if self.values[name] > 0 else no)
+            case ast.Call(ast.Name(name), arguments) if name in _FUNCTIONS:
+                shown = [sign for one in arguments for sign in (",", *self.tree(one))][1:]
+                return (Node("function", translate(_FUNCTIONS[name], "symbol")), *bracketed(tuple(shown)))
+        raise TypeError(f"{ast.unparse(node)} is no formula")
 
-def _term(value: Expression | float) -> Expression:
-    if isinstance(value, Expression):
-        return value
-    size = abs(value)
-    own: Iterable[Factor] = [] if size == 1 else [("π",) if size == math.pi else value_tree(localized(f"{size:g}"))]
-    return Expression((Product(value < 0, (*own,)),))
 
-
-def _product(term: Expression) -> Product:
-    return term.terms[0] if len(term.terms) == 1 else Product(over=(term,))
-
-
-def leaf(tree: Tree, value: float = math.nan, style: Style = _OF_SYMBOLS) -> Expression:
-    """Return a symbol, or a number put in, that stands for a value."""
-    return Expression((Product(over=(tree,)),), style, value)
+def _is_sum(node: ast.expr) -> bool:
+    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub)
 
 
 class FormulaText:
-    """An equation function called on symbols, and on numbers that keep their units, unevaluated."""
+    """Formula of a law with symbols, and with numbers that keep their units."""
 
     def __init__(
-        self,
-        function: Callable[..., Any],
-        terms: Mapping[str, tuple[str, str]],
-        values: Mapping[str, Any],
+        self, function: Callable[..., Any], terms: Mapping[str, tuple[str, str]], values: Mapping[str, Any]
     ) -> None:
-        """Run ``function`` on its arguments: name → symbol and SI unit, name → value."""
-        self._function, self._values = function, {name: values[name] for name in terms}
-        self._units = {name: unit for name, (_, unit) in terms.items()}
-        self._tree = self._run({name: symbol_tree(symbol) for name, (symbol, _) in terms.items()}, _OF_SYMBOLS)
+        """Read ``function``; for each argument, ``terms`` has the symbol and SI unit, ``values`` the number.
 
-    def _run(self, trees: Mapping[str, Tree], style: Style) -> Tree:
-        leaves = {name: leaf(tree, self._values[name], style) for name, tree in trees.items()}
-        return _term(self._function(**leaves)).tree()
+        Raises TypeError if the law is no formula.
+        """
+        self._formula, self._terms, self._values = _returned(function), terms, values
+        symbols = {name: symbol_tree(symbol) for name, (symbol, _) in terms.items()}
+        self.tree = _Writer(symbols, values, dots=False, line=False).tree(self._formula)
 
-    def text(self) -> str:
-        """Return the formula on one line, Unicode."""
-        return text(self._tree)
-
-    def text_with_numbers(self) -> str:
-        """Return the formula with numbers and units put in, Unicode."""
-        return text(self.tree_with_numbers())
-
-    def tree(self) -> Tree:
-        """Return the formula as a tree."""
-        return self._tree
-
-    def tree_with_numbers(self, *, units: bool = True, line: bool = False) -> Tree:
-        """Return the formula with numbers as a tree, with their units, in one line if so wanted."""
+    def with_numbers(self, *, units: bool = True, line: bool = False) -> Tree:
+        """Return the formula with numbers in place of symbols; ``units`` adds units, ``line`` sets it in one line."""
         trees = {}
-        for name, value in self._values.items():
-            unit = translate(typeset(self._units[name]), "unit") if units and self._units[name] != "1" else ""
-            shown = value_tree(f"{localized(f'{value:.5g}')} {unit}")
-            trees[name] = bracketed(shown) if value < 0 else shown
-        return self._run(trees, Style(True, line))
+        for name, (_, unit) in self._terms.items():
+            value, shown = self._values[name], translate(typeset(unit), "unit") if units and unit != "1" else ""
+            tree = value_tree(f"{localized(f'{value:.5g}')} {shown}")
+            trees[name] = bracketed(tree) if value < 0 else tree
+        return _Writer(trees, self._values, dots=True, line=line).tree(self._formula)

@@ -1,29 +1,28 @@
-"""The formats a result is printed in."""
+"""The formats in which a result is printed."""
 
 import json
 import re
 from collections.abc import Callable
 from dataclasses import asdict
 from importlib import import_module
+from typing import cast
 
 from ...messages import printable
 from ...result import Output
 
 FORMATS = ("table", "json", "csv", "markdown")
-"""Names of the formats that a user chooses from; a notebook asks for html too, --excel for excel."""
+"""Names of the formats that a user can choose; there is also html, for notebooks."""
 
 Render = Callable[[Output, bool], str]
-"""``render(output, terminal)`` → the text for standard output or a file."""
-
-_HOMES = {"excel": ("csv", "excel"), "html": ("notebook", "render")}
+"""Function ``render(output, terminal)`` that returns the text for standard output or a file."""
 
 
 def renderer(name: str) -> Render:
     """Return the render function of a format, importing only its module."""
     if name == "json":
         return to_json
-    module, function = _HOMES.get(name, (name, "render"))
-    return getattr(import_module(f".{module}", __package__), function)
+    module = import_module(".notebook" if name == "html" else f".{name}", __package__)
+    return cast(Render, module.render)
 
 
 def to_json(output: Output, terminal: bool) -> str:
@@ -39,5 +38,5 @@ def to_json(output: Output, terminal: bool) -> str:
 
 
 def in_ascii(text: str) -> str:
-    """Return the same JSON in ASCII, for a stream that has not all letters."""
+    """JSON with all characters outside ASCII escaped, for a stream that cannot encode them."""
     return re.sub("[^\x00-\x7f]", lambda sign: json.dumps(sign[0])[1:-1], text)

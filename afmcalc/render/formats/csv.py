@@ -5,29 +5,22 @@ import io
 from itertools import chain
 from typing import Any
 
-from ...messages import printable
+from ...messages import localized, printable
 from ...result import Output
 from ..document import ENDS, Column, Document, document
 
 
 def render(output: Output, terminal: bool) -> str:
-    """Write the result's records or sweep, one row each; without any, all quantities in one row.
+    """Write a row for each record of a result, or each point of its sweep; without both, all quantities in one row.
 
-    Of a result of several lists, a row for every figure: which, of what, value, standard error, SI unit.
+    A result with several lists has a row for every number: quantity, record, value, standard error, SI unit.
     """
-    return _written(output, ",", ".")
-
-
-def excel(output: Output, terminal: bool) -> str:
-    """Write the same as a spreadsheet opens it where the decimal sign is a comma: with semicolons, and as UTF-8."""
-    return "\ufeff" + _written(output, ";", ",")
-
-
-def _written(output: Output, separator: str, decimal: str) -> str:
+    # where the language has a decimal comma spreadsheets expect semicolons, and the byte order mark of UTF-8
+    mark, separator, decimal = ("", ",", ".") if localized("0.5") == "0.5" else ("\ufeff", ";", ",")
     result, laid_out = output.result, document(output.result)
     columns = _figures(laid_out) if result.many_lists else _columns(laid_out)
     if result.rows_with_values:
-        # the single values that no column is of, the same in every row
+        # single values that have no column yet are repeated in every row
         known, count = {column.path for column in columns}, len(columns[0].values)
         singles = chain(*(_flat(column) for column in laid_out.singles if column.path not in known))
         columns = columns + [column._replace(values=column.values * count) for column in singles]
@@ -36,11 +29,11 @@ def _written(output: Output, separator: str, decimal: str) -> str:
     writer.writerow(_inert(f"{column.path} [{column.unit}]" if column.unit else column.path) for column in columns)
     rows = zip(*(column.values for column in columns), strict=True)
     writer.writerows([_cell(value, decimal) for value in row] for row in rows)
-    return text.getvalue()
+    return mark + text.getvalue()
 
 
 def _cell(value: Any, decimal: str) -> Any:
-    """Write a value into one cell, a list (an interval) too."""
+    """Cell of a value; the items of a list are joined by spaces."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, list):
@@ -52,13 +45,13 @@ def _cell(value: Any, decimal: str) -> Any:
 
 
 def _inert(text: str) -> str:
-    """Keep a spreadsheet from reading a formula into a text of the user's (the name of a spec)."""
+    """Text of the user (name of a spec), escaped so that a spreadsheet reads no formula into it."""
     shown = printable(text)
     return f"'{shown}" if shown.startswith(("=", "+", "-", "@")) else shown
 
 
 def _columns(laid_out: Document) -> list[Column]:
-    """The list that was asked for by name, else the first: the one the command is for; without any, one row."""
+    """Columns of the list marked ``data``, else of the first list; without a list, columns of all quantities."""
     lists = [table for table in laid_out.tables if not table.columns[0].path.endswith(".key")]
     if lists:
         return next((table for table in lists if table.shown.data), lists[0]).columns
@@ -71,7 +64,7 @@ def _columns(laid_out: Document) -> list[Column]:
 
 
 def _figures(laid_out: Document) -> list[Column]:
-    """Every figure of every list, with what it is of: the first column of the list."""
+    """Columns with a row for every single value and every number in a list, with the name of the number's record."""
     rows: list[tuple[Any, ...]] = [
         (single.path, None, *single.values, *(single.errors or [None]), single.unit) for single in laid_out.singles
     ]
@@ -89,7 +82,7 @@ def _figures(laid_out: Document) -> list[Column]:
 
 
 def _flat(column: Column) -> list[Column]:
-    """A column for each number: of an interval, of a triple."""
+    """One column for each number of an interval or a triple."""
     values, ends = column.values, [""]
     if len(values) == 3:
         ends = [f".{end}" for end in ENDS]

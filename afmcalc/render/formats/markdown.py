@@ -2,12 +2,10 @@
 
 import re
 
-from ...formula_tree import latex, value_tree
-from ...messages import native, printable, say, translate
+from ...messages import printable, translate
 from ...result import Output
-from ..amounts import measured
-from ..document import Document, document
-from ..text_tables import blocks, findings_lines, lead, title, told_apart, unfolded
+from ..document import document
+from ..text_tables import blocks, findings_lines, lead, step_lines, title, unfolded
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -22,32 +20,16 @@ def render(output: Output, terminal: bool) -> str:
         rule = ["---:" if right else "---" for right in block.numeric]
         lines += ["| " + " | ".join(map(_escape, row)) + " |" for row in (block.header, rule, *block.rows)]
         lines.append("")
-    lines += _steps(laid_out)
+    lines += ["```", *map(printable, step_lines(laid_out)[1:]), "```", ""] if laid_out.steps else []
     if remarks := findings_lines(output.findings):
         lines += [f"### {translate('Findings')}", "", *(f"- {_escape(line)}" for line in remarks), ""]
     return "\n".join(lines)
 
 
-def _steps(laid_out: Document) -> list[str]:
-    """Steps of an explanation with their formulas in LaTeX."""
-    lines = []
-    for step in laid_out.steps:
-        places = [*([step.at] if step.at else []), *told_apart(step, laid_out.steps)]
-        at = f" ({_escape(', '.join(places))})" if places else ""
-        equals = " = ".join(dict.fromkeys((step.formula_latex, step.substituted_latex)))
-        lines += [f"### {_escape(native(step.symbol))}{at}: {_escape(translate(step.name))}", ""]
-        value = latex(value_tree(measured(step.value, step.unit)))
-        lines += [f"$${step.symbol_latex} = {equals} = {value}$$", ""]
-        lines += [say("Source: {source}", source=_escape(translate(step.source))), ""]
-        if step.print_differs:
-            lines += [say("*Print differs:* {what}", what=_escape(translate(step.print_differs))), ""]
-    return lines
-
-
 def _escape(text: str) -> str:
-    """Keep what a spec may carry (its name) from being read as Markdown."""
+    """Text on one line, its markup characters escaped."""
     return " ".join(_MARKUP.sub(r"\\\g<0>", printable(text)).split())
 
 
 _MARKUP = re.compile(r"[\\|<>*`\[\]]|(?<!\w)_|_(?!\w)")
-"""Signs Markdown reads as markup; an underscore only at the edge of a word."""
+"""Pattern of characters that are markup in Markdown; an underscore is markup only at the edge of a word."""

@@ -1,4 +1,4 @@
-"""Tables for people by rich: ruled and coloured in a terminal, without both in a pipe or a file."""
+"""Tables for people by the library rich: with rules and colours in a terminal, without them in a pipe or a file."""
 
 import io
 import os
@@ -17,22 +17,23 @@ from ..document import document
 from ..text_tables import TextTable, blocks, findings_lines, lead, padded, step_lines, title, unfolded
 
 _NARROWEST, _UNBOUND = 20, 100_000
-"""Columns below which nothing can be read, and where nothing bounds them."""
+"""Smallest width of an output, and width without a limit, characters."""
 _SHORT, _GAP = 12, 2
-"""Columns of a table up to this width are kept whole, others as wide as their longest word; characters between them."""
+"""Width up to which a column of text is never folded; gap between columns; both in characters."""
 _SENTENCE = 36
-"""Width beyond which a column of values holds sentences, and is folded as text is."""
+"""Width beyond which a column of values holds sentences and is therefore folded as text."""
 _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 
 def render(output: Output, terminal: bool) -> str:
-    """Lay out tables and findings: what is wider than there is room for is folded or goes into a table of its own."""
+    """Tables and findings as text; a table wider than the terminal is folded or split."""
     laid_out, width = document(output.result), columns(terminal)
     text = io.StringIO()
     plain = None if terminal else True
     console = Console(file=text, force_terminal=terminal, no_color=plain, width=width, height=1, highlight=False)
-    lines = [(title(output), "bold"), *((line, "") for line in lead(output).splitlines())]
-    _print(console, *lines)
+    verdict = [(line, "") for line in lead(output).splitlines()]
+    last = output.command == "check"  # the verdict of a check is printed last, where it stays on the screen
+    _print(console, (title(output), "bold"), *([] if last else verdict))
     for block in unfolded(blocks(laid_out)):
         _print(console, ("", ""))
         _print(console, (block.title, "italic"), (block.legend, "dim"), (block.meanings, "dim"), filled=True)
@@ -43,26 +44,27 @@ def render(output: Output, terminal: bool) -> str:
     styles = {translate(level, "value"): style for level, style in _STYLES.items()}
     for number, line in enumerate(findings_lines(output.findings)):
         _print(console, *[("", "")] * (not number), (line, styles[line.partition(":")[0]]))
+    _print(console, *([("", ""), *verdict] if last else []))
     return "\n".join(line.rstrip() for line in text.getvalue().splitlines()) + "\n"
 
 
 def _print(console: Console, *lines: tuple[str, str], filled: bool = False) -> None:
-    """Print lines in their styles; ``filled``: but for those that are empty."""
+    """Print lines in their styles; if ``filled``, without empty lines."""
     for line, style in lines:
         if line or not filled:
             console.print(Text(line, style=style))
 
 
 def columns(terminal: bool) -> int:
-    """Return the columns that the user asked for by ``COLUMNS``, else those of a terminal; a pipe has no bound."""
+    """Width in characters: value of the variable COLUMNS, else width of the terminal; a pipe has no limit."""
     asked = os.environ.get("COLUMNS", "")
-    if asked.isdecimal() and (wanted := int(asked[:9])):  # so many digits are beyond any bound
+    if asked.isdecimal() and (wanted := int(asked[:9])):  # nine digits exceed any real width
         return min(max(wanted, _NARROWEST), _UNBOUND)
     return shutil.get_terminal_size().columns if terminal else _UNBOUND
 
 
 def _aligned(block: TextTable) -> TextTable:
-    """Set numbers with their points below each other."""
+    """Table with its numbers aligned at the decimal point."""
     numeric = [right and width <= _SENTENCE for right, width in zip(block.numeric, _widths(block), strict=True)]
     return padded(block._replace(numeric=numeric))
 
@@ -72,7 +74,7 @@ def _widths(block: TextTable) -> list[int]:
 
 
 def _kept(block: TextTable) -> list[int]:
-    """Widths that columns keep: of numbers, and of text that is short, all; of other text that of its longest word."""
+    """Smallest widths of columns: full width for numbers and short text, the longest word for other text."""
     cells = zip(block.header, *block.rows, strict=True)
     words = [max(map(len, " ".join(column).split()), default=0) for column in cells]
     kept = zip(_widths(block), words, block.numeric, strict=True)
@@ -80,7 +82,7 @@ def _kept(block: TextTable) -> list[int]:
 
 
 def _parts(block: TextTable, width: int) -> Iterator[TextTable]:
-    """Yield tables of as many columns as there is room for, each with the first one that tells every row."""
+    """Yield parts of a table that fit the width; each part repeats the first column that is filled in every row."""
     kept, groups = _kept(block), list[list[int]]([[]])
     key = next((at for at in range(len(kept)) if all(row[at] for row in block.rows)), 0)
     for at in range(len(kept)):
@@ -93,11 +95,11 @@ def _parts(block: TextTable, width: int) -> Iterator[TextTable]:
 
 
 def _table(block: TextTable, width: int, *, ruled: bool) -> Table:
-    """Set cells in columns: where there is room numbers, symbols and units are whole, and only text is folded."""
+    """Table as an object of the library rich; if the smallest widths fit, only long text is folded."""
     kept = _kept(block)
     fits = sum(kept) + _GAP * (len(kept) - 1) <= width
     table = Table(box=box.SIMPLE_HEAD if ruled else None, show_edge=False, header_style="bold")
-    table.padding = (0, _GAP - ruled, 0, 0)  # a rule takes a column between two
+    table.padding = (0, _GAP - ruled, 0, 0)  # a rule between two columns takes one character
     for heading, most, least in zip(block.header, _widths(block), kept, strict=True):
         table.add_column(Text(heading), overflow="fold", no_wrap=fits and most == least, min_width=least * fits)
     for row in block.rows:

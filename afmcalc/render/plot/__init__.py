@@ -1,4 +1,4 @@
-"""Plots: from what an analysis gathered to a sheet, and from a sheet to text, PNG, SVG or PDF."""
+"""Plots: from the data of an analysis to a sheet, and from a sheet to SVG, PNG or PDF."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -12,6 +12,6 @@ _HOMES = {"tolerance": "studies", "pareto": "studies", "pocket": "pocket_drawing
 
 
 def sheet_of(kind: str, gathered: Any) -> "Sheet":
-    """Lay out what ``analysis.plot_data.gathered`` gives for a kind of plot, by the function of its name."""
+    """Sheet of a kind of plot, from the data that ``analysis.plot_data.gathered`` returns for this kind."""
     module = import_module(f".{_HOMES.get(kind, 'curve_sheets')}", __package__)
     return getattr(module, kind)(gathered)

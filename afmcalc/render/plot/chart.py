@@ -16,7 +16,6 @@ class ChartAxis(NamedTuple):
     quantity: str
     symbol: str
     unit: str = "1"
-    log: bool = False
 
     @property
     def label(self) -> str:
@@ -24,50 +23,37 @@ class ChartAxis(NamedTuple):
         return headed(f"{self.quantity} {self.symbol}".strip(), self.unit)
 
     def shown(self, values: Iterable[float | None]) -> list[float]:
-        """Return values in the engineer's unit, NaN for those that are None."""
+        """Return values in the engineer's unit, NaN in place of None."""
         return [math.nan if value is None else converted(value, self.unit) for value in values]
 
 
 class Line(NamedTuple):
-    """A curve; values that are None are gaps."""
+    """A curve; it has a gap where a value is None."""
 
     label: str
     x: Sequence[float | None]
     y: Sequence[float | None]
-    tag: str = ""
-    """Short name set at its end, such as the number of the curve in a paper."""
     style: int | None = None
-    """Which of the line styles; by default the next one."""
+    """Index of the line style; None: the next style."""
     points: bool = False
-    """Only markers, no line."""
-    marker: int | None = None
-    """Which of the markers; by default that of the style."""
+    """True for markers without a line."""
     filled: bool = False
-    """Filled markers instead of open ones: points that stand out."""
+    """True for filled markers, which stand out; False for open markers."""
     names: Sequence[str] = ()
-    """Name of each point; those of the first and the last stand beside them."""
+    """Names of the points; only the names of the first and the last point are drawn."""
 
 
 class Guide(NamedTuple):
-    """A thin straight line across, at a value of one axis."""
+    """Straight line across the axes, at a value of x or of y."""
 
     label: str
     value: float
     across: bool = True
-    """Along x, at a value of y; False: the other way round."""
+    """True for a horizontal line at a value of y, False for a vertical line at a value of x."""
     tag: str = ""
-    """Short name set above the axes, for one that stands upright."""
+    """Short name above the axes, for a vertical line."""
     style: int | None = None
-    """Which of the guide styles; by default the next one."""
-
-
-class Dimension(NamedTuple):
-    """A dimension line beside the axes, between two values of y."""
-
-    label: str
-    low: float
-    high: float
-    style: int
+    """Index of the guide style; None: the next style."""
 
 
 class Area(NamedTuple):
@@ -88,14 +74,15 @@ class Chart:
     lines: list[Line]
     title: str = ""
     guides: list[Guide] = field(default_factory=list)
-    spans: list[Dimension] = field(default_factory=list)
     areas: list[Area] = field(default_factory=list)
+    log: bool = False
+    """True if the y axis is logarithmic."""
     from_zero: bool = False
-    """True if the axis of y begins at 0."""
+    """True if the y axis begins at 0."""
     bounds: tuple[float, float, float, float] | None = None
-    """Ends of the axes where they are not the data's: of x, then of y."""
+    """Limits of the x axis, then of the y axis; None: the limits of the data."""
     named: bool = False
-    """True if the lines are labelled with names of the user's, set as they are."""
+    """True if the labels of the lines are names given by the user, which are set unchanged."""
 
     @property
     def labels(self) -> list[str]:
@@ -113,9 +100,9 @@ class Sheet:
     """Charts, or one ``Drawing``."""
     caption: str = ""
     name: str | None = None
-    """Name of the user's (a spec's), beside the title; set as it is."""
+    """Name of a spec, beside the title; set unchanged."""
     aside: str = ""
-    """Text below the caption where the drawing stands alone."""
+    """Further caption of a drawing that stands alone, outside a report."""
 
     @property
     def below(self) -> str:
@@ -123,15 +110,15 @@ class Sheet:
         return f"{self.caption} {self.aside}".strip()
 
 
-def axis_of(record: Result, name: str, *, log: bool = False, quantity: str | None = None) -> ChartAxis:
-    """Axis of a field of results, read off its symbol, unit and description."""
+def axis_of(record: Result, name: str, *, quantity: str | None = None) -> ChartAxis:
+    """Axis for a field of a result, labelled with symbol, unit and description of the field."""
     field = type(record).model_fields[name]
     shown = shown_as(field)
-    return ChartAxis(quantity or translate(field.description or name), shown.symbol or "", shown.unit, log)
+    return ChartAxis(quantity or translate(field.description or name), shown.symbol or "", shown.unit)
 
 
 def line_of(record: Result, name: str, x: Sequence[float | None], **how: Any) -> Line:
-    """Line of a field that holds a list, labelled by its symbol and description; ``how`` as of ``Line``."""
+    """Line of a field that has a list, labelled with its symbol and description; ``how``: arguments of ``Line``."""
     axis = axis_of(record, name)
     return Line(f"{axis.symbol}: {axis.quantity}", x, getattr(record, name), **how)
 
@@ -157,5 +144,5 @@ def stated(symbol: str, value: float, unit: str) -> str:
 
 
 def guide_at(text: str, symbol: str, value: float, unit: str, *, across: bool = True) -> Guide:
-    """Guide at a value, which ``{stated}`` in the text of its label tells."""
+    """Guide at a value, with the label ``text``, in which ``{stated}`` is replaced by symbol, value and unit."""
     return Guide(filled(text, {"stated": stated(symbol, value, unit)}), value, across)

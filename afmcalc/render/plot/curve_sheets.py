@@ -1,4 +1,4 @@
-"""Sheets of curves: of clutches over friction, a key or time, of springs, and of the papers' figures."""
+"""Sheets of curves: clutches over friction, over a spec key or over time, springs, and the papers' figures."""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 from ...messages import deferred, named, say, translate
 from ...spec.keys import is_whole
 from ..amounts import display
-from .chart import Area, Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
+from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
-if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no other analysis than its own
+if TYPE_CHECKING:  # results that are drawn, for signatures only: a plot loads only its own analysis
     from ...analysis.neglected import EffectsCurve
     from ...analysis.plot_data import AccuracyCurve, LifeCurve, OverloadCurve, SimulateFigure, TorqueCurve
     from ...analysis.simulate import MomentRow
@@ -17,12 +17,12 @@ if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no ot
 
 
 def _called(curve: "TorqueCurve | AccuracyCurve | LifeCurve") -> str:
-    """Label of one of several clutches."""
+    """Label for the curve of a clutch, if several clutches are drawn."""
     return named(curve.name) or translate(curve.variant, "value")
 
 
 def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
-    """Torque against friction: both settings of one clutch with their scatter bands, or several as they are set."""
+    """Torque over friction: one clutch set by both methods, with scatter bands, or several clutches as they are set."""
     unlike = any(curve.friction_driving for curve in curves)
     x = axis_of(curves[0], "friction_driving" if unlike else "friction")
     y = axis_of(curves[0], "torque", quantity=translate("slip torque"))
@@ -34,11 +34,9 @@ def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
     methods = ("torque_min_friction", "torque_mean_friction")
     extra = [name for name in ("breakaway_torque", "torque_returning") if getattr(curve, name)]
     lines = [line_of(curve, name, curve.friction) for name in (*methods, *extra)]
-    bands = [sorted((line.y[0] or 0.0, line.y[-1] or 0.0)) for line in lines[:2]]
-    spans = [
-        Dimension(stated(f"ΔT_{number + 1}", high - low, "N*m"), low, high, number)
-        for number, (low, high) in enumerate(bands)
-    ]
+    for number, line in enumerate(lines[:2]):
+        scatter = stated(f"ΔT_{number + 1}", abs((line.y[-1] or 0.0) - (line.y[0] or 0.0)), "N*m")
+        lines[number] = line._replace(label=f"{line.label}, {scatter}")
     guide = guide_at(deferred("clutch's nominal torque {stated}"), "T_н", curve.nominal_torque, "N*m")
     caption = say(
         "Both settings for the same nominal torque; margin β_н = {margin:g} in the second. ΔT is the scatter band of "
@@ -47,12 +45,12 @@ def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
     )  # fmt: skip
     if curve.friction_driving:
         caption += " " + translate("f_2 moves with f_1.")
-    chart = Chart(x, y, lines, guides=[guide], spans=spans, from_zero=True)
+    chart = Chart(x, y, lines, guides=[guide], from_zero=True)
     return Sheet(title, [chart], caption, curve.name)
 
 
 def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
-    """K_т over the gain, or over the key asked for; of one clutch also what it is and where its limit lies."""
+    """Accuracy factor K_т over the gain or another key; for one clutch also its present value and the gain limit."""
     y = axis_of(curves[0].series, "accuracy_factor")
     x = ChartAxis(translate(curves[0].about).partition(";")[0], curves[0].symbol, curves[0].unit)
     title = say("Accuracy factor K_т against {quantity} {symbol}", quantity=x.quantity, symbol=x.symbol).rstrip()
@@ -78,7 +76,7 @@ def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
 
 
 def overload(curve: "OverloadCurve") -> Sheet:
-    """The trip over friction, and expected against actual accuracy over the reduced gain (S22 fig. 3)."""
+    """Trip torque over friction, and expected and actual accuracy over the reduced gain (S22 fig. 3)."""
     caption = translate(
         "Equilibrium: at slip the load equals the expected torque for every margin; the published T_ср = T_п − ΔT' "
         "(S22 (14)) swaps the weights of T_п and T_н.маш (misprint M12). Where the release force lags the load "
@@ -120,9 +118,9 @@ _METHODS = {
 
 
 def life(curves: "Sequence[LifeCurve]") -> Sheet:
-    """Life against the scatter band: both sides of one clutch as each setting puts it, or one side of several."""
+    """Life over the scatter band: both sides and settings of one clutch, or the protected side of several clutches."""
     x = ChartAxis(translate("torque scatter band"), "ΔT", "N*m")
-    y = axis_of(curves[0].series, "protected", log=True, quantity=translate("cycles to failure"))
+    y = axis_of(curves[0].series, "protected", quantity=translate("cycles to failure"))
     first, single = curves[0], len(curves) == 1
     if single:
         sides = ("protected", "unprotected", "protected_forecast")
@@ -144,7 +142,7 @@ def life(curves: "Sequence[LifeCurve]") -> Sheet:
         else "Where there is no line, fatigue sets no limit."
     )
     about = say("Model: {model}. T_min as the clutch has it, T_max = T_min + ΔT.", model=translate(first.model))
-    chart = Chart(x, y, lines, guides=guides, named=not single)
+    chart = Chart(x, y, lines, guides=guides, log=True, named=not single)
     return Sheet(title, [chart], f"{about} {beyond}", first.name if single else None)
 
 
@@ -156,7 +154,7 @@ _EFFECTS = {
 
 
 def effects(curve: "EffectsCurve") -> Sheet:
-    """Torque against friction, by the law and between what each neglected effect makes of it."""
+    """Torque over friction by the law, and its upper and lower limit with each neglected effect."""
     lines = [line_of(curve, "torque", curve.friction, style=0)]
     for style, effect in enumerate(curve.effects, 1):
         for symbol, torque in (("T_high", effect.high), ("T_low", effect.low)):
@@ -172,7 +170,7 @@ SPRINGS = {"closing": deferred("closing spring"), "control": deferred("control s
 
 
 def springs(curve: "SpringsCurve") -> Sheet:
-    """Force of each spring over its deflection, with what the clutch uses of it."""
+    """Force of each spring over its deflection, with its range of use and the range in service."""
     caption = translate(
         "Upright: ends of the range of use, and of what service takes of it. Friction between discs is left out."
     )
@@ -195,7 +193,7 @@ def _spring(spring: "SpringCurve") -> Chart:
 
 
 def _upright(label: str, ends: Iterable[float], style: int) -> list[Guide]:
-    """Guides that mean the same: the legend names the first."""
+    """Vertical guides with the same meaning; the legend names only the first guide."""
     return [Guide("" if number else label, end, across=False, style=style) for number, end in enumerate(ends)]
 
 
@@ -206,7 +204,7 @@ _EVENTS = {
 
 
 def simulate(figure: "SimulateFigure") -> Sheet:
-    """An event of the drive: what the shaft carries at three frictions, who turns how fast, the sleeve's travel."""
+    """An event of the drive over time: shaft torque and travel of the sleeve at three frictions, and the speeds."""
     mean = figure.courses[1]
     time, times = axis_of(mean[0], "time"), [row.time for row in mean]
     load = guide_at(deferred("load before the event {stated}"), "T_0", figure.load, "N*m")
@@ -242,13 +240,15 @@ def _at_frictions(figure: "SimulateFigure", value: "Callable[[MomentRow], float 
 
 
 def paper(figure: "PaperFigure") -> Sheet:
-    """One figure of the papers, redrawn from the formulas, its corrections named in the caption."""
-    x, *axes = (ChartAxis(translate(axis.name), axis.symbol, axis.unit, axis.log) for axis in (figure.x, *figure.y))
+    """One figure of the papers, redrawn from the formulas; the caption names the corrections."""
+    x, *axes = (ChartAxis(translate(axis.name), axis.symbol, axis.unit) for axis in (figure.x, *figure.y))
     panels = []
-    for y, curves in zip(axes, figure.panels, strict=True):
+    for y, drawn, curves in zip(axes, figure.y, figure.panels, strict=True):
         labels = [": ".join(filter(None, (curve.number, translate(curve.label)))) for curve in curves]
         lines = zip(labels, curves, strict=True)
-        panels.append(Chart(x, y, [Line(label, c.x, c.y, tag=c.number, points=c.points) for label, c in lines]))
+        # the number that a curve has in the paper is written at the end of the curve
+        shown = [Line(label, c.x, c.y, points=c.points, names=[""] * (len(c.x) - 1) + [c.number]) for label, c in lines]
+        panels.append(Chart(x, y, shown, log=drawn.log))
     caption = [translate(figure.inputs), say("Mended: {mended}.", mended="; ".join(map(translate, figure.corrections)))]
     if figure.assumed:
         caption.append(say("Not printed, assumed here: {assumed}", assumed=translate(figure.assumed)))

@@ -1,20 +1,20 @@
-"""How plots look, and from a chart to matplotlib's axes."""
+"""Style of plots, and the drawing of a chart into matplotlib's axes."""
 
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
-from ...messages import localized, spoken
-from ..symbols import literal, mathtext
-from .chart import Chart, Dimension, Line, power
+from ...messages import localized, printable, spoken
+from ..symbols import marked
+from .chart import Chart, Line, power
 
 INK, GRID, SHADE = "#111111", "#d4d4d4", "#9a9a9a"
-"""Colours a page may replace by its own (dark mode): text and axes, grid, shaded regions."""
+"""Colours that a page may replace (dark mode): text and axes, grid, shaded regions."""
 WRONG, PAPER = "#a40e26", "#ffffff"
-"""Colours of what is in the way, and of what hides other things, which a page may replace too."""
+"""Colours of overlapping parts, and of areas that hide what is behind them; a page may replace these colours, too."""
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#aa4499", "#111111", "#e69f00", "#56b4e9")
-"""The colours of Okabe and Ito, with a darker reddish purple, to stand out on white, and the ink for black."""
+"""Colours of Okabe and Ito; the reddish purple is darker, to stand out on white, and black is the colour of the ink."""
 DASHES: tuple[Any, ...] = (
     "solid",
     (0, (6, 2)),
@@ -28,9 +28,9 @@ MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 GUIDES: tuple[Any, ...] = ((0, (1, 2)), (0, (4, 3)), (0, (8, 3, 1, 3)), "solid")
 
 WIDTH = 6.9
-"""Inches: a little less than the text of an A4 page is wide, where a figure is as wide as the text."""
+"""Width of a figure, inches: a little less than the text width of an A4 page, which the figure is to fill."""
 SIZE = 9.0
-"""Points: the smallest size of a text."""
+"""Smallest size of a text, points."""
 
 PARAMETERS = {
     "font.family": "sans-serif",
@@ -60,14 +60,12 @@ PARAMETERS = {
     "legend.frameon": False,
     "legend.fontsize": SIZE,
     "legend.handlelength": 3.6,
+    "legend.labelspacing": 0.3,
     "hatch.linewidth": 0.5,
-    "mathtext.default": "regular",
-    "text.hinting": "no_hinting",  # a text is as wide at any size of the picture
+    "text.parse_math": False,
     "svg.hashsalt": "afmcalc",
-    "svg.fonttype": "none",  # text as text
-    "pdf.compression": 9,
-    "savefig.dpi": 150,
-    "figure.dpi": 150,
+    "svg.fonttype": "none",  # texts stay texts, not outlines
+    "figure.dpi": 72,
 }
 """Settings that replace matplotlib's defaults, so that a user's matplotlibrc changes nothing."""
 
@@ -77,41 +75,45 @@ def paint(axes: Any, chart: Chart) -> None:
     x, y = chart.x, chart.y
     for area in chart.areas:
         edges = x.shown(area.x), y.shown(area.low), y.shown(area.high)
-        axes.fill_between(*edges, color=SHADE, alpha=0.28, linewidth=0, label=_folded(area.label))
+        axes.fill_between(*edges, color=SHADE, alpha=0.28, linewidth=0, label=folded(area.label))
     for number, line in enumerate(chart.lines):
         _line(axes, chart, line, number if line.style is None else line.style)
     for number, guide in enumerate(chart.guides):
         style = GUIDES[(number if guide.style is None else guide.style) % len(GUIDES)]
         draw, axis = (axes.axhline, y) if guide.across else (axes.axvline, x)
         (value,) = axis.shown([guide.value])
-        draw(value, label=_folded(guide.label), color=INK, linewidth=1.0, linestyle=style, zorder=1.5, clip_on=False)
+        draw(
+            value,
+            label=folded(guide.label),
+            color=INK,
+            linewidth=1.0,
+            linestyle=style,
+            zorder=1.5,
+            clip_on=False,
+        )
         if guide.tag:
-            over, tag = axes.get_xaxis_transform(), mathtext(guide.tag)
+            over, tag = axes.get_xaxis_transform(), marked(guide.tag)
             axes.annotate(tag, (value, 1), xycoords=over, ha="center", va="bottom", rotation=90)
-    for number, span in enumerate(chart.spans):
-        _span(axes, span, y.shown((span.low, span.high)), number)
     _limits(axes, chart)
     _ticks(axes)
-    axes.set_xlabel(_folded(x.label))
-    axes.set_ylabel(_folded(y.label, _UP))
-    axes.set_title(_folded(chart.title, _TITLE))
+    axes.set_xlabel(folded(x.label))
+    axes.set_ylabel(folded(y.label, UP))
+    axes.set_title(folded(chart.title, TITLE))
 
 
-LETTERS, _TITLE, _UP = 90, 72, 34
-"""Letters of a line of text, of a chart's title, and of the label of an upright axis."""
+LETTERS, TITLE, UP = 86, 72, 34
+"""Largest number of letters in a line of text, of a chart's title, and of the label of an upright axis."""
 
 
-def _folded(text: str, letters: int = LETTERS, typeset: Callable[[str], str] = mathtext) -> str:
+def folded(text: str, letters: int = LETTERS, typeset: Callable[[str], str] = marked) -> str:
+    """Return a text folded into lines and typeset for matplotlib."""
     return "\n".join(map(typeset, textwrap.wrap(text, letters)))
 
 
-def _span(axes: Any, span: Dimension, ends: Sequence[float], number: int) -> None:
-    """Draw a dimension line beside the axes, its text along it."""
-    over, x, colour = axes.get_yaxis_transform(), 1.03 + 0.06 * number, COLOURS[span.style]
-    how = {"xycoords": over, "textcoords": over, "annotation_clip": False, "color": colour}
-    arrow = {"arrowstyle": "<|-|>", "color": colour, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", (x, ends[1]), (x, ends[0]), arrowprops=arrow, **how)
-    axes.annotate(mathtext(span.label), (x + 0.01, sum(ends) / 2), ha="left", va="center", rotation=90, **how)
+def _of_user(text: str) -> str:
+    """Name given by the user, as a label; matplotlib hides a label that begins with ``_``."""
+    shown = printable(text)
+    return f" {shown}" if shown.startswith("_") else shown
 
 
 def _ticks(axes: Any) -> None:
@@ -133,14 +135,12 @@ def _line(axes: Any, chart: Chart, line: Line, style: int) -> None:
     how: dict[str, Any] = {"linestyle": DASHES[style % len(DASHES)]}
     if line.points:
         how = {"markersize": 5.0, "zorder": 4} if line.filled else _OPEN
-        marker = MARKERS[(style if line.marker is None else line.marker) % len(MARKERS)]
-        how = how | {"linestyle": "none", "marker": marker, "clip_on": False}
-    label = _folded(line.label, typeset=literal if chart.named else mathtext)
+        how = how | {"linestyle": "none", "marker": MARKERS[style % len(MARKERS)], "clip_on": False}
+    label = folded(line.label, typeset=_of_user if chart.named else marked)
     points = chart.x.shown(line.x), chart.y.shown(line.y)
     axes.plot(*points, color=COLOURS[style % len(COLOURS)], label=label, **how)
     named = [*zip(line.names, *points, strict=False)]
-    tagged = [(line.tag, points[0][-1], points[1][-1])] if line.tag else []
-    for text, *place in dict.fromkeys([*named[:1], *named[-1:], *tagged]):
+    for text, *place in dict.fromkeys([*named[:1], *named[-1:]]):
         axes.annotate(text, place, (4, 4), textcoords="offset points", annotation_clip=False)
 
 
@@ -148,10 +148,10 @@ _OPEN: dict[str, Any] = {"markerfacecolor": "none", "markeredgewidth": 1.4, "zor
 
 
 def _limits(axes: Any, chart: Chart) -> None:
-    """Scales and limits; a whole-number axis gets whole ticks."""
+    """Set scales and limits of the axes; an axis of whole numbers gets ticks at whole numbers."""
     from matplotlib.ticker import MaxNLocator
 
-    if chart.y.log:
+    if chart.log:
         axes.set_yscale("log")
         axes.yaxis.set_major_formatter(lambda value, _: power(value))
     if chart.from_zero and axes.get_ylim()[0] > 0:

@@ -1,4 +1,4 @@
-"""Section through a ball and its two pockets (A–A of the papers), to scale: a figure, and part of a shop sheet."""
+"""Section through a ball and its two pockets (A–A in the papers), to scale: a figure, and part of a shop drawing."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -24,13 +24,13 @@ from ..drawing import (
 from .chart import Sheet, stated
 
 Label = Callable[[str, float], str]
-"""Text of a dimension: from its symbol and its length, m."""
+"""Function that returns the text of a dimension from its symbol and its length, m."""
 _BESIDE, _BETWEEN, _HIGH = 62, 46, 210
-"""Millimetres on paper for dimensions beside and between the positions, and that both may be high at most."""
+"""Space for dimensions beside and between the two positions of the ball; largest height of both, mm on paper."""
 
 
 def pocket(drawing: ShopDrawing) -> Sheet:
-    """Draw the ball at the stop and, where the sleeve travels, at its largest travel."""
+    """Draw the ball with the sleeve at the stop and, if the sleeve travels, at the largest travel."""
     found, titles = drawing.synthesis, [(0.0, "")]
     if travel := found.travel_max:
         moved = say("at f_max, {stated}", stated=stated("x_max", travel, "m"))
@@ -53,14 +53,14 @@ def pocket(drawing: ShopDrawing) -> Sheet:
 
 
 def _faces(drawing: ShopDrawing, travel: float) -> tuple[float, float]:
-    """Distances of both faces from the ball's centre, mm: one sleeve seats the ball where the wall is curved."""
+    """Distances of both sleeves' faces from the ball's centre, mm; with a curved wall one sleeve seats the ball."""
     found = drawing.synthesis
     share = 1.0 if found.wall is not None else 0.5
     return 1e3 * (found.face_gap / 2 + share * travel), 1e3 * (found.face_gap / 2 + (1 - share) * travel)
 
 
 def _moved(drawing: ShopDrawing, travel: float, up: float) -> Iterator[Shape]:
-    """Draw both sleeves off their stop: each in which the ball moves turns until its walls bear on the ball again."""
+    """Draw both sleeves off their stop; a sleeve in which the ball moves is turned until a wall touches the ball."""
     found = drawing.synthesis
     steepness = (math.tan(found.wall_angle) + math.tan(found.wall_angle_max or found.wall_angle)) / 2
     for name, hand, face in zip(("SLEEVE_1", "SLEEVE_2"), (1, -1), _faces(drawing, travel), strict=True):
@@ -69,7 +69,7 @@ def _moved(drawing: ShopDrawing, travel: float, up: float) -> Iterator[Shape]:
 
 
 def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> Iterator[Shape]:
-    """Draw one of the sleeves with its pocket, off where it is at the stop."""
+    """Draw one of the sleeves with its pocket, displaced by ``x`` and ``y`` (mm) from its place at the stop."""
     (contour,) = (
         tuple((along * 1e3 + x, around * 1e3 + y) for along, around in each.points)
         for each in drawing.contours
@@ -87,7 +87,7 @@ def _ball(drawing: ShopDrawing, up: float) -> Iterator[Shape]:
 
 
 def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Iterator[Shape]:
-    """Dimension pockets and sleeves at the stop; ``k``: millimetres of the drawing that one of the paper is."""
+    """Draw dimensions of pockets and sleeves at the stop; ``k``: millimetres of the drawing for one on paper."""
     unit, shop = drawing.synthesis, drawing.sleeve
     points = {each.layer: [(along * 1e3, around * 1e3) for along, around in each.points] for each in drawing.contours}
     (face, half), (back, side) = points["POCKET_1"][-1], points["SLEEVE_1"][-1]

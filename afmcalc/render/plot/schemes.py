@@ -1,4 +1,4 @@
-"""The papers' schemes, drawn anew: the clutches in half section with their numbers, and a ball in its pockets."""
+"""The papers' schemes, drawn anew: clutches in half section with the numbers of their parts, and a ball in pockets."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -24,13 +24,13 @@ from .chart import Sheet
 
 
 class Part(NamedTuple):
-    """One part of a clutch in half section, axis below."""
+    """One part of a clutch in half section; the axis of the clutch is below."""
 
     number: str
-    """Number as in the paper; empty of a part without one."""
+    """Number of the part in the paper; empty if the part has no number."""
     boxes: tuple[Rectangle, ...]
     at: Point
-    """Where its number stands."""
+    """Position of the number."""
     kind: str = "body"
     """One of ``_HATCH``, else ``disc``, ``spring``, ``ball`` or ``key``."""
 
@@ -42,7 +42,7 @@ _TURNS = 4
 
 
 def _half_section(parts: tuple[Part, ...], length: float, top: float) -> Drawing:
-    """Draw a clutch in half section over an axis of a length."""
+    """Draw a clutch in half section over an axis of the given length."""
     size = TEXT * length / WIDTH
     shapes: list[Shape] = [Stroke("centre", ((0.0, 0.0), (length, 0.0)))]
     for part in parts:
@@ -72,7 +72,7 @@ def _shapes(kind: str, box: Rectangle) -> Iterator[Shape]:
 
 
 def _discs(first: float, count: int, inner: float, outer: float) -> tuple[Rectangle, ...]:
-    """Discs of a kind, every second place of a pack."""
+    """Friction discs of one kind, outer or inner, which take every second place in a pack."""
     places = (first + 0.5 * number for number in range(count))
     return tuple((left, left + 0.18, inner, outer) for left in places)
 

@@ -1,4 +1,4 @@
-"""The whole clutch in longitudinal section and from its end, to scale, with its dimensions and its part list."""
+"""The whole clutch in longitudinal section and in end view, to scale, with dimensions and part list."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -14,19 +14,19 @@ from .chart import Sheet, stated
 
 _MM = 1e3
 _HATCH = {"hub": 45.0, "stop ring": 45.0, "thrust disc": 120.0}
-"""Angle of the hatch of a part, else 135 degrees: neighbours have another."""
+"""Part → angle of its hatch lines, for any other part 135 degrees, so that neighbours differ."""
 _INSIDE, _OUTSIDE = ("bore", "hub", "ball_circle"), ("inner_diameter", "outer_diameter", "housing")
-"""Diameters with their dimensions to the left and to the right of the section."""
+"""Diameters that are dimensioned to the left, and to the right, of the section."""
 _GIVEN = (*_INSIDE, "inner_diameter", "outer_diameter", "face_gap")
-"""Dimensions that are a spec's own numbers; others are calculated."""
+"""Dimensions that are numbers of the spec; other dimensions are calculated."""
 _LEFT, _BETWEEN, _RIGHT, _ROW = 20.5, 22.0, 2.0, 4.6
-"""Millimetres on paper beside and between the views, and for a row of dimensions or of the part list."""
+"""Space left of, between and right of the views, and height of a row of dimensions or part list, mm on paper."""
 _COLUMNS = (0.0, 9.5, 55.0, 67.0, 126.0, 146.0)
-"""Where the columns of the part list begin, mm on paper."""
+"""Left ends of the columns of the part list, mm on paper."""
 
 
 def section(section: ClutchSection) -> Sheet:
-    """Draw a clutch at rest, with what moves also as it is at f_max."""
+    """Draw a clutch at rest; parts that move are also drawn in their place at f_max."""
     title = translate("Clutch in section, at rest and at f_max")
     return Sheet(title, [_drawing(section)], _caption(section), section.name, _assumed(section))
 
@@ -38,7 +38,7 @@ def _drawing(section: ClutchSection) -> draw.Drawing:
     unit = (length + 2 * radius) / (draw.WIDTH - _LEFT - _BETWEEN - _RIGHT)
     row, left, size = _ROW * unit, -_LEFT * unit, draw.TEXT * unit
     shapes = [*_along(section, length), *_from_the_end(section, length + _BETWEEN * unit + radius, size)]
-    # above the section from right to left, so that no text crosses a line to what is below
+    # dimensions above the section from right to left, so that no text crosses an extension line
     starts: list[float] = []
     lengths = [each for each in measures.values() if each.low >= 0 and each.key != "length"]
     for each in sorted(lengths, key=lambda each: -each.low):
@@ -77,13 +77,13 @@ def _label(measure: MainDimension) -> str:
 
 
 def _rectangles(boxes: Iterable[Box], hand: int = 1) -> list[draw.Rectangle]:
-    """Rectangles of what is above the axis, or below it, mm."""
+    """Rectangles of boxes above the axis or, if ``hand`` is −1, below it, mm."""
     both = ((box, (box.inner, box.outer) if hand > 0 else (-box.outer, -box.inner)) for box in boxes)
     return [(box.left * _MM, box.right * _MM, low * _MM, high * _MM) for box, (low, high) in both]
 
 
 def _along(section: ClutchSection, length: float) -> Iterator[draw.Shape]:
-    """Draw the section along the axis, both sides of it."""
+    """Draw the section along the axis, on both sides of the axis."""
     yield draw.Stroke("centre", ((-0.03 * length, 0.0), (1.03 * length, 0.0)))
     for hand in (1, -1):
         for part in section.parts.values():
@@ -106,7 +106,7 @@ def _part(section: ClutchSection, part: DrawnPart, hand: int) -> Iterator[draw.S
     elif part.turns:
         yield from _spring(part, boxes[0])
     elif part.name == "pack":
-        # a disc for each pair, those of the bypass pairs farthest from the spring, and what carries the inner ones
+        # a disc for each friction pair, the bypass pairs farthest from the spring, and the carrier of the inner discs
         face = hand * section.measures["inner_diameter"].high * _MM
         yield from _cut(part, [(left, right, low, face) if hand > 0 else (left, right, face, high)], [])
         low, high, step = (face, high, right - left) if hand > 0 else (low, face, right - left)
@@ -130,7 +130,7 @@ def _ball(box: draw.Rectangle, layer: str, part: str = "") -> draw.Circle:
 
 
 def _spring(part: DrawnPart, box: draw.Rectangle) -> Iterator[draw.Shape]:
-    """Draw a spring as the wire of its one coil, or as a zigzag: of discs, or of coils on a circle."""
+    """Draw a spring: the wire of a single coil spring, or a zigzag for disc springs and coil springs on a circle."""
     (left, right, low, high), layer = box, "assumed" if part.assumed else "springs"
     wire, long = high - low, right - left
     yield draw.Region(layer, (draw.corners(box),), part.name)
@@ -145,7 +145,7 @@ def _spring(part: DrawnPart, box: draw.Rectangle) -> Iterator[draw.Shape]:
 
 
 def _from_the_end(section: ClutchSection, middle: float, size: float) -> Iterator[draw.Shape]:
-    """Draw the view along the axis: housing, faces, hub, key, balls on their circle."""
+    """Draw the view along the axis: housing, friction faces, hub, feather key, balls on their circle."""
     radii = {name: measure.high * _MM for name, measure in section.measures.items() if measure.low < 0}
     yield draw.Circle("faces", (middle, 0.0), radii["outer_diameter"], hole=radii["inner_diameter"])
     yield from (
@@ -154,14 +154,14 @@ def _from_the_end(section: ClutchSection, middle: float, size: float) -> Iterato
     far = radii["housing"] + 0.4 * size
     yield draw.Stroke("centre", ((middle - far, 0.0), (middle + far, 0.0)))
     yield draw.Stroke("centre", ((middle, -far), (middle, far)))
-    if bore := 2 * radii.get("bore", 0.0):  # the key: 0.3 by 0.2 of the bore, about as ISO 773 has it
+    if bore := 2 * radii.get("bore", 0.0):  # the shaft key: 0.3 by 0.2 of the bore, about as in ISO 773
         yield draw.Region(
             "assumed", (draw.corners((middle - 0.15 * bore, middle + 0.15 * bore, 0.38 * bore, 0.58 * bore)),)
         )
     if balls := section.parts.get("balls"):
         circle, ball = radii["ball_circle"], (balls.row.right - balls.row.left) / 2 * _MM
         yield draw.Circle("centre", (middle, 0.0), circle)
-        for number in reversed(range(balls.pieces)):  # the last one is at the top
+        for number in reversed(range(balls.pieces)):  # the last ball is at the top
             angle = math.pi * (0.5 + 2 * number / balls.pieces)
             at = middle + circle * math.cos(angle), circle * math.sin(angle)
             yield draw.Circle("assumed" if balls.assumed else "balls", at, ball)
@@ -172,13 +172,13 @@ def _from_the_end(section: ClutchSection, middle: float, size: float) -> Iterato
 
 
 def _numbers(section: ClutchSection, length: float, y: float, size: float) -> Iterator[draw.Shape]:
-    """Number the parts below the section, each with a line to it."""
+    """Write the numbers of the parts below the section, each with a line to its part."""
     places = []
     for part in section.parts.values():
         boxes = _rectangles(part.boxes, -1)
         left, right, low, high = max(boxes, key=lambda box: (box[1] - box[0]) * (box[3] - box[2]))
         places.append(((left + right) / 2, (low + high) / 2, part.number))
-    # in the middle of equal steps from end to end and on, so that none is on the lines of the whole length
+    # in the middle of equal steps along the length and beyond it, so that no number is on a line of its dimension
     within = max(1, min(len(places), int(length / (2 * size))))
     for place, (x, middle, number) in enumerate(sorted(places), (within - len(places)) // 2):
         at = (place + 0.5) * length / within
@@ -187,7 +187,7 @@ def _numbers(section: ClutchSection, length: float, y: float, size: float) -> It
 
 
 def _part_list(section: ClutchSection) -> list[list[str]]:
-    """Write heads, a row for each part, and the mass of all whose mass is known."""
+    """Cells of the part list: headings, a row for each part, and the sum of the known masses."""
     rows = [[*map(translate, ("Item", "Part", "Count", "Size, mm", "Mass, kg", "Sizes"))]]
     for part in section.parts.values():
         row, long = part.row, draw.tenths(part.row.right - part.row.left)
@@ -217,7 +217,7 @@ def _caption(section: ClutchSection) -> str:
         said.append(translate("Orange: discs of the pairs that bypass the control unit."))
     for one, other, missing in section.overlaps:
         overlap = finding("parts-collide", "error", value=missing, first=translate(one), second=translate(other))
-        said.append(say("Red: {overlap}.", overlap=overlap.message))  # in the words of check
+        said.append(say("Red: {overlap}.", overlap=overlap.message))  # as the command check says
     if section.assumed:
         said.append(translate("* and dashed: drawn at a default, for the spec does not give it."))
     if "bore" in section.measures:

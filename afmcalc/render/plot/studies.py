@@ -1,4 +1,4 @@
-"""Sheets of many clutches at once: the torque over tolerances, and the front of a design."""
+"""Sheets of many clutches at once: the scatter of the torque under tolerances, and the front of a design."""
 
 import math
 from collections import Counter
@@ -66,7 +66,7 @@ def _study_caption(figure: "ToleranceFigure") -> str:
 
 
 def _risk(event: str, probability: float, samples: int) -> str:
-    """A sample in which it never happens says only that it is rare."""
+    """Probability of an event as text; for an event that no sample has: rarer than one in ``samples``."""
     if not probability:
         return f"P({event}) < {_percent(1 / samples)}"
     return f"P({event}) = {_percent(probability)}"
@@ -76,12 +76,8 @@ def _percent(probability: float) -> str:
     return f"{localized(f'{100 * probability:.4g}')} %"
 
 
-_INK = 4
-"""The style in the colour of the text."""
-
-
 def pareto(figure: "ParetoFigure") -> Sheet:
-    """The Pareto front of a design: the first objective against the others, each clutch with its number."""
+    """The Pareto front of a design: the first objective against each other objective, each clutch with its number."""
     result = figure.result
     x, *others = dict.fromkeys(name.removeprefix("-") for name in result.objectives)
     charts = [_front(result, x, y) for y in others]
@@ -89,19 +85,16 @@ def pareto(figure: "ParetoFigure") -> Sheet:
 
 
 def _front(result: "DesignResult", x: str, y: str) -> Chart:
-    """Draw the clutches of a front: colour tells their friction pairs, shape their variant."""
-    groups: dict[tuple[str, int], list[DesignRow]] = {}
-    for row in result.front:
-        groups.setdefault((row.variant, row.pairs), []).append(row)
-    variants, pairs = (sorted(set(part)) for part in zip(*groups, strict=True))
-    lines = []
-    for (variant, z), rows in sorted(groups.items()):
-        points = _points(f"{translate(variant, 'value')}, z = {z}", rows, x, y)
-        lines.append(points._replace(style=pairs.index(z), marker=variants.index(variant)))
+    """Draw the clutches of a front, each variant with its own markers, the compromise filled."""
+    variants = sorted({row.variant for row in result.front})
+    lines = [
+        _points(translate(variant, "value"), [row for row in result.front if row.variant == variant], x, y)
+        for variant in variants
+    ]
     for row in result.front:
         if row.mark:
             marked = _points(say("compromise: no. {number}", number=str(row.number)), [row], x, y)
-            lines.append(marked._replace(style=_INK, marker=0, filled=True))
+            lines.append(marked._replace(filled=True))
     along, up = (_ends([row.objective(name) for row in result.front]) for name in (x, y))
     return Chart(_objective(result, x), _objective(result, y), lines, bounds=(*along, *up))
 

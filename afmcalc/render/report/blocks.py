@@ -1,7 +1,7 @@
-"""A document for people as typed blocks: what it says, before it is set as a page or on sheets of paper."""
+"""A document for people as typed blocks: its content, before it is set as a page or on sheets of paper."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass
 from typing import Any, Literal
 
 from .formulas import Formula
@@ -9,19 +9,19 @@ from .formulas import Formula
 
 @dataclass(frozen=True)
 class Piece:
-    """A part of a text that is set apart, or leads somewhere."""
+    """A part of a text with its own markup, or a link."""
 
     kind: Literal["sub", "sup", "b", "em", "q", "code", "soft", "sources", "grade", "link"]
     body: "Text"
     to: str = ""
-    """Target of a link; the kind of a grade."""
+    """Target of a link, or the name of a grade."""
 
 
 class Text(tuple["str | Piece", ...]):
     """A text in pieces."""
 
     def __str__(self) -> str:
-        """Return its letters alone."""
+        """Return the text without its markup."""
         return "".join(each if isinstance(each, str) else str(each.body) for each in self)
 
 
@@ -42,24 +42,24 @@ def text(*parts: "str | Piece | Text") -> Text:
 
 
 def piece(kind: Any, body: "str | Text", to: str = "") -> Piece:
-    """Set a text apart."""
+    """Build a piece: a text with its own markup, or a link."""
     return Piece(kind, text(body), to)
 
 
 def when(there: object, *parts: "str | Piece | Text") -> Text:
-    """Join texts where there is something to tell, else none."""
+    """Join texts if ``there`` is true; otherwise return an empty text."""
     return text(*parts) if there else Text()
 
 
 def listed(parts: "Sequence[str | Piece | Text]", sign: str = ", ") -> Text:
-    """Join texts with a sign between them; empty ones are left out."""
+    """Join texts with a sign between them; empty texts are left out."""
     shown = [part for part in parts if part]
     return text(*[each for part in shown for each in (sign, part)][1:])
 
 
 @dataclass(frozen=True)
 class Paragraph:
-    """A paragraph; its ``role`` is ``note``, ``sum`` and a grade of a verdict, or nothing."""
+    """A paragraph; its ``role`` is empty, ``note``, or ``sum`` followed by the grade of a verdict."""
 
     text: Text
     role: str = ""
@@ -68,7 +68,7 @@ class Paragraph:
 
 @dataclass(frozen=True)
 class Heading:
-    """A heading without a number, below that of its section."""
+    """A heading without a number, one level below the heading of its section."""
 
     level: int
     text: Text
@@ -76,9 +76,9 @@ class Heading:
 
 @dataclass(frozen=True)
 class Table:
-    """A table: a row of one cell heads the rows below it. One that has a number has a caption that links lead to.
+    """A table; a row of one cell is a heading for the rows below it. Links lead to the caption of a numbered table.
 
-    That of the ``role`` signatures has cells to sign: who answers for what.
+    A table with the ``role`` "signatures" has empty cells in which people sign.
     """
 
     role: str
@@ -86,10 +86,10 @@ class Table:
     head: Sequence[Text]
     rows: Sequence[Sequence[Text]]
     numeric: Sequence[bool] = ()
-    """True if each column is set flush right."""
+    """For each column True if it is set flush right."""
     number: int = 0
     named: bool = False
-    """True if links lead to the rows, by what stands in the first cell."""
+    """True if links lead to rows, named by the text of the first cell."""
 
 
 @dataclass(frozen=True)
@@ -111,22 +111,22 @@ class Drawing:
 
 @dataclass(frozen=True)
 class Step:
-    """A quantity as an engineer writes it: formula, what its symbols are, numbers put in, notes."""
+    """A quantity as an engineer writes it: formula, meanings of its symbols, numbers put in, notes."""
 
     what: Text
     number: str = ""
-    """Of its formula, where that stands here; links lead to it."""
+    """Number of the formula, to which links lead; empty if the formula is not printed here."""
     formula: Formula | None = None
     where: Sequence[Text] = ()
     lined: bool = False
-    """True if each symbol is explained on a line of its own."""
+    """True if each symbol is explained on its own line."""
     head: Sequence[Text] = ()
-    """Of the labels and the numbers, where there are several labels."""
+    """Headings for the columns of labels and for the numbers; only if there are several columns of labels."""
     lines: Sequence[tuple[Sequence[Text], Sequence[Formula]]] = ()
-    """Labels, and numbers put in with what comes out, between which a line may end."""
+    """For each case its labels, and the formulas with numbers and with the value; a line may end between formulas."""
     notes: Sequence[Text] = ()
     key: str = ""
-    """Anchor that links lead to, where that is no formula."""
+    """Anchor to which links lead if the formula has no number."""
 
 
 @dataclass(frozen=True)
@@ -146,7 +146,7 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Definitions:
-    """Symbols and what they are (``symbols``), or sources by their numbers (``references``)."""
+    """Symbols and their meanings (``symbols``), or sources by their numbers (``references``)."""
 
     role: Literal["symbols", "references"]
     items: Sequence[tuple[Text, Text]]
@@ -154,21 +154,21 @@ class Definitions:
 
 @dataclass(frozen=True)
 class Code:
-    """A text of a file or command line, as it is."""
+    """A text of a file or a command line, unchanged."""
 
     code: str
 
 
 @dataclass(frozen=True)
 class Entries:
-    """Entries of a title block: name, value, and whether that is long."""
+    """Entries of a title block: name, value, and a flag that is True for a long value."""
 
     items: Sequence[tuple[str, str, bool]]
 
 
 @dataclass(frozen=True)
 class Section:
-    """A numbered section, or an appendix under a letter; links lead to its key."""
+    """A numbered section, or an appendix with a letter; links lead to its ``key``."""
 
     key: str
     label: str
@@ -182,7 +182,7 @@ Block = Paragraph | Heading | Table | Figure | Step | Findings | Bullets | Defin
 
 @dataclass(frozen=True)
 class Document:
-    """A report, short or not, or the handbook."""
+    """A full report, a short report, or the handbook."""
 
     language: str
     program: str
@@ -191,16 +191,16 @@ class Document:
     cover: Sequence[Block]
     body: Sequence[Section]
     running: str
-    """Running title of a sheet that has no frame."""
+    """Running title of a sheet without frame."""
     date: str
-    """Day of the file, ISO 8601."""
+    """Date of the file, ISO 8601."""
     contents: bool = True
     paper: Literal["plain", "framed", "report", "book"] = "plain"
     short: bool = False
-    """True if it is to be two sheets."""
+    """True if the report is to take two sheets."""
     author: str = ""
     frame: "Frame | None" = None
-    """Title block of sheets that have a frame."""
+    """Title block of sheets with a frame."""
 
 
 @dataclass(frozen=True)
@@ -212,7 +212,7 @@ class Frame:
     organisation: str
     revision: str
     people: Sequence[tuple[str, str]]
-    """Role and name, row for row."""
+    """Role and name of each person, row by row."""
     changes: Sequence[str]
     """Heads of the columns of changes."""
     stage: Sequence[str]
@@ -220,10 +220,6 @@ class Frame:
     """Heads of the cells in the left margin, from the top."""
 
 
-def data_of(node: Any) -> Any:
-    """Return a document as data of JSON: a block says what it is in ``kind``."""
-    if is_dataclass(node):
-        return {"kind": type(node).__name__.lower()} | {
-            field.name: data_of(getattr(node, field.name)) for field in fields(node)
-        }
-    return [data_of(each) for each in node] if isinstance(node, list | tuple) else node
+def data_of(block: Any) -> dict[str, Any]:
+    """Block or formula as an object of JSON; ``kind`` is its type."""
+    return {"kind": type(block).__name__.lower()} | vars(block)

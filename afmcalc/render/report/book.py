@@ -1,4 +1,4 @@
-"""The handbook as a document: Markdown with formulas, misprints, figures and lists of the program in it."""
+"""The handbook as a document: Markdown that includes formulas, misprints, figures and lists from the program."""
 
 import re
 from collections.abc import Callable, Iterator, Sequence
@@ -10,6 +10,7 @@ from ... import __version__
 from ...analysis.handbook_content import Entry, Handbook
 from ...formula_tree import symbol_tree, value_tree
 from ...messages import say, spoken, translate
+from ...papers.handbook_text import ways_in
 from ...papers.register import Misprint, misprints, references
 from ...units import typeset
 from ..amounts import measured, worded
@@ -58,14 +59,14 @@ class _Book:
             self.parts.append((number, head.removeprefix("# "), tokens))
 
     def chapters(self) -> list[blocks.Section]:
-        """Lay out every chapter: its number is in the name of its file."""
+        """Lay out every chapter; the number of a chapter is in the name of its file."""
         return [
             blocks.Section(f"chapter-{number}", str(number), said(title), self._chapter(number, tokens))
             for number, title, tokens in self.parts
         ]
 
     def _chapter(self, number: int, tokens: list[Token]) -> list[Block]:
-        """Lay out a chapter: what stands before its first section, then its sections."""
+        """Lay out a chapter: the text before its first section, then its sections."""
         before: list[Block] = []
         sections: list[blocks.Section] = []
         body = before
@@ -81,7 +82,7 @@ class _Book:
         return [*before, *sections]
 
     def _blocks(self, token: Token, left: Iterator[Token]) -> Iterator[Block]:
-        """Lay out what begins with a token; more of it is taken from those that are left."""
+        """Lay out the block that begins with ``token``; the other tokens of the block are taken from ``left``."""
         if token.type == "inline":
             found = _blocks_of(token)
             yield from (self._block(*each) for each in found)
@@ -107,10 +108,12 @@ class _Book:
             self.figures += 1
             sheet = SCHEMES[name]() if kind == "figure" else sheet_of(name.split()[0], self.handbook.plots[name])
             return figure_of(self.figures, sheet)
+        if kind == "mend":
+            return _mended_by(name)
         return self.lists[name]()
 
     def _formula(self, entry: Entry) -> blocks.Step:
-        """Lay out a formula: what its symbols are, an example, sources, proofs, and the commands that calculate it."""
+        """Lay out a formula: meanings of its symbols, example, sources, proofs, and the commands that calculate it."""
         equation = entry.equation
         symbol = symbol_tree(equation.result.symbol)
         source = self._linked(translate(equation.source).rstrip("."), equation.name)
@@ -155,7 +158,7 @@ class _Book:
         )
 
     def _linked(self, words: str, of: str) -> Text:
-        """Set a text of a docstring: a function that it names becomes the number of its formula."""
+        """Typeset a text of a docstring; the name of a function in it becomes the number of the function's formula."""
         pieces: list[Piece | Text] = []
         for place, part in enumerate(_NAMED.split(words)):
             name = part if "." in part else f"{of.partition('.')[0]}.{part}"
@@ -163,7 +166,7 @@ class _Book:
         return text(*pieces)
 
     def _inline(self, token: Token) -> Text:
-        """Set a line of Markdown."""
+        """Typeset a line of Markdown."""
         levels: list[list[str | Piece | Text]] = [[]]
         for child in token.children or []:
             if child.type == "em_open":
@@ -224,13 +227,13 @@ def _codes(names: Sequence[str]) -> Text:
 
 
 def _term(symbol: str, meaning: str, unit: str) -> Text:
-    """Say what a symbol is, with its unit."""
+    """Text with a symbol, its meaning and its unit."""
     means = when(meaning, " – ", said(translate(meaning)))
     return text(_strong(said(symbol)), means, f", {translate(unit, 'unit')}" if unit not in ("1", "") else "")
 
 
 def _misprint(entry: Misprint) -> blocks.Step:
-    """Lay out a misprint: what is printed, what should be, and why."""
+    """Lay out a misprint: the printed text, the correct text, and the reason."""
     status = [translate(entry.status, "value") + (f" {entry.repeats}" if entry.repeats else "")]
     status += [translate(entry.certainty, "value")] if entry.certainty != entry.status else []
     quote = when(entry.quote, piece("q", said(entry.quote or "", False)))
@@ -247,11 +250,11 @@ def _misprint(entry: Misprint) -> blocks.Step:
 
 _INLINE = re.compile(r"\{(see|value) ([^{}]+)\}")
 _NAMED = re.compile("``([a-z_.]+)``")
-_BLOCK = re.compile(r"\{(equation|misprint|figure|plot|list) ([^{}]+)\}")
+_BLOCK = re.compile(r"\{(equation|misprint|figure|plot|list|mend) ([^{}]+)\}")
 
 
 def _blocks_of(token: Token) -> list[tuple[str, str]]:
-    """Content that the program puts in the place of a paragraph; nothing where it is one of prose."""
+    """Kind and name of each directive in a paragraph of directives; empty for a paragraph of prose."""
     lines = [_BLOCK.fullmatch(line.strip()) for line in token.content.splitlines()]
     return [(line[1], line[2]) for line in lines if line] if all(lines) else []
 
@@ -261,7 +264,7 @@ def _directives(tokens: list[Token]) -> Iterator[tuple[str, str]]:
 
 
 def _until(end: str, left: Iterator[Token], rows: list[int] | None = None) -> list[Token]:
-    """Return the texts before a token; ``rows``: how many stood before each row of a table."""
+    """Take tokens up to the type ``end``; return the inline tokens; append to ``rows`` how many precede each row."""
     texts: list[Token] = []
     for token in left:
         if token.type == end:
@@ -278,6 +281,16 @@ def _table(
     return blocks.Table(role, text(), [text(translate(head)) for head in heads], rows, named=named)
 
 
+def _mended_by(ways: str) -> blocks.Paragraph:
+    """Lay out the spec keys whose change clears a finding, each with its direction: larger, smaller or either."""
+    about, pairs = ways_in(ways)
+    own = when(about, piece("code", about), ": ")
+    return blocks.Paragraph(text(own, listed([text(_ARROWS[way], "\xa0", piece("code", path)) for path, way in pairs])))
+
+
+_ARROWS = {"+": "↑", "-": "↓", "±": "↕"}
+
+
 def _misprints() -> blocks.Table:
     rows = [
         [text(piece("link", entry.id, entry.id)), said(translate(entry.where)), text(translate(entry.status, "value"))]
@@ -288,4 +301,4 @@ def _misprints() -> blocks.Table:
 
 def _references() -> blocks.Table:
     rows = [[text(name), said(source)] for name, source in references().items() if name != "handbook"]
-    return _table(("Cited as", "Source"), rows, named=True)  # it does not cite itself
+    return _table(("Cited as", "Source"), rows, named=True)  # without the handbook, which does not cite itself

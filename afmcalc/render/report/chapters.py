@@ -1,4 +1,4 @@
-"""The chapters of a report: one for each topic of the dossier, its numbers, its calculation, its drawing."""
+"""The chapters of a report, one for each topic of the dossier: numbers, calculation and drawing of the topic."""
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import chain
@@ -8,7 +8,6 @@ from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
 from ...analysis.explain.explain import CaseRow, Derivation, Meaning
 from ...analysis.spring_search import SpringsResult
-from ...analysis.tolerance_study import ToleranceResult
 from ...formula_tree import Tree, symbol_tree, value_tree
 from ...messages import deferred, say, translate, with_unit
 from ...result import Result, Triple
@@ -36,7 +35,7 @@ class Chapter(NamedTuple):
 
 
 def chapters(dossier: Dossier) -> list[Chapter]:
-    """Lay out every topic."""
+    """Lay out every topic of a dossier."""
     return [
         Chapter(
             topic,
@@ -53,20 +52,20 @@ def _tables(topic: Topic) -> list[TextTable]:
 
 
 def _captioned(topic: Topic, table: TextTable) -> TextTable:
-    """Name a table that has no name after its topic, and after its columns where it has several."""
+    """Give a table without title the name of its topic and, if it has several columns, the names of its columns."""
     title, heads = translate(topic.title), table.header[2:-1]
     return table if table.title else table._replace(title=f"{title}: {', '.join(heads)}" if heads[1:] else title)
 
 
 def _laid_out(result: Result) -> list[TextTable]:
-    """Set tables with symbols and names in the place of keys of the spec."""
+    """Tables of a result, in which symbols and names replace keys of the spec."""
     laid_out = document(result)
     tables = [table._replace(columns=[*chain(*map(_named, table.columns))]) for table in laid_out.tables]
     return blocks(laid_out._replace(tables=tables))
 
 
 def peaks(dossier: Dossier) -> list[TextTable]:
-    """Table of the loads and the heat of a trip; none where no trip is simulated and no slip is given."""
+    """Table of the loads and the heat of a trip; no table if no trip is simulated and no slip is given."""
     topics = (topic for topic in dossier.topics if topic.name in ("simulate", "heat"))
     columns = {column.path: column for topic in topics for column in document(topic.result).triples}
     shown = [column for path, column in columns.items() if path in _PEAKS]
@@ -88,13 +87,13 @@ def _both_settings(result: AdjustResult) -> list[TextTable]:
 
 
 def _named_springs(result: SpringsResult) -> list[TextTable]:
-    """The springs of the spec; what could take their place is no part of a report."""
+    """Table of the springs in the spec; a report leaves out other springs that would fit."""
     springs = {translate(SPRINGS[option.spring]): option for option in result.named or [] if option.spring}
     return [_side_by_side([*springs], [*springs.values()], without=("number", "spring", "kind"))]
 
 
 def _side_by_side(heads: Sequence[str], results: Sequence[Result], without: Sequence[str] = ()) -> TextTable:
-    """Set results of one type as columns, what none of them has left out; a triple takes a row for each friction."""
+    """Table with a column for each result of the same type; rows without values are left out, a triple has three."""
     columns = []
     for column in fields_of(results):
         if isinstance(column.values[0], Triple):
@@ -106,13 +105,8 @@ def _side_by_side(heads: Sequence[str], results: Sequence[Result], without: Sequ
     return quantities(heads, [(column, cells(column)) for column in columns])
 
 
-def _scatter(result: ToleranceResult) -> list[TextTable]:
-    """The tables of the command, with symbols and names in place of keys, what scatters most first."""
-    return _laid_out(result.model_copy(update={"sobol": sorted(result.sobol, key=lambda row: -row.total)}))
-
-
 def _named(column: Column) -> list[Column]:
-    """Two columns, symbols and names, in place of one of keys of the spec."""
+    """Two columns, symbols and names, in place of one column with keys of the spec."""
     if not all(isinstance(path, str) and (path in _FRICTION or path in keys()) for path in column.values):
         return [column]
     rows = [_FRICTION.get(path) or (keys()[path].symbol or "", keys()[path].description) for path in column.values]
@@ -130,19 +124,18 @@ _FRICTION = {
 
 _TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {
     "adjust": _both_settings,
-    "tolerance": _scatter,
     "springs": _named_springs,
 }
-"""Topics whose numbers are not set as they come."""
+"""Topic → function that makes its tables, for topics whose tables ``_laid_out`` does not make."""
 
 
 def step_of(step: Derivation, method: str) -> Step:
-    """Lay out a derivation; what ``method`` says, how the spec sets its spring, need not be said of each line."""
+    """Lay out a derivation; lines that all have the spring setting of the spec, ``method``, do not name it."""
     columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "setting", "side")]
     columns = [(name, labels) for name, labels in columns if any(labels)]
     symbol, first = symbol_tree(translate(step.symbol)), step.rows[0]
     in_one_line = not columns and len(step.rows) == 1 and size(step.formula) + size(first.numbers) <= SHORT
-    # a formula may say no more than its symbol, and a number be its own value
+    # the formula may consist of the symbol alone, and the formula with numbers of the value alone
     parts = [symbol, *([step.formula] if step.formula not in ((), symbol) else [])]
     if in_one_line:
         parts += dict.fromkeys((first.numbers, *_values(first.value, step.unit)))
@@ -165,7 +158,7 @@ def step_of(step: Derivation, method: str) -> Step:
 
 
 def _what(step: Derivation) -> Text:
-    """Symbol, name and sources of a quantity; where its formula stands already, its number."""
+    """Symbol, name and sources of a quantity; the number of its formula if the formula is printed earlier."""
     parts: list[Text | Piece] = [piece("b", said(step.symbol)), said(translate(step.name))]
     if not step.formula:
         parts.append(piece("soft", say("By formula ({number}).", number=step.number)))
@@ -176,19 +169,19 @@ def _what(step: Derivation) -> Text:
 
 
 def _values(value: float, unit: str) -> list[Tree]:
-    """Value with the unit of the tables, before it the one in SI units where that is another."""
+    """Value in the unit of the tables, after the value in the SI unit if the two units differ."""
     in_si = with_unit(significant(value), "" if unit == "1" else translate(typeset(unit), "unit"))
     return [*map(value_tree, dict.fromkeys((in_si, measured(value, unit)) if value else (measured(value, unit),)))]
 
 
 def _worked(symbol: Tree, numbers: Tree, values: Sequence[Tree]) -> list[Formula]:
-    """Set numbers put in and what comes out, between which a line may end."""
+    """A symbol, the formula with numbers, and the values; a line may end between these formulas."""
     first, *rest = dict.fromkeys((symbol, numbers, *values))
     return [formula(first, *rest[:1]), *(formula((), result) for result in rest[1:])]
 
 
 def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
-    """One column of labels; empty where it would say of each line what goes without saying."""
+    """One column of labels; all are empty if no line has a side, or if all lines have the spring setting ``method``."""
     cases = [row.case for row in rows]
     if name == "friction":
         return [case.at or "" for case in cases]
@@ -206,7 +199,7 @@ def explained(meaning: Meaning) -> str:
 
 
 def _explained(meanings: Sequence[Meaning]) -> list[Text]:
-    """Explain each symbol once, by every formula that gives it."""
+    """Explain each symbol once, with every formula that gives the symbol."""
     origins: dict[tuple[str, str], list[tuple[str, int]]] = {}
     for symbol, words, meaning in ((each.symbol, explained(each), each) for each in meanings):
         same = (key for key in origins if key[0] == symbol and words in ("", key[1]))
@@ -223,7 +216,7 @@ def _explained(meanings: Sequence[Meaning]) -> list[Text]:
 
 
 def _origin(given: tuple[str, int]) -> Piece:
-    """Say what a symbol is there, and by which formula."""
+    """Link to the formula that gives a symbol; before the link the quantity's own symbol, if the two differ."""
     source, number = given
     words = (
         say("{source} by ({number})", source=source, number=number) if source else say("by ({number})", number=number)

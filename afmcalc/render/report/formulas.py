@@ -1,4 +1,4 @@
-"""Formulas of a document: trees of signs, fractions and indices, which a page and a sheet of paper set alike."""
+"""Formulas of a document: trees of signs, fractions and indices, typeset on pages and on sheets of paper."""
 
 from dataclasses import dataclass
 
@@ -7,14 +7,14 @@ from ...formula_tree import TIMES, Node, Tree, text
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula as a tree, and in one line for those who are read it."""
+    """Formula as a tree, and as a line of text for screen readers."""
 
     tree: Tree
     alt: str
 
 
 def formula(*sides: Tree) -> Formula:
-    """Set the sides of an equation.
+    """Equation with two or more sides.
 
     >>> formula(("F",), (Node("fraction", parts=(("a", "b"), ("c",))),)).alt
     'F = ab/c'
@@ -24,21 +24,21 @@ def formula(*sides: Tree) -> Formula:
 
 
 def equated(*sides: Tree) -> Tree:
-    """Join the sides of an equation."""
+    """Tree of the sides of an equation, joined by equals signs."""
     return tuple(sign for side in sides for sign in ("=", *side))[1:]
 
 
 SHORT = 64
-"""Signs that a line of a formula may have."""
+"""Largest number of signs in a line of a formula."""
 
 
 def size(tree: Tree) -> int:
-    """Number of signs that a formula has, about."""
+    """Approximate number of signs in a formula."""
     return sum(len(node) if isinstance(node, str) else len(node.text) + sum(map(size, node.parts)) for node in tree)
 
 
 def broken(tree: Tree, most: int = SHORT) -> Tree:
-    """Set a sum or product that is too long in several lines: MathML breaks none, and paper does not scroll."""
+    """Break a sum or product longer than ``most`` into lines, as MathML breaks no formula and paper does not scroll."""
     if size(tree) <= most:
         return tree
     rows: list[Tree] = [()]

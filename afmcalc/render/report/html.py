@@ -1,4 +1,4 @@
-"""A document as one HTML page, without anything outside it."""
+"""A document as one self-contained HTML page."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -14,7 +14,7 @@ from .formulas import Formula
 
 
 def element(tag: str, *body: str, **attributes: object) -> str:
-    """Set an element; what stands in it is markup already."""
+    """HTML of an element; its ``body`` is already markup."""
     given = (
         f' {name.strip("_").replace("_", "-")}="{escape(str(value))}"'
         for name, value in attributes.items()
@@ -25,11 +25,11 @@ def element(tag: str, *body: str, **attributes: object) -> str:
 
 
 _APART = ("section", "div", "dl", "ol", "ul", "tr", "tbody")
-"""Elements whose parts stand each in a line of its own."""
+"""Elements whose parts are each written on their own line."""
 
 
 def inline(pieces: Text) -> str:
-    """Set a text."""
+    """HTML of a text."""
     return "".join(escape(each, quote=False) if isinstance(each, str) else _piece(each) for each in pieces)
 
 
@@ -48,7 +48,7 @@ def _piece(each: Piece) -> str:
 
 
 def math(formula: Formula) -> str:
-    """Set a formula as MathML."""
+    """MathML of a formula."""
     return element("math", *map(_node, formula.tree), display="block")
 
 
@@ -83,7 +83,7 @@ def _node(node: str | Node) -> str:
 
 
 def fragment(parts: Iterable[Block], level: int = 2) -> str:
-    """Set blocks; sections are headed from a level on."""
+    """HTML of blocks; the headings of their sections begin at ``level``."""
     return "\n".join(_block(each, level) for each in parts)
 
 
@@ -146,7 +146,7 @@ def _head(heads: Sequence[Text], numeric: Sequence[bool] = ()) -> str:
 
 
 def table(block: blocks.Table) -> str:
-    """Set a table."""
+    """HTML of a table."""
     kinds = ["number" if each else "" for each in block.numeric] or [""] * len(block.head)
     bodies: list[list[str]] = [[]]
     for row in block.rows:
@@ -194,7 +194,7 @@ def _step(step: blocks.Step) -> str:
 
 
 def drawing(svg: str, name: str, number: object) -> str:
-    """Make one of our drawings part of a page: its own ids, the page's colours and width, a name to read out."""
+    """Adapt a drawing to a page: unique ids, the colours and the width of the page, a name for screen readers."""
     svg = svg[svg.index("<svg") :]
     svg = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>", "", svg, flags=re.DOTALL)
     svg = re.sub(r'\bid="|url\(#|href="#', lambda found: f"{found[0]}fig{number}-", svg)

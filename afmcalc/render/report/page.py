@@ -1,4 +1,4 @@
-"""From what was calculated of a clutch to the page of its report."""
+"""Report of a clutch as a document and as a page, from its dossier (the results of all its calculations)."""
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
@@ -8,16 +8,18 @@ from datetime import date
 from itertools import chain, count
 from typing import Any, Literal, NamedTuple
 
-from ...analysis.check import CheckRow
+from ... import __version__
+from ...analysis.check import CheckResult, CheckRow
 from ...analysis.dossier import Dossier
 from ...analysis.explain.explain import Meaning
 from ...findings import Finding
-from ...messages import filled, localized, named, native, percent, printable, say, spoken, translate
+from ...messages import filled, localized, named, native, printable, say, spoken, translate, with_unit
 from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
-from ..amounts import display, display_unit, worded
+from ...spec.parse import Source
+from ..amounts import display, display_unit, measured, worded
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
@@ -27,7 +29,7 @@ from .blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .chapters import Chapter, chapters, explained, peaks
 from .html import page
 from .pieces import MISPRINT, cell, cited, name_of, plain, said, unparted
-from .title import today
+from .title import text_as_given, title_block, today
 from .words import PEOPLE, SHORT, form, titled, told
 
 
@@ -37,24 +39,40 @@ class Subject:
 
     dossier: Dossier
     given: str
-    """The spec as given, its text."""
+    """Text of the spec as given."""
     title: TitleBlock = TitleBlock()
-    """Title block; without a date it has none."""
+    """Title block of the spec, as it is: without a date if the spec gives no date."""
     digest: str = ""
     """SHA-256 of the file as given."""
     source: str = ""
-    """Where the spec was read."""
+    """Name of the source from which the spec was read, such as a file name."""
     overrides: Sequence[str] = ()
-    """``PATH=VALUE`` put over it."""
-    version: str = ""
+    """Overrides ``PATH=VALUE`` of values in the spec."""
     with_source: bool = False
-    """True if the text as given is an appendix."""
+    """True if the text of the spec as given becomes an appendix."""
     short: bool = False
-    """True if it is to be two pages: task, limits, section, peaks, heat, conclusions."""
+    """True if the report is to take two pages: task, limits, section, peaks, heat, conclusions."""
+
+
+def subject_of(
+    dossier: Dossier,
+    source: Source,
+    digest: str,
+    overrides: Sequence[str] = (),
+    *,
+    with_source: bool = False,
+    short: bool = False,
+) -> Subject:
+    """Subject of the report on a clutch that was read from a source."""
+    texts = text_as_given(source), title_block(dossier.spec), digest, source, overrides
+    return Subject(dossier, *texts, with_source, short)
+
+
+_PROGRAM = f"afmcalc {__version__}"
 
 
 class _SpecLine(NamedTuple):
-    """A key of the spec as resolved."""
+    """A key of the spec with its value, after defaults are filled in."""
 
     group: str
     path: str
@@ -65,14 +83,14 @@ class _SpecLine(NamedTuple):
     numeric: bool
 
     def cells(self, changed: Collection[str]) -> list[Text]:
-        """Row of a table; what was ``changed`` says so."""
+        """Row of a table; it marks the key as overridden if the key is among ``changed``."""
         mark = when(self.path in changed, " ", piece("soft", f"({say('overridden')})"))
         set_so = cell if self.numeric or self.path == "adjustment.method" else plain
         return [said(self.symbol), text(said(self.about), mark), set_so(self.value), text(self.unit)]
 
 
 def _in_a_line(group: tuple[str, Iterable[_SpecLine]]) -> Text:
-    """Write the numbers of a group of a spec one after the other."""
+    """Write the numbers in a group of the spec in one line."""
     title, lines = group
     shown = [line for line in lines if line.symbol and line.numeric]
     each = [
@@ -107,10 +125,10 @@ def _report(subject: Subject) -> Document:
     verdict = blocks.Paragraph(said(dossier.check.verdict.sentence), f"sum {dossier.check.grade}", "verdict")
     return Document(
         language=spoken(),
-        program=f"afmcalc {subject.version}",
+        program=_PROGRAM,
         kind=kind,
         name=name,
-        cover=[_entries(subject), _signatures(title), verdict],
+        cover=[_entries(subject), _signatures(title), verdict, *_trip(dossier.check)],
         body=_Parts(subject).sections(),
         running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
         date=_day(title),
@@ -122,21 +140,35 @@ def _report(subject: Subject) -> Document:
     )
 
 
+def _trip(check: CheckResult) -> list[Block]:
+    """Range of the slip torque, also relative to the rated torque; empty if the rated torque is not known."""
+    if check.trip_ratio_min is None:
+        return []
+    torque = with_unit(display([check.torque_min, check.torque_max], "N*m"), display_unit("N*m"))
+    ratio = display([check.trip_ratio_min, check.trip_ratio_max], "1")
+    rated = measured(check.running_torque, "N*m")
+    words = say(
+        "It slips at T_min … T_max = {torque}: {ratio} times the rated torque at the clutch, T_0 = {rated}.",
+        torque=torque, ratio=ratio, rated=rated,
+    )  # fmt: skip
+    return [blocks.Paragraph(said(words))]
+
+
 def _day(title: TitleBlock) -> str:
-    """Day of the title block, today where that is no date of ISO 8601."""
+    """Date in the title block; today's date if that is no date of ISO 8601."""
     with suppress(ValueError):
         return date.fromisoformat(title.date or "").isoformat()
     return today()
 
 
 class _Parts:
-    """The sections of a report: what stands in each, and its numbers of tables and figures."""
+    """The sections of a report: the content of each, and the numbers of its tables and figures."""
 
     def __init__(self, subject: Subject) -> None:
         dossier, short = subject.dossier, subject.short
         self.subject, self.dossier, self.short = subject, dossier, short
         self.chapters, self.peaks = ([], peaks(dossier)) if short else (chapters(dossier), [])
-        # what is said of the papers has an appendix of its own
+        # remarks on misprints of the papers have their own appendix
         findings, rows = ranked(dossier.findings), dossier.check.checks
         self.required, self.held = ([row for row in rows if row.is_requirement is asked] for asked in (True, False))
         self.remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
@@ -147,7 +179,7 @@ class _Parts:
         self._tables, self._figures = count(1), count(1)
 
     def sections(self) -> list[blocks.Section]:
-        """Lay out each section that has content, and each appendix under its letter, in their order."""
+        """Lay out the sections that have content, and the appendices with their letters, in order."""
         has: dict[str, object] = {
             "requirements": self.required, "peaks": self.peaks, "misprints": self.mended,
             "source": self.subject.with_source,
@@ -230,7 +262,7 @@ class _Parts:
         return groups
 
     def _shown(self, name: str) -> list[blocks.Figure]:
-        """Draw what a section shows."""
+        """Draw the figures of a section."""
         return [figure_of(next(self._figures), sheet) for sheet in self.drawn.get(name, ())]
 
     def _peaks(self) -> Iterator[Block]:
@@ -275,12 +307,12 @@ class _Parts:
         yield blocks.Bullets([*map(said, _next(self.dossier))], "next")
 
     def _references(self) -> Iterator[Block]:
-        yield from ()  # when all else is laid out it is known what they are
+        yield from ()  # the cited sources are known only after everything else is laid out
 
     def _symbols(self) -> Iterator[Block]:
         if spoken() == "en":
             yield blocks.Paragraph(text(say("In brackets: as the papers write a symbol.")))
-        rows = _symbols(self.chapters, self.lines, self.dossier)
+        rows = _symbols(self.chapters, self.lines)
         yield blocks.Definitions(
             "symbols",
             [
@@ -315,14 +347,14 @@ class _Parts:
 
 
 def see(what: Literal["table", "figure"], *numbers: int) -> Text:
-    """Name tables or figures, each with a link to it."""
+    """Text that names tables or figures, each with a link."""
     name = {"table": "table {number}", "figure": "figure {number}"}[what]
     shown = ((number, filled(name, {"number": number}).replace(" ", "\xa0")) for number in numbers)
     return listed([piece("link", name, f"{what}-{number}") for number, name in shown])
 
 
 def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterator[Block]:
-    """Lay out limits with what is used of each."""
+    """Lay out the checks in ``rows``, each with limit and utilisation."""
     heads = "Verdict", "Check", "Condition", "Value", "Limit", "Unit", "Utilisation"
     cells = [
         [
@@ -330,7 +362,7 @@ def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterat
             said(worded(row.name)),
             said(row.symbol),
             text(display(row.value, row.shown_unit)),
-            text("≥ " if row.least else "≤ ", display(row.limit, row.shown_unit)),
+            text("≥ " if row.least else "≤ ", display(row.limit, row.shown_unit, 5)),
             text(display_unit(row.shown_unit)),
             text("–" if row.utilisation is None else _three(row.utilisation)),
         ]
@@ -351,7 +383,7 @@ def quantities(block: TextTable, number: int = 0) -> blocks.Table:
 
 
 def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Findings:
-    """Lay out findings, in words or with the keys that they are of."""
+    """Lay out findings; the keys of the spec are replaced by names unless ``keys`` is true."""
     items = []
     for finding in findings:
         grade = {"error": "fail", "warning": "warning", "info": "note"}[finding.level]
@@ -362,22 +394,22 @@ def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Fi
 
 
 def figure_of(number: int, sheet: Sheet) -> blocks.Figure:
-    """Draw a sheet, each panel by itself, for between them a sheet of paper may end."""
+    """Draw a sheet, each panel by itself, because a page may end between two panels."""
     drawings = [blocks.Drawing(inline_svg(panel)) for panel in sheet.panels]
     return blocks.Figure(number, drawings, said(sheet.title), said(in_words(sheet.caption)))
 
 
 def _three(share: float) -> str:
-    """Share of a limit in three digits, in more where it would be shown as the whole."""
+    """Share of a limit to three digits, or to more digits if three would show 1."""
     return localized(next((shown for digits in range(3, 10) if float(shown := f"{share:.{digits}g}") != 1), "1"))
 
 
 _MOST, _LEAST = 12, 4
-"""Requirements and limits that a short report shows together, and how many limits at least."""
+"""Largest number of requirements and limits together in a short report, and smallest number of limits."""
 
 
 def _section(dossier: Dossier, short: bool) -> dict[str, Sequence[Sheet]]:
-    """The clutch in section, which stands with the initial data; in a short report without its table."""
+    """The clutch in section, shown with the initial data; in a short report without its part list."""
     if dossier.section is None:
         return {}
     sheet = sheet_of("section", dossier.section)
@@ -400,24 +432,21 @@ def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterab
 
 
 def _next(dossier: Dossier) -> list[str]:
-    """Next steps for the designer, the gravest first."""
-    rows = sorted(dossier.check.checks, key=lambda row: -(row.utilisation or 0.0))
-    lines = [
-        say("Bring “{name}” to its limit: {used} of it is used.", name=worded(row.name), used=percent(row.utilisation))
-        for row in rows
-        if row.passed is False and row.utilisation is not None
+    """Sentences on the next steps for the designer, the most important first."""
+    lines = [*map(in_words, dossier.steps)]
+    lines += [
+        say("Give what it takes to judge “{name}”.", name=worded(row.name))
+        for row in dossier.check.checks
+        if row.passed is None
     ]
-    lines += [say("Give what it takes to judge “{name}”.", name=worded(row.name)) for row in rows if row.passed is None]
-    grave = [finding for finding in ranked(dossier.findings) if finding.level != "info"]
-    lines += [in_words(finding.message) for finding in grave if not finding.code.startswith("requirement-")]
     return lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
 
 
 def _entries(subject: Subject) -> blocks.Entries:
-    """Title block: what is given of it, and what every report has; a date of ISO 8601 as the language writes it."""
+    """Entries of the title block: given entries and those of every report; ISO dates become dates of the language."""
     title = dict(subject.title) | {
         "variant": translate(subject.dossier.spec.variant, "value"),
-        "program": f"afmcalc {subject.version}",
+        "program": _PROGRAM,
     }
     with suppress(ValueError):
         title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
@@ -437,7 +466,7 @@ def _entries(subject: Subject) -> blocks.Entries:
 
 
 def _signatures(title: TitleBlock) -> blocks.Table:
-    """Cells of all who sign in this language, and of others who are named."""
+    """Table of signatures: all roles that sign in this language, and other roles for which a name is given."""
     heads = map(text, (say("Responsible"), say("Name"), say("Signature"), say("Date")))
     names = {who: getattr(title, who) for who in PEOPLE}
     rows = [
@@ -463,14 +492,14 @@ def _frame(title: TitleBlock, headline: str) -> blocks.Frame:
     )
 
 
-def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier) -> list[tuple[str, str, str]]:
-    """Symbols, what the papers write where that is another, and what each stands for where it is first told."""
+def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine]) -> list[tuple[str, str, str]]:
+    """Symbols, each with the papers' symbol if it differs, and with the meaning at its first occurrence."""
     meanings: dict[str, str] = {}
     for step in (step for chapter in parts for step in chapter.topic.derivations):
         for part in step.where:
             if part.text:
                 meanings.setdefault(native(part.symbol), explained(part))
-        # the heading of its step begins with a capital
+        # the name is the heading of the step and therefore begins with a capital
         name = explained(Meaning(step.symbol, step.name, step.unit))
         first = name[:1].lower() if name[1:2].islower() else name[:1]
         meanings.setdefault(native(step.symbol), first + name[1:])
@@ -483,13 +512,6 @@ def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier)
     for shown, words, unit in chain(named, ((native(line.symbol), line.about, line.unit) for line in lines)):
         if shown:
             meanings.setdefault(shown, f"{words}, {unit}" if unit not in ("", "–") else words)
-    # what stands in no formula and no table, but in a check, a note or a meaning
-    known = {native(key.symbol): name_of(path) for path, key in keys().items() if key.symbol}
-    notes = (*(row.symbol for row in dossier.check.checks), *(finding.message for finding in dossier.findings))
-    said = native(" ".join((*notes, *meanings.values())))
-    # in a ratio, a symbol may be another quantity
-    alone = [each for each in known if "_" in each and not any(each in other for other in meanings)]
-    meanings |= {each: known[each] for each in alone if re.search(rf"(?<!\w){re.escape(each)}(?![\w.,]*\w)", said)}
     of_papers = (
         *(key.symbol or "" for key in keys().values()),
         *(column.symbol for table in tables if table.source for column in table.source.columns),
@@ -502,7 +524,7 @@ def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine], dossier: Dossier)
 
 
 def _with_frictions(spec: Spec) -> dict[str, Any]:
-    """Return a spec as resolved, with the friction of its materials, and the mean also where it follows."""
+    """Return the data of a spec with its friction ranges in full, even if they follow from materials."""
     data: dict[str, Any] = resolved(spec)
     friction = spec.friction
     if friction.unlike:
@@ -516,7 +538,7 @@ def _with_frictions(spec: Spec) -> dict[str, Any]:
 
 
 def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
-    """Every key of a spec that has a value, less what the cover or the requirements show."""
+    """Every key of a spec that has a value, except keys that the cover or the requirements show."""
     group = _titled(prefix.rstrip("."))
     for name, value in data.items():
         path = prefix + name
@@ -532,7 +554,7 @@ def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
             shown = list(value) if isinstance(value, tuple) else whole if key.unit is None else value
             unit, numeric = key.unit or "", key.unit is not None
             yield _SpecLine(
-                group, path, key.symbol or "", name_of(path), display(shown, unit), display_unit(unit), numeric
+                group, path, key.symbol or "", name_of(path), display(shown, unit, 5), display_unit(unit), numeric
             )
 
 
@@ -540,13 +562,13 @@ _ELSEWHERE = ("name", "report", "requirements", "catalogues", "objectives", "sea
 
 
 def _titled(path: str) -> str:
-    """Title of a table of the spec, after that of the one that it stands in."""
+    """Title of a table of the spec, preceded by the title of the table that contains it."""
     above, _, _ = path.rpartition(".")
     return ": ".join(map(titled, filter(None, (above, path)))) or titled("")
 
 
 def in_words(text: str) -> str:
-    """Set names in the place of keys and tables of the spec.
+    """Text with the keys and tables of the spec replaced by their names.
 
     >>> in_words("see friction.min, closing_spring.disc and [heat], not drive.none")
     'see “smallest coefficient of friction”, “Closing spring: Disc springs” and “Heat and wear”, not drive.none'
@@ -564,12 +586,12 @@ _PATH = re.compile(r"\[([a-z_.]+)\]|\b[a-z_]+(?:\.[a-z_]+)+\b")
 
 
 def _scatter(group: str, name: str, given: dict[str, Any]) -> _SpecLine:
-    """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of what scatters."""
+    """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of the key that scatters."""
     quantity, key = scatter_at(name), keys().get(name)
     unit = quantity.unit if quantity else ""
     parts = {part: value for part, value in given.items() if part != "distribution"}
     numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in parts.items()]
-    # a spread in percent has no other unit
+    # a spread in percent has no further unit
     shown_unit = "" if all(isinstance(value, str) for value in parts.values()) else display_unit(unit)
     symbol, about = "f", translate("scatter of the friction in service")
     if key:

@@ -15,12 +15,12 @@ from .formulas import Formula
 
 
 def plain(words: str | None) -> Text:
-    """Set a text of a user's as it is; characters that are not seen are spelled."""
+    """Typeset a text given by the user as it is, with invisible characters escaped."""
     return text(unparted(printable(words or "", lines=True)))
 
 
 def unparted(words: str) -> str:
-    """Keep each number and its unit in one line.
+    """Text in which each number stays in one line with its unit.
 
     >>> unparted("37 kW at 1460 rpm, 20 °C").count("\u00a0")
     3
@@ -29,11 +29,11 @@ def unparted(words: str) -> str:
 
 
 _UNIT = re.compile(r"(?<!\w)(\d[\d.,]*) (?=(?:[^\W\d_]{1,3}|°[CС])(?![^\W\d_]))")
-"""A number before a word of few letters; S19 is none."""
+"""Pattern of a number before a unit (a word of up to three letters); the 19 of S19 does not match."""
 
 
 def said(words: str, ours: bool = True) -> Text:
-    """Set a text with its symbols; what is quoted is not ``ours``.
+    """Typeset a text with its symbols; a quotation (``ours`` is False) stays as printed.
 
     >>> said("T_н < -1")
     ('T', Piece(kind='sub', body=('n',), to=''), ' < −1')
@@ -43,7 +43,7 @@ def said(words: str, ours: bool = True) -> Text:
 
 
 def cell(words: str) -> Text:
-    """Set a cell of a table: a key as code, a power of ten as one, anything else with its symbols.
+    """Typeset a cell of a table: a key as code, a power of ten with its exponent, anything else with its symbols.
 
     >>> str(cell("no limit (3.3493e+15)")), cell("1e-11")
     ('no limit (3.3493·1015)', ('10', Piece(kind='sup', body=('−11',), to='')))
@@ -67,7 +67,7 @@ _MINUS = re.compile(r"(?<![\w.\]})-])-(?=\d)")
 
 
 def name_of(path: str) -> str:
-    """Name of a key of the spec, without what is said of its use."""
+    """Name of a key of the spec, without remarks on the use of the key."""
     return _REST.split(translate(keys()[path].description))[0]
 
 
@@ -75,7 +75,7 @@ _REST = re.compile(r"; |: | \(")
 
 
 def marks(step: Derivation) -> list[str]:
-    """Misprints of what is printed instead of a formula that its source does not name."""
+    """Numbers of the misprints that a formula corrects, except misprints that the source of the formula names."""
     return [mark for mark in dict.fromkeys(MISPRINT.findall(step.differs)) if mark not in MISPRINT.findall(step.source)]
 
 
@@ -83,7 +83,7 @@ MISPRINT = re.compile(r"\bM\d+\b")
 
 
 def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
-    """Set a number where a text cites a source; which source has which number, counted from its first mention."""
+    """Blocks with a number in place of each cited source, and source → number, in the order of first mention."""
     numbers: dict[str, int] = {}
     sources = citations()
 
@@ -124,7 +124,7 @@ _LETTERING = re.compile("(?<=>)[^<]+")
 
 
 def _bracketed(note: Text) -> Text:
-    """Set a note of sources, in square brackets, in round ones, or in none where it begins with a number in its own."""
+    """Note on sources in round brackets, or without brackets if it begins with a number in square brackets."""
     parts: list[Any] = [*note]
     parts[0], parts[-1] = parts[0][1:], parts[-1][:-1] if parts[1:] else parts[0][1:-1]
     inside = text(*parts)
@@ -135,4 +135,4 @@ _WHERE = (
     r"(?:,? (?P<formulas>\(\d[\d.]*[a-z]?\)(?:(?:, |–)\(\d[\d.]*[a-z]?\))*)"
     r"|,? (?P<place>(?:chapters?|ch\.|sec\.|fig\.|гл\.|разд\.|рис\.) \d[\d-]*(?: (?:and|и) \d+)?))?"
 )
-"""Formulas or chapter of a source, behind its name."""
+"""Pattern of formulas or a chapter after the name of a source."""

@@ -1,4 +1,4 @@
-"""A document on sheets of paper, A4: PDF by Typst, tagged and to be kept (PDF/A-2a, PDF/UA-1)."""
+"""A document on A4 sheets of paper: PDF by Typst, tagged and suitable for archives (PDF/A-2a, PDF/UA-1)."""
 
 import json
 from datetime import date
@@ -8,10 +8,14 @@ from ...messages import say
 from .blocks import Document, data_of
 
 
-def print_pdf(document: Document) -> bytes:
-    """Return a PDF, the same bytes for the same document; its fonts are Typst's and matplotlib's alone."""
+def print_pdf(document: Document) -> tuple[bytes, str]:
+    """PDF of a document (the same bytes each time), and the characters that no font has and that are shown as boxes.
+
+    The only fonts are those of Typst and of matplotlib.
+    """
     import typst
     from matplotlib import get_data_path
+    from matplotlib.ft2font import FT2Font
 
     day = date.fromisoformat(document.date)
     words = {
@@ -19,25 +23,17 @@ def print_pdf(document: Document) -> bytes:
         "table": say("Table {number}", number="|"), "again": say("Table {number}, continued", number="|"),
         "figure": say("Figure {number}", number="|"), "sheet": say("Sheet {page} of {pages}", page="|", pages="|"),
     }  # fmt: skip
-    day_of = {"year": day.year, "month": day.month, "day": day.day}
-    data = data_of(document) | {"words": words, "date": day_of}
-    here = Path(__file__).parent
-    return typst.compile(
+    more = {"words": words, "date": {"year": day.year, "month": day.month, "day": day.day}}
+    data = json.dumps(data_of(document) | more, ensure_ascii=False, default=data_of)
+    fonts, here = Path(get_data_path(), "fonts", "ttf"), Path(__file__).parent
+    letters = FT2Font(str(fonts / "DejaVuSans.ttf")).get_charmap()
+    pdf = typst.compile(
         here / "report.typ",
         root=here,
-        font_paths=[Path(get_data_path(), "fonts", "ttf")],
+        font_paths=[fonts],
         ignore_system_fonts=True,
-        sys_inputs={"data": json.dumps(data, ensure_ascii=False)},
+        sys_inputs={"data": data},
         pdf_standards=["a-2a", "ua-1"],
         timestamp=0,
     )
-
-
-def lacking(document: Document) -> str:
-    """Characters of a document that are in no font of the sheets: a box stands there."""
-    from matplotlib import get_data_path
-    from matplotlib.ft2font import FT2Font
-
-    font = FT2Font(str(Path(get_data_path(), "fonts", "ttf", "DejaVuSans.ttf")))
-    signs = {*json.dumps(data_of(document), ensure_ascii=False)}
-    return "".join(sorted(sign for sign in signs if ord(sign) not in font.get_charmap()))
+    return pdf, "".join(sorted(sign for sign in {*data} if ord(sign) not in letters))

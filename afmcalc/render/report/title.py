@@ -1,30 +1,27 @@
-"""Title block of a report, and the spec as given at its end."""
+"""Title block of a report, and the text of the spec as given, for the end of the report."""
 
 import json
 import os
-from collections.abc import Mapping
 from datetime import UTC, datetime
 
-from ...errors import AfmcalcError, given
+from ...errors import AfmcalcError
 from ...messages import say, spoken
 from ...spec import Spec
-from ...spec.edit import respecified
 from ...spec.models import TitleBlock
 from ...spec.parse import Source, parse
 from ...spec.write import annotated
 
 
-def title_block(spec: Spec, entries: Mapping[str, str | None]) -> TitleBlock:
-    """Return the [report] block of the spec under further entries, dated today where neither has a date."""
-    entered = {f"report.{name}": text for name, text in entries.items() if text is not None}
-    dated = {} if spec.report and spec.report.date else {"report.date": today()}
-    return given(respecified(spec, dated | entered).report)
+def title_block(spec: Spec) -> TitleBlock:
+    """The [report] block of the spec, dated today if the block has no date."""
+    block = spec.report or TitleBlock()
+    return block if block.date else block.model_copy(update={"date": today()})
 
 
 def text_as_given(source: Source) -> str:
-    """Return the text of a spec; of a command's JSON that of its spec block.
+    """Return the text of a spec or, if the source is JSON of a command, the text of its ``spec``.
 
-    One that ships has its comments in the language of the user, and says so.
+    If the user's language is not English, the comments of a built-in example are translated; the first line says so.
     """
     text = source.text
     ships = source.startswith("example:")
@@ -36,11 +33,11 @@ def text_as_given(source: Source) -> str:
 
 
 _DIGITS = 11
-"""Of seconds since 1970: those of the year 5000."""
+"""Largest number of digits of the seconds since 1970: enough up to the year 5000."""
 
 
 def today() -> str:
-    """Today, or the day of SOURCE_DATE_EPOCH where a build must be repeatable."""
+    """Today's date, or the date in SOURCE_DATE_EPOCH, which makes a build repeatable."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
     if not epoch:
         return datetime.now().date().isoformat()

@@ -1,4 +1,4 @@
-"""Words of a report for each case, section and entry, and their order by language; the page has the rest."""
+"""Titles of sections, entries and cases of a report, and the order of sections and entries in each language."""
 
 from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple
@@ -53,6 +53,7 @@ REPORT: Mapping[str, str] = {
     "group/coil": "Coil springs",
     "group/control_unit": "Control unit: balls and pockets",
     "group/contact": "Contact of ball and wall",
+    "group/pressure_disc_key": "Key of the pressure disc",
     "group/adjustment": "Setting of the spring",
     "group/machine": "Machine",
     "group/drive": "Drive",
@@ -66,50 +67,51 @@ REPORT: Mapping[str, str] = {
     "group/requirements": "Requirements",
     "group/drawing": "Notes of the drawing",
     "group/report": "Title block",
+    "group/search": "Search by design",
     # findings
     "level/info": "note",
     "level/warning": "warning",
     "level/error": "error",
 }
-"""Key → what is said."""
+"""Key → its English text."""
 
 
 def told(key: str) -> str:
-    """Say what stands under a key, in the language of the user."""
+    """Text of ``REPORT`` under a key, translated."""
     return translate(REPORT[key])
 
 
 def titled(path: str) -> str:
-    """Title of a table of a spec."""
+    """Title of a table of a spec by its path; the path itself if the table has no title."""
     name = path.rpartition(".")[2]
     return told(f"group/{name}") if f"group/{name}" in REPORT else path
 
 
 SHORT = ("requirements", "checks", "peaks", "spec", "conclusion", "references")
-"""Sections of a report of two pages."""
+"""Sections of a short report."""
 
 
 class Form(NamedTuple):
     """Order of the parts of a report."""
 
     sections: Sequence[str]
-    """In their order; one without content is left out, unless it is always there."""
+    """Sections in their order; an empty section is left out, unless it is in ``always``."""
     appendices: Sequence[str]
-    """After them, each under a letter; one without content is left out."""
+    """Appendices in their order, each with a letter; an empty appendix is left out."""
     letters: str
     always: Sequence[str]
-    """Sections that stand even where there is nothing to tell."""
+    """Sections that are shown even if empty."""
     entries: Sequence[str]
-    """Of the title block, in their order."""
+    """Entries of the title block, in their order."""
     signed: Sequence[str]
-    """Entries that have a place in every title block: one may sign there."""
+    """Entries and roles that are shown even if empty, to be filled in by hand."""
     paper: Literal["plain", "framed"]
-    """Of the form ``calculation``: sheets with a running title, or with frame and title block; there each symbol of a
-    formula is explained on a line of its own."""
+    """Layout of the sheets: ``plain`` with a running title, or ``framed`` with frame, title block, and each symbol of a
+    formula explained on its own line."""
 
 
 PEOPLE = ("author", "checked", "norm_control", "approved")
-"""Roles of those who sign, in their order."""
+"""Roles of the people who sign, in their order."""
 
 FORMS = {
     "en": Form(
@@ -132,7 +134,7 @@ FORMS = {
         paper="framed",
     ),
 }
-"""Language → form; one that has none of its own takes the English one."""
+"""Language → form of a report; other languages take the English form."""
 
 
 def form() -> Form:

@@ -1,18 +1,20 @@
-"""Faults of a clutch, how grave each is, and the exit code it ends in."""
+"""Faults of a clutch, their levels, the exit code; checks of an event for balls, pockets, springs, shaft, discs."""
 
 import math
 
 import pytest
-from conftest import CONFIGS, S21, WANTED
+from conftest import CONFIGS, S21, WANTED, overrides
+from drives import merged
+from sources import CLUTCHES
 
 from afmcalc.analysis.asking import Answers
+from afmcalc.analysis.check import check
+from afmcalc.analysis.drive_result import SimulateResult
+from afmcalc.analysis.simulate import simulate
+from afmcalc.analysis.synthesize import SynthesisResult
 from afmcalc.engines import build
+from afmcalc.engines.parts import checks_of_springs
 from afmcalc.spec import make_spec, read_spec, resolved
-
-
-def overridden(changes):
-    return [part for change in changes for part in ("--set", change)]
-
 
 QUICK = ["default", "indirect", "constant-torque", "unlike-materials"]
 OTHERS = sorted({path.stem for path in CONFIGS.glob("*.toml")} - {"fokin2011-fig2", "conveyor-clutch", *WANTED, *QUICK})
@@ -28,8 +30,9 @@ def test_what_ships_can_be_made(name, afmcalc):
 
 
 def test_a_warning_fails_a_strict_check(afmcalc):
-    assert afmcalc("check", "--set", "C=2").code == 0
-    run = afmcalc("check", "--set", "C=2", "--strict", "--json")
+    steep = ["check", *overrides(*["C=2", "control_unit.balls=8"])]
+    assert afmcalc(*steep).code == 0
+    run = afmcalc(*steep, "--strict", "--json")
     result = run.json["result"]
     assert (run.code, result["passed"], result["errors"], result["warnings"]) == (1, False, 0, 1)
     (beyond,) = [row for row in result["checks"] if not row["passed"]]
@@ -51,7 +54,7 @@ IMPOSSIBLE = {
 @pytest.mark.parametrize("code", IMPOSSIBLE)
 def test_the_impossible_is_an_error(code, afmcalc):
     changes, value, limit = IMPOSSIBLE[code]
-    run = afmcalc("check", *overridden(changes), "--json")
+    run = afmcalc("check", *overrides(*changes), "--json")
     (found,) = [each for each in run.json["findings"] if each["code"] == code]
     assert (run.code, found["level"], found["limit"]) == (1, "error", pytest.approx(limit))
     assert value is None or found["value"] == pytest.approx(value)
@@ -78,7 +81,7 @@ UNUSUAL = {
 @pytest.mark.parametrize("path", UNUSUAL)
 def test_the_implausible_is_a_warning_that_names_the_usual(path, afmcalc):
     changes, value, limit = UNUSUAL[path]
-    found = afmcalc("check", *overridden(changes), "--json").json["findings"]
+    found = afmcalc("check", *overrides(*changes), "--json").json["findings"]
     (own,) = [each for each in found if (each["code"], each["path"]) == ("unusual", path)]
     assert (own["level"], own["value"], own["limit"]) == ("warning", pytest.approx(value), pytest.approx(limit))
 
@@ -105,13 +108,13 @@ RING = [f"friction_group.{key}" for key in ("mean_radius=", "inner_radius=0.03",
 def test_a_hub_larger_than_balls_and_discs_leave_room_for(afmcalc, name, hub, limits):
     """Balls of 19.84 and 16 mm on circles of 50 and 80 mm radius leave 80.2 and 144 mm; discs with holes leave 2 r_i."""
     changes = [*(RING if hub == "0.0601" else []), f"control_unit.hub_diameter={hub}"]
-    run = afmcalc("check", CONFIGS / f"{name}.toml", *overridden(changes), "--json")
+    run = afmcalc("check", CONFIGS / f"{name}.toml", *overrides(*changes), "--json")
     said = [(each["value"], each["limit"]) for each in run.json["findings"] if each["code"] == "hub-too-large"]
     assert (run.code, said) == (1, [(float(hub), pytest.approx(limit, abs=1e-5)) for limit in limits])
 
 
-RADII = overridden(f"friction_group.{key}" for key in ("mean_radius=", "inner_radius=0.08", "outer_radius=0.12"))
-CORK = overridden(f"friction.{key}" for key in ("min=", "mean=", "max=", "material=cork-dry"))
+RADII = overrides(*(f"friction_group.{key}" for key in ("mean_radius=", "inner_radius=0.08", "outer_radius=0.12")))
+CORK = overrides(*(f"friction.{key}" for key in ("min=", "mean=", "max=", "material=cork-dry")))
 
 
 def findings(run):
@@ -119,7 +122,7 @@ def findings(run):
 
 
 def test_both_ends_of_an_allowable_range(afmcalc):
-    """Cork bears 55 to 95 kPa: beyond the one it is a warning, beyond the other an error, and that alone is told."""
+    """Cork bears 55 to 95 kPa: beyond the lower end there is only a warning, beyond the upper end only an error."""
     for force in (1000, 1500, 2380, 2400, 3000):
         run = afmcalc("check", *RADII, *CORK, "--set", f"F={force}", "--json")
         reached = {"mean": force / (math.pi * (0.12**2 - 0.08**2)), "peak": force / (2 * math.pi * 0.08 * 0.04)}
@@ -132,3 +135,73 @@ def test_both_ends_of_an_allowable_range(afmcalc):
     assert not any(code.startswith("peak") for code in findings(even))
     for arguments in (RADII, CORK):
         assert not any("pressure" in code for code in findings(afmcalc("check", *arguments, "--json")))
+
+
+PRESS = CLUTCHES["press"]
+
+
+def row_of(result, name):
+    (row,) = (row for row in result.checks if str(row.name) == name)
+    return row
+
+
+@pytest.mark.slow
+def test_an_event_is_held_against_balls_and_pockets():
+    """In the event the sleeve travels farther than by the law; at 2 r_ш sin α − s the ball leaves its pocket."""
+    own = build(PRESS)
+    answers = Answers(own)
+    result, found = check(own, answers=answers)
+    made, event = answers.of(SynthesisResult), answers.of(SimulateResult)
+    edge = made.ball_diameter_standard * math.sin(made.wall_angle) - 0.002
+    travel = event.travel_max.max
+    row = row_of(result, "travel in the event, the ball in its pocket")
+    assert (row.value, row.limit, row.grade) == (travel, pytest.approx(edge, rel=1e-9), "fail")
+    assert travel > edge > made.travel_max
+    assert "event-ball-leaves-pocket" in {each.code for each in found}
+    # at the largest travel the walls bear S(x)/κ; as the ball leaves its seat, no more than the peak at the clutch
+    force = row_of(result, "contact force on one ball in the event").value
+    assert force == event.contact_force.max
+    assert 0 < force <= event.peak_torque_clutch.max * 1.001 / (6 * 0.045 * math.cos(made.wall_angle))
+    assert force > 1.2 * made.contact_force
+
+
+@pytest.mark.slow
+def test_disc_springs_are_held_where_the_sleeve_swings():
+    """Disc springs that are picked for the travel by the law hold that travel, but are let go in the event."""
+    discs = {"outer_diameter": 0.045, "inner_diameter": 0.0224, "thickness": 1.75e-3, "free_height": 3.05e-3}
+    springs = {"closing_spring": {"stiffness": 262792.529, "disc": discs | {"series": 11}}}
+    clutch = build(merged(PRESS, {**springs, "drive": {"event": {"stop_time": 0.005}}}))
+    answers = Answers(clutch)
+    result, found = check(clutch, answers=answers)
+    assert all(rule.beyond <= 0 for _, rule in checks_of_springs(clutch))
+    row = row_of(result, "closing spring: travel by which the spring is let go")
+    assert (row.value, row.grade) == (answers.of(SimulateResult).travel_max.max, "fail")
+    assert "event-spring" in {each.code for each in found}
+
+
+@pytest.mark.slow
+def test_a_temperature_is_judged_as_far_as_slips_end(afmcalc):
+    """An event with a motor curve gives the heat; if a slip does not end, the largest temperature is not known."""
+    motor = "drive.motor={breakdown_torque=100.0, breakdown_slip=0.2, synchronous_speed=32.0}"
+    light = ["--set", "drive.load_torque=50", "--set", "drive.motor_inertia=0.1"]
+    own = ["check", CONFIGS / "drive.toml", "--json", *light]
+    off = ["--set", "drive.cut_off=0.3", "--set", "drive.speed=", "--set", "requirements.peak_torque="]
+    ended = afmcalc(*own, "--set", motor, *off).json["result"]
+    (row,) = (row for row in ended["checks"] if row["code"] == "requirement-missed")
+    assert (row["path"], row["passed"]) == ("requirements.temperature", True)
+    assert row["value"] > 293
+    endless = ["--set", "drive.motor_torque=150", "--set", "requirements.peak_torque="]
+    for limit, passed in ((477.0, None), (293.2, False)):
+        left = afmcalc(*own, *endless, "--set", f"requirements.temperature={limit}").json
+        (row,) = (row for row in left["result"]["checks"] if row["code"] == "requirement-missed")
+        assert (row["passed"], row["value"] > 293.3) == (passed, True), "of the frictions at which it ends"
+
+
+def test_the_balls_of_a_direct_clutch_bear_their_share_of_the_peak():
+    """F_n = z_2/z T_peak,c/(n r cos α), tan α = C r/R; a release force that lags lets the peak rise."""
+    own = read_spec(CONFIGS / "drive.toml", ["control_unit.release_lag=0.02", "drive.motor_inertia=0.1"])
+    found = simulate(build(own))[0]
+    cosine = 1 / math.hypot(1, 0.5 * 50 / 100)
+    share = 7 / 8 * found.peak_torque_clutch.max / (6 * 0.05 * cosine)
+    assert found.contact_force.max == pytest.approx(share, rel=1e-9)
+    assert found.peak_torque_clutch.max > 1.5 * found.sliding_torque.max

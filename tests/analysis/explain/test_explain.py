@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.explain.explain import explain
-from afmcalc.analysis.explain.formula import Expression, FormulaText, leaf
+from afmcalc.analysis.explain.formula import FormulaText
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
@@ -22,12 +22,12 @@ from afmcalc.spec import make_spec, read_spec, resolved
 CASES = {"torque": "indirect", "accuracy": "unlike-materials", "check": "default", "overload": "all-driving"}
 CASES |= {"pocket": "indirect", "life": "default"}
 CLUTCHES = [path.stem for path in sorted(CONFIGS.glob("*.toml")) if "\n[search]" not in path.read_text("utf-8")]
-EVERY = slow(*((command, tuple(CLUTCHES)) for command in EXPLAINED))
+EVERY = slow(*((command, tuple(CLUTCHES[number % 2 :: 2])) for number, command in enumerate(EXPLAINED)))
 
 
 @pytest.mark.parametrize(("command", "names"), [*((command, (name,)) for command, name in CASES.items()), *EVERY])
 def test_every_formula_shown_evaluates_to_the_value_shown(command, names):
-    """With its numbers and units as they are printed, to five digits; a difference of two may have fewer."""
+    """The formula with printed numbers and units gives the value to five digits; a difference may have fewer."""
     specs = [read_spec(CONFIGS / f"{name}.toml") for name in names]
     assert (asked := [spec for spec in specs if ANALYSES[command].applies(build(spec))])
     for spec in asked:
@@ -38,7 +38,7 @@ SOFT = "{outer_diameter=0.1, inner_diameter=0.05, thickness=2e-3, free_height=4.
 
 
 def test_a_sleeve_between_disc_springs_has_its_forces_explained():
-    """Behind walls that steepen, too."""
+    """This holds behind walls that steepen, too."""
     springs = [f"closing_spring.disc={SOFT}", f"control_spring.disc={SOFT.replace('10}', '20, parallel=4}')}"]
     for slope, net in (0, "κ"), (30, "κ(x)"):
         spec = read_spec("example:indirect", [*springs, f"control_unit.gain_slope={slope}"])
@@ -66,7 +66,7 @@ WANTED = st.fixed_dictionaries({"nominal_torque": st.floats(1, 1e5)}, optional=O
 @settings(max_examples=2)
 @given(st.one_of(direct_specs(), indirect_specs()), WANTED)
 def test_a_clutch_with_requirements_and_nothing_that_is_not_needed_is_explained(command, spec, wanted):
-    """By the answer that the command itself gives, or by its refusal: no contact, no fatigue, no drive, no heat."""
+    """A command is explained with its answer or its refusal; a spec needs no contact, fatigue, drive or heat for it."""
     own = make_spec({**resolved(spec), "requirements": wanted})
     try:
         _, findings = ANALYSES[command].function(build(own))
@@ -84,11 +84,11 @@ def test_a_clutch_with_requirements_and_nothing_that_is_not_needed_is_explained(
 M, KG, S = 1.3, 1.7, 2.3
 N = KG * M / S**2
 NUMBER_OF_UNIT = {"m": M, "kg": KG, "s": S, "K": 2.9, "rad": 1.0, "N": N, "J": N * M, "W": N * M / S, "Pa": N / M**2}
-"""A number for each unit, those of J, N … following from m, kg, s: units are factors like any other."""
+"""Arbitrary number for each base unit; those of J, N … follow, so that units are factors like any other."""
 
 
 def read_as_printed(text, names):
-    """Value of a line of text read as anyone reads it: left to right, a number with one unit as a whole."""
+    """Value of a printed formula, read from left to right, with a number and its unit as one factor."""
 
     def plain(text):
         text = re.sub("([²³])", lambda match: f"^{'²³'.index(match[1]) + 2}", text)
@@ -116,7 +116,7 @@ def printed_forms(equation, sign):
     assert len(set(symbols.values())) == len(symbols)
     units = {name: (symbols[name], unit) for name, (_, unit) in terms.items()}
     formula = FormulaText(equation.function, units, numbers)
-    # a symbol of several letters, or a ratio, is read as the product or ratio of them
+    # a symbol of two words, or a ratio, is read as the product or the ratio of its parts
     several = re.compile(r"(?!sin|cos|tan|ln|largest)([^ /()]+)([ /])(\S+)")
     names = {symbol: numbers[argument] for argument, symbol in symbols.items() if not several.fullmatch(symbol)}
     for argument, symbol in symbols.items():
@@ -124,23 +124,25 @@ def printed_forms(equation, sign):
             first = names.setdefault(match[1], 1.9)
             names[match[3]] = numbers[argument] / first if match[2] == " " else first / numbers[argument]
     of_result = read_as_printed(equation.result.unit.replace("*", "·"), NUMBER_OF_UNIT)
-    shown = (text(formula.tree_with_numbers(line=line)) for line in (False, True))
+    shown = (text(formula.with_numbers(line=line)) for line in (False, True))
     read = [read_as_printed(one, NUMBER_OF_UNIT) / of_result for one in shown]
-    return complex(equation.function(**numbers)), [read_as_printed(formula.text(), names), *read]
+    return complex(equation.function(**numbers)), [read_as_printed(text(formula.tree), names), *read]
 
 
 def has_formula(equation):
-    """True if it is one, not a choice or a list of values."""
+    """True if an equation is a formula, not a choice or a list of values."""
     try:
-        result = equation.function(**{name: leaf((name,), 1.0) for name in equation.arguments})
-    except (TypeError, AttributeError):
+        FormulaText(
+            equation.function, dict.fromkeys(equation.arguments, ("x", "1")), dict.fromkeys(equation.arguments, 1.0)
+        )
+    except TypeError:
         return False
-    return isinstance(result, Expression)
+    return True
 
 
 @pytest.mark.parametrize("sign", [1, *slow(-1)])
 def test_every_printed_form_reads_as_the_equation(sign):
-    """With its own symbols and with numbers and units: m·c·λ/α A_c is another quantity."""
+    """This holds for symbols and for numbers with units: m·c·λ/α A_c, without brackets, would be another quantity."""
     for name, equation in equations().items():
         if name != "unlike.bend_of_path" and has_formula(equation):  # that one has a number to avoid 0/0
             value, read = printed_forms(equation, sign)
@@ -153,7 +155,7 @@ def test_of_a_life_of_slips_the_mean_damage_is_shown_not_its_nodes():
     steps = explain("life", spec, model="goodman")[0].steps
     assert not [step for step in steps if "slip" in (step.at or "")]
     lives = {(step.at, step.setting, step.side): step.value for step in steps if step.symbol == "N_c"}
-    for side, case in (("protected", None), ("protected_forecast", "from f_mean")):
+    for side, case in (("protected", None), ("protected_forecast", "f ≥ f_mean")):
         for method in ("min-friction", "mean-friction"):
             setting = None if method == spec.adjustment.method else method
             assert lives[case, setting, None] == getattr(getattr(result, side), method.replace("-", "_"))
@@ -167,7 +169,7 @@ def test_the_contact_along_a_wall_is_shown_where_it_is_largest():
 
 
 def test_the_search_for_a_gain_that_can_be_cut_is_not_explained(afmcalc):
-    """Not the thousand of the gains that are tried."""
+    """The thousand steps of the gains that are tried are not shown."""
     wide = ["--set", "control_unit.edge_clearance=4"]
     told = afmcalc("explain", "pocket", CONFIGS / "constant-torque.toml", *wide, "--json").json
     assert "wall-undercut" in {each["code"] for each in told["findings"]}

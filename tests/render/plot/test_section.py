@@ -90,7 +90,7 @@ def covers(shapes, x, y):
 
 
 def cells(*parts):
-    """Middles of all cells between the edges of parts, but for those that rounding makes."""
+    """Yield the middles of all cells between the edges of parts, except cells that are only rounding errors."""
     points = [point for shapes in parts for contours in shapes for contour in contours for point in contour]
     sides = (sorted({point[side] for point in points}) for side in (0, 1))
     middles = ([(a + b) / 2 for a, b in itertools.pairwise(side) if b - a > 3e-4] for side in sides)
@@ -151,8 +151,15 @@ def test_parts_overlap_as_check_reports(spec):
     result, _ = layout(clutch)
     assert {name: part.row for name, part in section.parts.items()} == {row.part: row for row in result.parts}
     assert measured(drawing)["length"] == pytest.approx(result.length * 1e3, abs=2e-4)
-    # only a bore that is not given may be missing, and it means none
+    # only the dimension of the bore may be missing, if the spec gives no bore
     assert not section.assumed.keys() - {"control_unit.face_gap"}
+
+
+def test_defaults_do_not_collide():
+    """Balls that overlap an assumed hub are no collision; without an envelope ``check`` reports none either."""
+    clutch = build(read_spec("example:default", ["control_unit.ball_circle_radius=20 mm"]))
+    assert overlapping(svg(clutch)) == {frozenset(("hub", "balls")), frozenset(("thrust disc", "pressure disc"))}
+    assert gathered_of(clutch).overlaps == [] == [*colliding(Answers(clutch).ask("check")[1])]
 
 
 @given(indirect_specs(curved=True))
@@ -172,14 +179,14 @@ def test_what_moves_is_ghosted_by_the_travel(spec):
 
 
 def test_variants_differ():
-    """Discs of the bypass and of all pairs, above and below the axis, and what is ghosted; balls, what is assumed."""
+    """Variants differ in the number of bypass discs, of all discs, of moved parts, balls and assumed parts drawn."""
 
     def counts(name):
         groups = {group.get("class"): group for group in svg(build(read_spec(f"example:{name}"))).iter(named("g"))}
         layers = ("bypass", "discs", "ghost", "balls", "assumed")
         return [len(groups[layer]) if layer in groups else 0 for layer in layers]
 
-    assert counts("default")[:3] == [2, 14, 0]  # one pair of eight
+    assert counts("default")[:3] == [2, 14, 0]  # one bypass pair of eight, above and below the axis
     assert counts("all-driving")[:3] == [0, 8, 0]
     assert counts("conventional")[:4] == [0, 16, 0, 0]
     ghosts, balls, assumed = counts("envelope")[2:]
@@ -189,7 +196,7 @@ def test_variants_differ():
 @pytest.mark.parametrize("upright", [False, True])
 @pytest.mark.parametrize("long", [100.0, 2.5])
 def test_a_dimension_has_arrows_between_its_ends_and_lines_to_them(long, upright):
-    """Where it is short the arrows stand outside; an extension line goes from each end past the dimension's line."""
+    """If it is short the arrows stand outside; an extension line goes from each end beyond the dimension line."""
     turned = (lambda x, y: (y, x)) if upright else (lambda x, y: (x, y))
     line = Length("12.5", 4.0, turned(1.0, 2.0), turned(1.0 + long, 0.0), 9.0, upright)
     parts = [part for part in exploded(line) if not isinstance(part, Inscription)]

@@ -1,11 +1,12 @@
-"""The report: valid, escaped, without what does not apply, its verdict and what it shows of each part."""
+"""The report: valid, escaped, without what does not apply, its verdict and what it shows of each part; the same in Russian."""
 
 import hashlib
 import re
 from html import unescape
 
+import html5lib
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, slow
 
 from afmcalc.analysis.dossier import dossier
 from afmcalc.render.report import Subject, render
@@ -21,6 +22,7 @@ def text_of(element):
 @pytest.mark.parametrize("name", ["default", pytest.param("indirect", marks=pytest.mark.slow)])
 def test_valid_and_self_contained(name, report, drawn, parsed):
     page = report() if name == "default" else drawn(name, "--short")
+    html5lib.HTMLParser(strict=True).parse(page)
     tree = parsed(page)
     assert not [tree.findall(f".//{element}") for element in ("script", "link", "img") if tree.findall(f".//{element}")]
     attributes = {name for part in tree.findall(".//math//*") for name in part.attrib}
@@ -34,16 +36,23 @@ def test_valid_and_self_contained(name, report, drawn, parsed):
 
 @pytest.mark.parametrize(
     ("name", "absent"),
-    [
-        ("conventional", {"overload", "pocket", "tolerance"}),
-        pytest.param("tolerance", set(), marks=pytest.mark.slow),
-    ],
+    [("conventional", {"overload", "pocket", "tolerance"}), pytest.param("tolerance", set(), marks=pytest.mark.slow)],
 )
 def test_sections_that_do_not_apply_are_left_out(name, absent, report):
     page = report(name)
     for key in ("torque", "accuracy", "adjust", "overload", "pocket", "life", "tolerance"):
         assert (f'<section id="{key}">' in page) == (f'href="#{key}"' in page) == (key not in absent), key
     assert "None" not in page
+
+
+def test_the_first_lines_tell_where_it_trips(report, parsed):
+    """Seven of eight pairs pass C = 0.5; at f = 0.1 and 0.8 an ordinary clutch slips at 160 and 1280 N·m; margin 1.25."""
+    least, largest = 160 / (1 + 7 * 0.5 * 0.1), 1280 / (1 + 7 * 0.5 * 0.8)
+    rated = least / 1.25
+    torques, ratios = (f"{low:.5g} … {high:.5g}" for low, high in ((least, largest), (1.25, largest / rated)))
+    trip = f"{torques} N·m: {ratios} times the rated torque at the clutch, T0 = {rated:.5g} N·m."
+    first = [text_of(line).replace("\xa0", " ") for line in parsed(report()).findall(".//header/p")]
+    assert first[-1] == f"It slips at Tmin … Tmax = {trip}"
 
 
 def limits_of(page, parsed):
@@ -53,7 +62,7 @@ def limits_of(page, parsed):
 
 
 def test_a_short_report_shows_the_limits_most_used(report, parsed):
-    """The limits that there is room for beside the requirements, but four at least."""
+    """It shows as many limits as there is room for besides the requirements, but at least four."""
     every = sorted(limits_of(report(), parsed), reverse=True)
     told = dossier(read_spec(None, ["requirements.nominal_torque=50"]), explained=False)
     (row,) = told.check.requirements
@@ -67,15 +76,16 @@ def test_a_short_report_shows_the_limits_most_used(report, parsed):
 
 @pytest.fixture(scope="module")
 def overridden(framed, tmp_path_factory):
-    """A spec with markup in its texts, and its page, of which a check fails by what is overridden."""
+    """A spec with markup in its texts, and its report with overrides by which a check fails."""
     spec = tmp_path_factory.mktemp("evil") / "evil.toml"
     text = (CONFIGS / "default.toml").read_text(encoding="utf-8").replace("Base clutch", EVIL)
     block = (
         f'[report]\ndrawing = "AFM-17"\nrevision = 2\nauthor = "Ш."\ndate = 2026-02-03\n# {EVIL} </pre> {{{{ 7*7 }}}}'
     )
     spec.write_bytes("\ufeff".encode() + f"{text}\n{block}\n".replace("\n", "\r\n").encode())
-    given = "--set", f"name={EVIL}&lt; a_b", "--author", "Ф.", "--project", '7\\"}</style>', "--organisation", EVIL
-    more = "--set", "C=2", "--set", "control_unit.allowable_contact_force=100"
+    given = "--set", f"name={EVIL}&lt; a_b", "--set", "report.author=Ф.", "--set", 'report.project=7\\"}</style>'
+    more = "--set", f"report.organisation={EVIL}"
+    more += "--set", "C=2", "--set", "control_unit.allowable_contact_force=100"
     return spec, framed(spec, *given, *more, "--with-source")
 
 
@@ -104,11 +114,9 @@ def test_checks_have_utilisation_and_verdict(overridden, parsed):
     rows = [[text_of(cell) for cell in row] for row in tree.findall(".//section[@id='checks']//tr")[1:]]
     found = {row[1]: (row[0], float(row[6])) for row in rows}
     assert found["feedback gain"] == ("warning", 1.6)
-    shares = [
-        float(text_of(line).partition(": ")[2].partition("%")[0])
-        for line in tree.findall(".//ul[@class='next']/li")[:2]
-    ]
-    assert shares[0] > shares[1] > 100, "the gravest first"
+    steps = [text_of(line) for line in tree.findall(".//ul[@class='next']/li")[:2]]
+    assert steps[0].startswith("Increase “number of balls” from "), "the gravest first"
+    assert steps[1].startswith("Decrease “feedback gain” from 2\xa0to 1.25: ")
     assert found["contact force on one ball"][0] == "fail"
     assert found["contact force on one ball"][1] > 1
 
@@ -178,3 +186,71 @@ def test_a_reviewer_finds_what_he_looks_for(spoken, form, report, parsed):
 
 def test_what_is_searched_for_is_no_part_of_a_report(report):
     assert "friction_group.pairs" not in report("requirements", "--short")
+
+
+EXAMPLES = ["default", *slow("tolerance")]
+LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+STANDARD = re.compile(r"ISO 3290-1|ГОСТ 3722-2014")  # Of balls: each language names its own
+COUNTED = re.compile(r"(Table|Таблица|Figure|Рисунок) \d+")
+CODE = re.compile(r"--[a-z][\w-]*|\[?\b[a-z]{3,}(?:_[a-z]{2,})+|\b(?:friction|fatigue|drive|machine|heat)\.[a-z]+")
+"""A key of the spec, or an option of the command line."""
+PARTS = ".//td", ".//caption", ".//figure", ".//div[@class='step']", ".//div[@class='formula']", ".//li"
+
+
+def plain(element):
+    """Text of an element without indices and numbers of tables, figures, formulas and chapters."""
+    tag, tail = element.tag.rpartition("}")[2], element.tail or ""
+    counted = element.get("class") == "count" or (tag == "b" and COUNTED.fullmatch(element.text or ""))
+    if tag in ("sub", "msub") or counted or element.get("href", "").startswith("#"):
+        return f"_{tail}"
+    if tag == "mspace":
+        return f"\xa0{tail}"
+    inside = (element.text or "") + "".join(map(plain, element))
+    if tag in ("sup", "msup") and re.match(r"[−\d]", text_of(element)):
+        inside = f"^{inside}"
+    return {"mn": " ", "mo": " ", "text": " "}.get(tag, "") + inside + tail
+
+
+def numbers(element, language):
+    """Numbers of a part of a page; percentages are divided by 100, as Russian texts give utilisation as a share."""
+    text = STANDARD.sub("", plain(element)).replace("−", "-")
+    text = re.sub(r"(?<=\d)\xa0 ?(?=\d{3})", "", text)
+    text = text.replace(",", "") if language == "en" else re.sub(r"(?<=\d),(?=\d)", ".", text)
+    text = re.sub("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda power: f"^{power[0].translate(LOWERED)}", text)
+    found = re.findall(r"((?:(?<![\w.)\]])-)?\d+(?:\.\d+)?)(\s?%)?", text)
+    return [f"{float(number) / 100:.3g}" if share else number for number, share in found]
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_words_stand_in_the_place_of_keys_and_numbers_in_that_of_sources(name, report, parsed):
+    page = parsed(report(name, "--lang", "ru"))
+    main = page.find(".//main")
+    texts = [text_of(page.find(".//p[@id='verdict']")), *(plain(each) for each in main if each.tag == "section")]
+    assert CODE.search("give friction.min, or --set") is not None
+    assert [found for text in texts for found in CODE.findall(text)] == []
+    references = main.find(".//dl[@class='references']")
+    listed = [text_of(entry) for entry in references.findall(".//dt")]
+    text = "\n".join(text_of(part) for part in main if part.get("id") != "references")
+    mentions = re.findall(r"\[(\d+)(?:\]|, (?:eq|формул|chapter|гл|fig|рис|sec|разд|ch))", text)
+    assert [*dict.fromkeys(mentions)] == listed == [str(number) for number in range(1, len(listed) + 1)] != []
+    assert len({text_of(entry) for entry in references.findall(".//dd")}) == len(listed)
+    assert not re.findall(r"\b(?:F11|S19|S21|S22|[A-Z]\w\d\d|CJ|JM|SKS)\b|[Hh]andbook|правочник|ohnson|Marshek", text)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_both_languages_have_the_same_numbers(name, report, parsed):
+    """Every cell, step, caption and the conclusions have the same numbers; there are as many symbols."""
+    pages = {each: parsed(report(name, *(["--lang", "ru"] if each == "ru" else []))) for each in ("en", "ru")}
+    english, russian = ({part.get("id"): part for part in page.findall(".//section")} for page in pages.values())
+    assert {*english} | {"requirements"} == {*russian}  # the Russian section may say that none are stated
+    counted = 0
+    for key, path in ((key, path) for key in english.keys() - {"calculation", "references"} for path in PARTS):
+        for one, other in zip(english[key].findall(path), russian[key].findall(path), strict=True):
+            said = numbers(one, "en"), numbers(other, "ru")
+            assert said[0] == said[1], (key, path, text_of(one), text_of(other))
+            counted += len(said[0])
+    assert counted > 1000
+    verdicts = [numbers(page.find(".//p[@id='verdict']"), language) for language, page in pages.items()]
+    assert verdicts[0] == verdicts[1] != []
+    listed = [len(each["symbols"].findall(".//dt")) for each in (english, russian)]
+    assert listed[0] == listed[1] > 50

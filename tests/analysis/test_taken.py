@@ -1,18 +1,96 @@
-"""The plate of a motor and the diameter of a shaft, in a spec, against numbers worked out by hand."""
+"""What the plate of a motor, the diameter of a shaft and the rest of a file tell, by hand; the lines to paste for what they do not."""
 
+import json
 import math
 import tomllib
 
 import pytest
 from conftest import CONFIGS
+from drives import merged
+from sources import REFUSED
 
 from afmcalc.analysis.asking import Answers
 from afmcalc.analysis.check import check_at_once
+from afmcalc.analysis.clutch_findings import speed_findings
 from afmcalc.analysis.fatigue import life
+from afmcalc.analysis.neglected import effects
+from afmcalc.analysis.simulate import simulate
+from afmcalc.analysis.trip_heat import STEEL, heat
 from afmcalc.drive.train import train_of
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, resolved
+
+MACHINE = tomllib.loads((CONFIGS / "machine-clutch.toml").read_text(encoding="utf-8"))
+GEAR = {"machine": {"ratio": 2}, "heat": {"lining": "0.5 mm", "ambient": "20 degC", "cooling": 2.5}}
+EVENT = {"motor_inertia": 0.05, "shaft_stiffness": 4000, "event": {"kind": "stop", "stop_time": 0.01, "duration": 0.01}}
+# 965 rpm through the gear; discs of 3 mm, less the lining of 0.5 mm each
+INNER, OUTER = (float(MACHINE["friction_group"][f"{end}_radius"].split()[0]) / 1e3 for end in ("inner", "outer"))
+MASS = 7850 * MACHINE["friction_group"]["pairs"] * 2.5e-3 * math.pi * (OUTER**2 - INNER**2)
+QUICK = {
+    "simulate": ["--set", "drive.event.duration=0.002"],
+    "tolerance": ["--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"],
+}
+GIVEN = {"drive": {"speed": "482.5 rpm"}, "heat": {"disc_mass": MASS, **STEEL}}
+
+
+def told(answer):
+    result, found = answer
+    return result.to_dict(), [each.code for each in found if "-from-" in each.code or each.code == "discs-of-steel"]
+
+
+@pytest.mark.parametrize(
+    ("analysis", "drive", "codes"),
+    [
+        (heat, {"cut_off": 0.3}, ["speed-from-plate", "discs-of-steel", "discs-from-layout"]),
+        (effects, {}, ["speed-from-plate"]),
+        (
+            lambda own: simulate(own, heated=True), EVENT,
+            ["speed-from-plate", "inertia-from-layout", "discs-of-steel", "discs-from-layout"],
+        ),
+    ],
+)  # fmt: skip
+def test_what_the_file_has_is_taken_and_said_once(analysis, drive, codes):
+    data = merged(MACHINE, {**GEAR, "drive": drive})
+    result, said = told(analysis(build(make_spec(data))))
+    assert said == codes
+    own, none = told(analysis(build(make_spec(merged(data, GIVEN)))))
+    assert [code for code in none if code != "inertia-from-layout"] == []
+    assert json.loads(json.dumps(result), parse_float=lambda text: f"{float(text):.9g}") == json.loads(
+        json.dumps(own), parse_float=lambda text: f"{float(text):.9g}"
+    )
+
+
+def test_the_curve_of_a_motor_tells_the_speed_before_its_plate_does():
+    motor = {"breakdown_torque": 200, "breakdown_slip": 0.15, "synchronous_speed": "1000 rpm"}
+    own = build(make_spec(merged(MACHINE, {"drive": {**EVENT, "motor": motor}})))
+    assert [*speed_findings(own.spec)] == []
+    assert 0.85 < train_of(own).speed / (1000 * math.pi / 30) < 1
+
+
+@pytest.mark.parametrize(("command", "example", "keys"), REFUSED["missing"])
+def test_what_is_missing_is_asked_for_at_once_with_lines_that_may_be_pasted(command, example, keys, afmcalc, tmp_path):
+    ended = afmcalc(command, f"example:{example}")
+    assert (ended.code, ended.err.count("error: ")) == (2, 2)
+    kind = "tolerance" if command == "tolerance" else "drive"
+    asked, how = (part.partition("\n") for part in ended.err.split("error: ")[1:])
+    assert f"afmcalc init --kind {kind}" in how[0]
+    assert all(key in "".join(asked) for key in keys)
+    data = tomllib.loads((CONFIGS / f"{example}.toml").read_text(encoding="utf-8"))
+    spec = tmp_path / "pasted.json"
+    spec.write_text(json.dumps(merged(data, tomllib.loads(how[2]))), encoding="utf-8")
+    assert afmcalc(command, spec, *QUICK.get(command, ())).code == 0
+
+
+def test_estimates_have_three_digits_for_people_and_all_for_programs(afmcalc):
+    arguments = ("simulate", "example:machine-clutch", "--set", "drive.cut_off=0.5")
+    energy = afmcalc(*arguments, "--json").json["result"]["energy"]["min"]
+    torque = afmcalc("torque", "example:machine-clutch", "--json").json["result"]["torque"]["min"]
+    assert energy == pytest.approx(torque * 965 * math.pi / 30 * 0.5)
+    assert "4.3 " in next(line for line in afmcalc(*arguments).out.splitlines() if line.startswith("Q "))
+    materials = afmcalc("list", "materials", "--json").json["result"]["materials"]
+    assert materials[0]["temperature_max"] == 533.15
+
 
 DEFAULT = tomllib.loads((CONFIGS / "default.toml").read_text(encoding="utf-8"))
 # the base clutch by hand: T(f) = F R z f/(1 + z_2 C f), F 2 kN, R 100 mm, z 8, z_2 C 3.5; margin 1.25
