@@ -399,11 +399,16 @@ def _lengthened(motion: Motion, watch: _Watch, finest: Any, end: Any) -> Any:
         left = np.maximum(end - motion.time, 0.0) / _BLOCK
         if train.engine.slip is not None:
             stalling = train.motor_inertia * train.engine.slip * train.engine.synchronous / train.engine.torque
-            long = np.minimum(long, 0.1 * stalling)
+            left = np.minimum(left, 0.1 * stalling)
         if train.cut_off is not None:
             left = np.minimum(left, np.where(motion.time < watch.off, (watch.off - motion.time) / _BLOCK, np.inf))
     longest = np.maximum(np.minimum(np.minimum(long, left), 2 * motion.h), finest)
     step = np.where(quiet, longest, np.where(steady, np.clip(long, finest, _STEADY * finest), finest))
+    if not motion.turning_tool:
+        braked = np.clip(
+            np.minimum((train.time - motion.time) / _BLOCK, left), finest, np.maximum(2 * motion.h, finest)
+        )
+        step = np.where(_sticks_on(motion, motor, watch.peak, braked), braked, step)
     if np.any(step != motion.h):
         motion.set_step(step if is_array(motion.h) else float(step))
     # a motor that keeps up the slip on the stable branch of its curve does so for ever
@@ -412,6 +417,24 @@ def _lengthened(motion: Motion, watch: _Watch, finest: Any, end: Any) -> Any:
     carries = balanced | np.isinf(end) | (lasting > slowing * np.maximum(end - motion.time, 0.0))
     endless: Any = quiet & stable & carries & (train.cut_off is None)
     return endless
+
+
+def _sticks_on(motion: Motion, motor: Any, peak: Any, step: Any) -> Any:
+    """Flags: while the tool is braked slowly, the clutch sticks through a block of steps, and no swing raises the peak.
+
+    The shaft torque follows motor and deceleration of the tool, M + J a; the whole drive slows down with the tool.
+    """
+    train, pack, until = motion.train, motion.pack, motion.time + _BLOCK * step
+    inertia = train.front * (motion.tool - train.led(until)) / (_BLOCK * step)
+    # within the block the motor pulls most at the speed nearest to that of its breakdown
+    breakdown = train.engine.synchronous * (1 - (0.0 if train.engine.slip is None else train.engine.slip))
+    most = train.engine.at(np.clip(breakdown, train.led(until), motion.tool)) * (motor != 0)
+    now, then = motor + inertia, most + inertia
+    swing = np.hypot(motion.elastic - now, motion.twisting * (train.stiffness * train.front) ** 0.5)
+    top = np.maximum(np.abs(now), np.abs(then)) + swing
+    limit = np.minimum(pack.breakaway, pack.lift) if pack.travels else np.where(pack.lag > 0, 0.0, pack.breakaway)
+    sticks = (motion.slip == 0) & (motion.rate == 0) & (motion.turn == 0) & (top < limit * (1 - CLOSE))
+    return sticks & ((swing < _QUIET * np.abs(now)) | (top <= peak * (1 + _QUIET)))
 
 
 def horizon(train: Train, pack: DirectPack | Sleeve) -> Values:

@@ -166,6 +166,16 @@ def test_load_event_stops_the_tool_and_holds_it():
     assert (found.rows[-1].speed_tool, found.rows[-1].torque_shaft) == (0, pytest.approx(150, abs=160))
 
 
+def test_a_slow_stop_is_stepped_no_longer_than_its_swings_last():
+    """The drive slows down with the tool: two swings of the shaft, M ± 2 J a, in the end those about rest."""
+    own = case(300.0, time=100.0)
+    event = own.run()
+    assert event.peak == pytest.approx(150.0 + 2 * own.train.front * own.train.speed / 100.0, rel=1e-3)
+    assert event.settled
+    assert event.time > 100.0
+    assert len(event.rows) < 5000
+
+
 @pytest.mark.slow
 def test_a_motor_that_is_slowed_pulls_harder():
     """Tool, drive and Kloss motor slow down as one, long after the first swing, until the motor carries the load."""
