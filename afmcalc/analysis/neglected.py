@@ -23,6 +23,7 @@ from ..spec.models import PressureDiscKey
 from ..spec.write import lacking
 from ..variants import foreign_keys
 from .clutch_findings import clutch_findings, speed_findings
+from .drive_result import ends_of
 
 EffectName = Literal["spline-friction", "centrifugal", "wear", "pressure-disc-key"]
 NOTICEABLE = 0.05
@@ -135,7 +136,7 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
         raise lacking(clutch.spec, "effects", needs, "drive", paths)
     result = EffectsResult(
         accuracy_factor=clutch.accuracy_factor,
-        torque=Triple.of(_torque(clutch, *_ends(clutch)).tolist()),
+        torque=ends_of(_torque(clutch, *_ends(clutch)).tolist()),
         effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
     )
     remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
@@ -196,7 +197,7 @@ def _effect(clutch: Clutch, name: EffectName, bracket: Bracket) -> Effect:
     # accuracy factor: largest over smallest torque as f_1 and f_2 rise together
     courses = (curve(*_path(clutch)) for curve in bracket.curves)
     factors = sorted(float(course.max() / course.min()) for course in courses)
-    low, *_, high = map(Triple.of, bracket.ends(_ends(clutch)))
+    low, *_, high = map(ends_of, bracket.ends(_ends(clutch)))
     return Effect(
         effect=name, torque_low=low, torque_high=high, accuracy_factor_low=factors[0], accuracy_factor_high=factors[-1]
     )
