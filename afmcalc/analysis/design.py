@@ -11,7 +11,7 @@ from pydantic import ConfigDict, PrivateAttr, SerializeAsAny, create_model
 
 from ..drive.cases import simulate_clutches
 from ..engines import Clutch, build
-from ..engines.checks import CHECKS, REQUIRED, Check
+from ..engines.checks import CHECKS, REQUIRED
 from ..engines.selection import NAMES
 from ..equations.terms import TERMS, term_of
 from ..errors import AfmcalcError, CalculationError
@@ -27,7 +27,7 @@ from ..units import ENGINEER
 from .asking import Answers
 from .check import check, simulating
 from .design_grid import (
-    Nearest,
+    WARNINGS,
     Part,
     Survey,
     equal_to,
@@ -36,6 +36,7 @@ from .design_grid import (
     parts_of_search,
     unbeaten,
     wired,
+    with_ball,
 )
 from .solve import is_quantity
 from .spring_search import bounded_demands, label_of, ranked, springs
@@ -130,19 +131,17 @@ class DesignResult(Answer):
 
 
 @np.errstate(all="ignore")
-def design(spec: Spec, sort: str | None = None) -> tuple[DesignResult, list[Finding]]:
+def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     """Search the grid of a spec; return the front or, if it is empty, the checks that exclude the nearest candidate.
 
     Raises SpecError if there is no [search], or if it has too many candidates; AfmcalcError if an objective is no
-    quantity of any candidate, or if ``sort`` is not a number in the rows of the front.
+    quantity of any candidate.
     """
     objectives = list(spec.objectives or _DEFAULT)
     parts = parts_of_search(spec)
     _check_objectives(parts, objectives)
     survey = Survey(parts, objectives)
     judge = _Judge(spec, survey)
-    if sort is not None:
-        _check_sort(sort, spec, _columns(survey, objectives, judge))
     places = judge.front()
     excluded = {code: count for code, count in (survey.excluded + judge.excluded).items() if count}
     front = _numbered(survey, objectives, places, judge)
@@ -169,17 +168,6 @@ def _check_objectives(parts: Sequence[Part], objectives: Sequence[str]) -> None:
                 raise AfmcalcError("objectives: {why}", why=error.args[0]) from None
         if not is_quantity(name):
             raise AfmcalcError("objectives: {name} is no number", name=name)
-
-
-def _check_sort(sort: str, spec: Spec, columns: Mapping[str, Any]) -> None:
-    """Raise AfmcalcError, before the long calculation, if ``sort`` is not a number in the rows."""
-    numbers = ["number", "pairs", *(name for name, (_, field) in columns.items() if shown_as(field).unit)]
-    numbers += [name for name, row in REQUIRED.items() if row.needs and getattr(spec.requirements, name, None)]
-    if sort not in numbers:
-        raise AfmcalcError(
-            "--sort {name}: no such quantity{hint}; one of {known}",
-            name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
-        )  # fmt: skip
 
 
 class _Judge:
@@ -248,8 +236,8 @@ class _Judge:
         _, _, member, missed = min(self._ranks, key=lambda rank: rank[:3])
         if missed[0].code == _NO_SPRING:
             found = springs(build(candidate(self.spec, self.survey.changes(member))), kind=self.kind)[1]
-            missed = [each for each in found if each.code == _NO_SPRING]
-        return sorted(missed, key=_beyond, reverse=True)
+            return [each for each in found if each.code == _NO_SPRING]
+        return missed
 
     @property
     def kind(self) -> Any:
@@ -303,8 +291,7 @@ def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judg
     """Return the rows of the front, numbered, with the compromise marked."""
     costs = survey.costs[places]
     best = _compromise(costs)
-    columns = _columns(survey, objectives, judge)
-    kind: Any = create_model("DesignRow", __base__=DesignRow, **columns)
+    kind: Any = create_model("DesignRow", __base__=DesignRow, **_columns(survey, objectives, judge))
     rows, told = list[DesignRow](), (*(name.removeprefix("-") for name in objectives), *_TOLD)
     for number, place in enumerate(places, 1):
         spec, judged, warnings = judge.passed[place]
@@ -313,7 +300,7 @@ def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judg
         values = {_column(path): value for path, value in changes.items()}
         values |= {"variant": spec.variant, "pairs": spec.friction_group.pairs}
         values |= {name: own[name] for name in told if name in own}
-        values |= {name: value for name, value in judged.items() if name in columns}
+        values |= judged
         values |= {f"{name}_part": label_of(part) for name, part in spec.spring_parts.items()}
         known = {name: _known(value) for name, value in values.items() if name in kind.model_fields}
         mark = "compromise" if number - 1 == best else None
@@ -404,9 +391,19 @@ def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow
 
 
 def shown(result: DesignResult, sort: str | None = None, *, whole: bool = False) -> DesignResult:
-    """Return the result with its front sorted: the first rows and the compromise, or all rows, with their numbers."""
+    """Return the result with its front sorted: the first rows and the compromise, or all rows, with their numbers.
+
+    Raises AfmcalcError if ``sort`` is not a number in the rows of the front.
+    """
     ordered = result.front
-    if sort is not None:
+    if sort is not None and ordered:
+        fields = type(ordered[0]).model_fields.items()
+        numbers = [name for name, field in fields if shown_as(field).unit or name in ("number", "pairs")]
+        if sort not in numbers:
+            raise AfmcalcError(
+                "--sort {name}: no such quantity{hint}; one of {known}",
+                name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
+            )  # fmt: skip
         ordered = sorted(ordered, key=lambda row: row.objective(sort))
     if not whole:
         ordered = [row for place, row in enumerate(ordered) if place < _FIRST or row.mark]
@@ -427,18 +424,15 @@ _SCALES = [float(f"{scale:.3g}") for scale in np.geomspace(0.25, 4.0, 201)]
 
 def _binding(spec: Spec, survey: Survey, judge: _Judge) -> list[Binding]:
     """Return the checks that exclude the nearest candidate of those judged one by one, else of the whole grid."""
-    would_do = None
-    if failed := judge.nearest():
-        missed = [_of_finding(each) for each in failed]
-    else:
-        assert survey.nearest is not None
-        missed = [
-            _constraint(
-                name_of(check), check.path, check.unit, _known(value), _known(limit), _missed(check, value, limit)
-            )
-            for check, value, limit in survey.nearest.missed
-        ]
-        would_do = _key_that_would_do(spec, survey.nearest)
+    failed, changes = judge.nearest(), None
+    if not failed and survey.nearest is not None:
+        _, changes, ball = survey.nearest
+        clutch = build(candidate(spec, changes | with_ball(ball)))
+        found = check(clutch, without=simulating(clutch))[1]
+        failed = [each for each in found if each.level == "error" or each.code in WARNINGS]
+    failed.sort(key=_beyond, reverse=True)
+    missed = [_missed(each) for each in failed]
+    would_do = None if changes is None else _key_that_would_do(spec, changes, failed[0].path)
     if would_do is not None:
         return [each.model_copy(update=would_do if each is missed[0] else _NO_KEY) for each in missed]
     # easing requirements to the candidate's values helps only if every missed check is a requirement
@@ -448,22 +442,15 @@ def _binding(spec: Spec, survey: Survey, judge: _Judge) -> list[Binding]:
 _NO_KEY: dict[str, Any] = {"key": None, "sign": None, "would_do": None, "key_unit": "1"}
 
 
-def _of_finding(missed: Finding) -> Binding:
-    name = _counted(missed)
-    unit = keys()[f"requirements.{name}"].unit if name in REQUIRED else _UNITS.get(name)
-    return _constraint(name, missed.path, unit or "1", missed.value, missed.limit, missed.message)
-
-
-def _constraint(
-    name: str, path: str | None, unit: str, value: float | None, limit: float | None, message: str
-) -> Binding:
+def _missed(found: Finding) -> Binding:
     """Return a missed check; a requirement also gets the limit that the candidate's value would meet."""
-    eased = _NO_KEY
-    if path == f"requirements.{name}" and value is not None:
+    name, eased = _counted(found), _NO_KEY
+    unit = (keys()[f"requirements.{name}"].unit if name in REQUIRED else _UNITS.get(name)) or "1"
+    if found.path == f"requirements.{name}" and found.value is not None:
         least = REQUIRED[name].least
-        would_do = _five_digits(value, least)
-        eased = {"key": path, "sign": "≤" if least else "≥", "would_do": would_do, "key_unit": unit}
-    return Binding(check=name, message=message, value=value, limit=limit, unit=unit, **eased)
+        would_do = _five_digits(found.value, least)
+        eased = {"key": found.path, "sign": "≤" if least else "≥", "would_do": would_do, "key_unit": unit}
+    return Binding(check=name, message=found.message, value=found.value, limit=found.limit, unit=unit, **eased)
 
 
 def _five_digits(value: float, down: bool) -> float:  # noqa: FBT001
@@ -472,28 +459,14 @@ def _five_digits(value: float, down: bool) -> float:  # noqa: FBT001
     return float(f"{(math.floor if down else math.ceil)(value / step) * step:.5g}")
 
 
-def _missed(check: Check, value: float, limit: float) -> str:
-    """Sentence on a missed check: the value that the candidate has, and the limit."""
-    first, _, second = check.value.partition("/")
-    if second:
-        return say(
-            "{first} and {second} collide by at least {missing:.4g mm}",
-            first=translate(first), second=translate(second), missing=value,
-        )  # fmt: skip
-    has, wanted = (measured(number, ENGINEER.get(check.unit, check.unit), 5) for number in (value, limit))
-    bound = translate("at least" if check.least else "at most")
-    return say("{name} {has}, {bound} {wanted}", name=translate(check.name), has=has, bound=bound, wanted=wanted)
-
-
-def _key_that_would_do(spec: Spec, near: Nearest) -> dict[str, Any] | None:
+def _key_that_would_do(spec: Spec, changes: Mapping[str, Any], worst: str | None) -> dict[str, Any] | None:
     """Return a key and its value nearest to the candidate's with which all checks pass, as fields of a ``Binding``.
 
     The key is a searched key, else the key of the worst check or the radius of the ball circle.
     """
-    base = candidate(spec, near.changes)
-    own = "" if (worst := near.missed[0].check).requirement else worst.path
-    fixed = {path: value_at(base, path) for path in (own, _BALL_CIRCLE) if path in keys()}
-    for prefix, paths in (("search.", near.changes), ("", fixed)):
+    base = candidate(spec, changes)
+    fixed = {path: value_at(base, path) for path in (worst, _BALL_CIRCLE) if path in keys() and path not in _REQUIRED}
+    for prefix, paths in (("search.", changes), ("", fixed)):
         found = []
         for path, value in paths.items():
             about = keys()[path].about
@@ -514,6 +487,7 @@ def _key_that_would_do(spec: Spec, near: Nearest) -> dict[str, Any] | None:
 
 
 _BALL_CIRCLE = "control_unit.ball_circle_radius"
+_REQUIRED = {f"requirements.{name}" for name in REQUIRED}
 
 
 def _none(result: DesignResult) -> Finding:
