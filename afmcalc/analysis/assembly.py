@@ -92,8 +92,7 @@ _MOST = 500
 def section(answers: Answers) -> ClutchSection:
     """Lay out a clutch for its drawing, with defaults for the keys that its spec leaves open.
 
-    Raises:
-        CalculationError: more pairs or balls than a drawing shows, or a bore as wide as the housing.
+    Raises CalculationError for more pairs or balls than a drawing shows, or a bore as wide as the housing.
     """
     for key in ("friction_group.pairs", "control_unit.balls"):
         if (value_at(answers.clutch.spec, key) or 0) > _MOST:

@@ -70,21 +70,14 @@ def torque_after_wear(clutch: Clutch, result: EffectsResult) -> float | None:
     return next((effect.torque_least for effect in result.effects if effect.effect == "wear"), 0.0)
 
 
-class EffectCurve(Result):
-    """Torques with one effect, as f_1 and f_2 rise together."""
-
-    effect: EffectName = described("effect")
-    low: list[float] = quantity("N*m", "T_low", "smaller slip torque")
-    high: list[float] = quantity("N*m", "T_high", "larger slip torque")
-
-
 class EffectsCurve(Result):
     """Torques by the law and with each effect, as f_1 and f_2 rise together."""
 
-    name: str | None = described("name of the clutch", optional=True)
+    name: str | None
     friction: list[float] = quantity("1", "f", "coefficient of friction")
     torque: list[float] = quantity("N*m", "T", "slip torque by the law")
-    effects: list[EffectCurve] = described("effects the law neglects")
+    effects: dict[EffectName, tuple[list[float], list[float]]]
+    """Smaller and larger torque with each effect, N·m."""
 
 
 class Bracket(NamedTuple):
@@ -124,11 +117,7 @@ def _value(clutch: Clutch, path: str) -> Any:
 
 
 def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
-    """Calculate each effect for which the spec has the data; the springs stay as they are set.
-
-    Raises:
-        SpecError: the spec has the data of no effect.
-    """
+    """Calculate each effect for which the spec has the data (else SpecError); the springs stay as they are set."""
     brackets = _brackets(clutch)
     if not brackets:
         listed, paths = _wanting(clutch, {name for name, source in SOURCES.items() if source.is_begun(clutch)})
@@ -147,8 +136,7 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
 def effects_curve(clutch: Clutch) -> EffectsCurve:
     """Calculate the torque over friction with every effect for which the spec has the data.
 
-    Raises:
-        CalculationError: the spec has the data of no effect, or the friction is constant.
+    Raises CalculationError if the spec has the data of no effect, or if the friction is constant.
     """
     path, brackets = _path(clutch), _brackets(clutch)
     if not brackets:
@@ -165,7 +153,7 @@ def effects_curve(clutch: Clutch) -> EffectsCurve:
         name=clutch.spec.name,
         friction=path[0].tolist(),
         torque=_torque(clutch, *path).tolist(),
-        effects=[EffectCurve(effect=name, low=low, high=high) for name, (low, high) in courses.items()],
+        effects=courses,
     )
 
 

@@ -216,10 +216,7 @@ def simulate(
     """Simulate the event of the [drive] block at f_min, mean friction and f_max, each constant during the event.
 
     ``friction`` has further values, (f, None) for all friction pairs alike or (f_1, f_2); a sweep returns only peaks.
-    With ``heated`` the result includes the heat of the trip.
-
-    Raises:
-        SpecError: the spec has no event.
+    With ``heated`` the result includes the heat of the trip. Raises SpecError if the spec has no event.
     """
     train, points = train_of(clutch), pairs_asked(clutch, friction)
     ends = counted(say("simulating the event"), list(zip(*clutch.spec.friction.groups, strict=True)))
@@ -287,12 +284,12 @@ def _figures(clutch: Clutch, outcome: Outcome) -> dict[str, float | None]:
     return figures if force is None else figures | {"contact_force": force}
 
 
-def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:
-    if not friction or friction_driven == 0:
+def _point(clutch: Clutch, *frictions: float) -> SimulatePoint:
+    if not all(frictions):
         raise CalculationError("--friction 0: without friction there is no torque to simulate")
-    figures = _figures(clutch, outcome_of(clutch, friction, friction_driven))
+    figures = _figures(clutch, outcome_of(clutch, *frictions))
     own = {name: value for name, value in figures.items() if name in SimulatePoint.model_fields}
-    return SimulatePoint(**own | friction_fields(clutch, friction, friction_driven))
+    return SimulatePoint(**own | friction_fields(clutch, *frictions))
 
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:
@@ -386,14 +383,9 @@ class HistoryResult(Answer):
 def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = False) -> HistoryResult:
     """Return the course of events at pairs of frictions or, without pairs, at f_min, mean friction and f_max.
 
-    With ``short`` the course ends when the peak has passed.
-
-    Raises:
-        SpecError: the spec has no event.
+    With ``short`` the course ends when the peak has passed. Raises SpecError if the spec has no event.
     """
-    unlike = clutch.spec.friction.unlike
-    ends = [(first, second if unlike else None) for first, second in zip(*clutch.spec.friction.groups, strict=True)]
-    rows = []
+    rows, ends = [], list(zip(*clutch.spec.friction.groups, strict=True))
     for pair in counted(say("simulating the event"), pairs_asked(clutch, friction) or ends):
         case = case_of(clutch, *pair)
         moments = case.run(full=True).rows

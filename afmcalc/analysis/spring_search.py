@@ -137,22 +137,24 @@ class SpringsResult(Answer):
 class SpringCurve(Result):
     """Force of one spring over its deflection, and the deflections at which the spring works in the clutch."""
 
-    spring: SpringName = described("spring")
-    part: str = described("part")
+    spring: SpringName
+    part: str
     deflection: list[float] = quantity("m", "s", "deflection")
     force: list[float] = quantity("N", "F", "force")
     tangent: list[float] = quantity("N", "c s", "straight spring of the stiffness as set")
-    set_deflection: float = quantity("m", "s", "deflection as set")
-    set_force: float = quantity("N", "F", "force as set")
-    service: tuple[float, float] = quantity("m", "s", "deflections in service")
-    usable: tuple[float, float] = quantity("m", "s", "deflections it may be used between")
+    set_deflection: float
+    set_force: float
+    service: tuple[float, float]
+    """Deflections in service."""
+    usable: tuple[float, float]
+    """Deflections that the spring may be used between."""
 
 
-class SpringsCurve(Result):
-    """The springs of a clutch."""
+class SpringsCurve(NamedTuple):
+    """The springs of a clutch, and its name."""
 
-    name: str | None = described("name of the clutch", optional=True)
-    springs: list[SpringCurve] = described("springs")
+    name: str | None
+    springs: list[SpringCurve]
 
 
 class Table(NamedTuple):
@@ -453,10 +455,7 @@ def _none(demand: SpringDemand, part: Part, missed: Mapping[str, float]) -> Find
 
 
 def springs_curve(clutch: Clutch) -> SpringsCurve:
-    """Return the force over deflection of each spring: of the part that the spec names, else of the best that fits.
-
-    Raises CalculationError if no part fits.
-    """
+    """Return the force over deflection of each spring: of the part in the spec, else (or CalculationError) the best."""
     curves = []
     for demand in bounded_demands(clutch):
         part = clutch.spec.spring_parts.get(demand.name)

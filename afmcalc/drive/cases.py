@@ -22,11 +22,7 @@ class Case(NamedTuple):
     """Duration to simulate, s; None: until nothing more can happen."""
 
     def run(self, *, whole: bool = True, full: bool = False) -> Event:
-        """Event of one drive, from the cache if it has been simulated before.
-
-        Raises:
-            CalculationError: the duration has too many steps.
-        """
+        """Event of one drive, perhaps from the cache; raises CalculationError if the duration has too many steps."""
         full = full and self.duration is not None
         events = kept(self, whole, full)
         if not events:
@@ -47,8 +43,7 @@ def kept(case: Case, whole: bool, full: bool) -> list[Event]:  # noqa: FBT001
 def case_of(clutch: Clutch, driving: Values, driven: Values | None = None, *, ordinary: bool = False) -> Case:
     """Return the case at friction f, or f_1 and f_2; with ``ordinary`` it has an ordinary clutch of equal T_н.
 
-    Raises:
-        SpecError: the spec has no event.
+    Raises SpecError if the spec has no event.
     """
     frictions: tuple[Any, Any] = (driving, driving if driven is None else driven)
     train, pack = train_of(clutch), (ordinary_pack if ordinary else pack_of)(clutch, *frictions)

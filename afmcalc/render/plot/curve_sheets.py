@@ -150,16 +150,17 @@ _EFFECTS = {
     "spline-friction": deferred("discs held in their splines"),
     "centrifugal": deferred("balls thrown against conical pockets"),
     "wear": deferred("lining worn"),
+    "pressure-disc-key": deferred("friction at the key of the pressure disc"),
 }
 
 
 def effects(curve: "EffectsCurve") -> Sheet:
     """Torque over friction by the law, and its upper and lower limit with each neglected effect."""
     lines = [line_of(curve, "torque", curve.friction, style=0)]
-    for style, effect in enumerate(curve.effects, 1):
-        for symbol, torque in (("T_high", effect.high), ("T_low", effect.low)):
+    for style, (effect, (low, high)) in enumerate(curve.effects.items(), 1):
+        for symbol, torque in (("T_high", high), ("T_low", low)):
             if torque != curve.torque:
-                label = f"{translate(_EFFECTS[effect.effect])}, {symbol}"
+                label = f"{translate(_EFFECTS[effect])}, {symbol}"
                 lines.append(Line(label, curve.friction, torque, style=style))
     x, y = axis_of(curve, "friction"), axis_of(curve, "torque", quantity=translate("slip torque"))
     caption = translate("Springs as set. Of each effect both ends: the torque lies between, by what happened before.")
