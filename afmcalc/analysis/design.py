@@ -151,7 +151,12 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
         compromise=next((row.number for row in front if row.mark), None), excluded=excluded, front=front,
         binding=missed,
     )  # fmt: skip
-    told = [_ordinary(result.compromise or 1, places, judge)] if front else [_none(result)]
+    told = [] if front else [_none(result)]
+    if front:  # the torque at which an ordinary clutch in place of the compromise would trip
+        number = result.compromise or 1
+        own = wired(judge.passed[places[number - 1]][0])
+        least, ordinary, largest = (own[f"trip_ratio_{name}"] for name in ("min", "ordinary", "max"))
+        told = [finding("ordinary-trips-at", "info", value=ordinary, limit=largest, least=least, number=number)]
     if equals := equal_to(survey.costs, places):
         told.append(finding("front-equals", "info", value=equals))
     return result, [*spec.label.findings, *told]
@@ -408,13 +413,6 @@ def shown(result: DesignResult, sort: str | None = None, *, whole: bool = False)
     if not whole:
         ordered = [row for place, row in enumerate(ordered) if place < _FIRST or row.mark]
     return result.model_copy(update={"front": ordered})
-
-
-def _ordinary(number: int, places: Sequence[int], judge: _Judge) -> Finding:
-    """Return the finding on the torque at which an ordinary clutch in place of the clutch of a row would trip."""
-    own = wired(judge.passed[places[number - 1]][0])
-    least, ordinary, largest = (own[f"trip_ratio_{name}"] for name in ("min", "ordinary", "max"))
-    return finding("ordinary-trips-at", "info", value=ordinary, limit=largest, least=least, number=number)
 
 
 # no candidate passes

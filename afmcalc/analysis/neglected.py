@@ -288,11 +288,6 @@ def _centrifugal(clutch: Clutch, speed: float, balls: int, diameter: float, circ
     return _weaker(clutch, float(law.centrifugal_thrust(balls, mass, speed, circle, tangent)), _SPEED)
 
 
-def _wear(clutch: Clutch, lining: float, *_: float) -> Bracket:
-    """Torques under wear: of the new pack, and of the pack with its lining worn off."""
-    return _weaker(clutch, float(lost_by_wear(clutch, lining)), "heat.lining")
-
-
 def _pressure_disc_key(clutch: Clutch, key: PressureDiscKey) -> Bracket:
     """Torques with friction at the feather key of the pressure disc: as the pack closes, and as it is unloaded.
 
@@ -352,7 +347,12 @@ SOURCES: Mapping[EffectName, EffectSource] = {
         _centrifugal,
         deferred("balls thrown against conical pockets"),
     ),
-    "wear": EffectSource(("heat.lining", STIFFNESS), _wear, deferred("wear of the lining"), own=1),
+    "wear": EffectSource(
+        ("heat.lining", STIFFNESS),
+        lambda clutch, lining, *_: _weaker(clutch, float(lost_by_wear(clutch, lining)), "heat.lining"),
+        deferred("wear of the lining"),
+        own=1,
+    ),
     "pressure-disc-key": EffectSource(
         ("control_unit.pressure_disc_key",),
         _pressure_disc_key,

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from functools import cache, partial
-from typing import Any, ClassVar, cast
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,7 @@ from ..engines import Clutch, build
 from ..engines.checks import REQUIRED, after_event, takes_factor_of_event
 from ..engines.evaluate import Output, evaluate
 from ..engines.selection import NAMES
-from ..equations.arrays import Floats, Values
+from ..equations.arrays import Floats
 from ..equations.terms import CASES, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
@@ -238,11 +238,6 @@ def _present(clutch: Clutch, key: Key) -> float:
     return float(value)
 
 
-def _asked(target: str) -> str:
-    """Return the quantity of a target; for a requirement the quantity that it judges."""
-    return REQUIRED[target].value if target in REQUIRED else target
-
-
 def _judged_value(clutch: Clutch, target: str) -> float:
     """Value that a requirement judges; infinite if the value is unlimited, or if the slip has not ended."""
     check = after_event(clutch.spec, REQUIRED[target])
@@ -258,15 +253,16 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
 
     Raises AfmcalcError if the clutch does not have the target.
     """
-    output: Output = _asked(target)
-    if takes_factor_of_event(clutch.spec, str(output)):
-        output = partial(_unprotected, str(output))
+    name = REQUIRED[target].value if target in REQUIRED else target
+    output: Output = name
+    if takes_factor_of_event(clutch.spec, name):  # each clutch has the dynamic factor of its own event
+        output = lambda own: own.at(dynamic_factor=dynamic_factors(own))[name]  # noqa: E731
         return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: output})[target]), False
-    arrays = not (target in REQUIRED and (REQUIRED[target].needs or output not in clutch))
+    arrays = not (target in REQUIRED and (REQUIRED[target].needs or name not in clutch))
     if arrays:
         try:
             with suppress(ArithmeticError):  # other values of the key may give a number
-                clutch[str(output)]
+                clutch[name]
         except LookupError as error:
             raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
     elif target == "peak_torque" and clutch.spec.drive.event is not None:
@@ -276,11 +272,6 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
         judged = exceedance if target == "exceedance" else partial(_judged_value, target=target)
         return _kept(partial(_rows, clutch, path, judged)), False
     return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: output})[target]), arrays
-
-
-def _unprotected(name: str, clutch: Clutch) -> Values:
-    """Values of a quantity of the unprotected side; each clutch has the dynamic factor of its own event."""
-    return cast("Values", clutch.at(dynamic_factor=dynamic_factors(clutch))[name])
 
 
 def _kept(function: Function) -> Function:

@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Sequence
 
 from ..engines import Clutch
-from ..engines.quantities import Quantities
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
@@ -89,8 +88,13 @@ def overload(
     trips = [clutch.at(friction=value) for value, _ in points]
     first = {} if clutch["bypass_pairs"] else {"potential_torque_bypass_first": None}
     alike = {} if clutch["bypass_pairs"] else {"potential_torque_gain": None}
+    # frictions between which the published actuation torque is below the expected torque, S22 (17)
+    low = high = 0.0
+    if clutch["reduced_gain"] != 0:
+        ends = sorted((clutch["friction_at_equal_potential"], clutch["friction_at_unit_loop_gain"]))
+        low, high = max(ends[0], clutch["friction_min"]), min(ends[1], clutch["friction_max"])
     result = answer(
-        OverloadResult, clutch, **alike, **first, friction_interval=_interval(clutch),
+        OverloadResult, clutch, **alike, **first, friction_interval=[low, high] if low < high else None,
         points=[answer(OverloadPoint, trip, **first) for trip in trips] or None,
         sweep=series(OverloadSweep, spec, sweeps, asked_by(OverloadSweep, clutch)),
     )  # fmt: skip
@@ -109,12 +113,3 @@ def refuse(clutch: Clutch) -> None:
         raise CalculationError(
             "overload: S22 treats all-driving and differentiated clutches of one material, not {what}", what=what
         )
-
-
-def _interval(clutch: Quantities) -> list[float] | None:
-    """Frictions between which the published actuation torque is below the expected torque, S22 (17), or None."""
-    if clutch["reduced_gain"] == 0:
-        return None
-    ends = sorted((clutch["friction_at_equal_potential"], clutch["friction_at_unit_loop_gain"]))
-    low, high = max(ends[0], clutch["friction_min"]), min(ends[1], clutch["friction_max"])
-    return [low, high] if low < high else None
