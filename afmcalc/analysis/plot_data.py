@@ -23,7 +23,6 @@ from .assembly import section
 from .design import DesignResult, design
 from .drive_result import SimulateResult
 from .fatigue import LifeResult, LifeSweep, band_axis, life_sweep
-from .neglected import effects_curve
 from .pocket_contours import shop_drawing
 from .registry import PLOTS, Plot, StressRule
 from .simulate import MomentRow, history
@@ -283,8 +282,6 @@ def gathered(name: str, request: Request) -> Any:
             return _life(request)
         case "pocket":
             return shop_drawing(subject.clutch, subject.ask("pocket")[0])  # raises an error without balls
-        case "effects":
-            return effects_curve(subject.clutch)
         case "springs":
             return springs_curve(subject.clutch)
         case "tolerance":

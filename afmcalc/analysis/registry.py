@@ -173,9 +173,7 @@ ANALYSES: dict[str, Analysis] = {
             explained=True, judged=True, conclusion=_heated, example="drive",
         ),
         Analysis(
-            "effects", "analysis.neglected", "EffectsResult", _any_effect, judged=True,
-            plot=Plot("effects", "torque with each effect that the law neglects", "clutch", applies=_any_effect),
-            example="drive",
+            "effects", "analysis.neglected", "EffectsResult", _any_effect, judged=True, example="drive",
         ),
         Analysis(
             "springs", "analysis.spring_search", "SpringsResult",

@@ -58,9 +58,10 @@ def slips_below(motion: Motion, powered: Any, peak: Values) -> Flags:
     grows = np.asarray(powered) & _fed(train, beyond / (train.stiffness * front) ** 0.5)
     again = np.where(grows, breakaway + beyond * (behind / front) ** 0.5, 0.0)
     if pack.travels:
-        # after the slip the shaft has up to κ₊/κ times the torque of the balls
+        # after the slip the springs return their energy, and the shaft has up to κ₊/κ times the torque of the balls
+        given = np.hypot(motion.clutch, (2 * train.stiffness * pack.work(pack.travel(motion.turn))) ** 0.5)
         passed = np.maximum(np.abs(motion.clutch), breakaway) * (pack.net_gain_returning / pack.net_gain)
-        again = np.maximum(again, passed)
+        again = np.maximum(again, np.minimum(given, passed))
     # friction that falls with the slip speed feeds the swing in a slow slip, until the swing is as fast as the slip
     slow = pack.juddering_slip(train.damping)
     fed = np.hypot(breakaway - sliding, np.where(slow > 0, slow * impedance + swing, 0.0))

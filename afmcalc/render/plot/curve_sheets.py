@@ -9,7 +9,6 @@ from ..amounts import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
 if TYPE_CHECKING:  # results that are drawn, for signatures only: a plot loads only its own analysis
-    from ...analysis.neglected import EffectsCurve
     from ...analysis.plot_data import AccuracyCurve, LifeCurve, OverloadCurve, SimulateFigure, TorqueCurve
     from ...analysis.simulate import MomentRow
     from ...analysis.spring_search import SpringCurve, SpringsCurve
@@ -144,27 +143,6 @@ def life(curves: "Sequence[LifeCurve]") -> Sheet:
     about = say("Model: {model}. T_min as the clutch has it, T_max = T_min + ΔT.", model=translate(first.model))
     chart = Chart(x, y, lines, guides=guides, log=True, named=not single)
     return Sheet(title, [chart], f"{about} {beyond}", first.name if single else None)
-
-
-_EFFECTS = {
-    "spline-friction": deferred("discs held in their splines"),
-    "centrifugal": deferred("balls thrown against conical pockets"),
-    "wear": deferred("lining worn"),
-    "pressure-disc-key": deferred("friction at the key of the pressure disc"),
-}
-
-
-def effects(curve: "EffectsCurve") -> Sheet:
-    """Torque over friction by the law, and its upper and lower limit with each neglected effect."""
-    lines = [line_of(curve, "torque", curve.friction, style=0)]
-    for style, (effect, (low, high)) in enumerate(curve.effects.items(), 1):
-        for symbol, torque in (("T_high", high), ("T_low", low)):
-            if torque != curve.torque:
-                label = f"{translate(_EFFECTS[effect])}, {symbol}"
-                lines.append(Line(label, curve.friction, torque, style=style))
-    x, y = axis_of(curve, "friction"), axis_of(curve, "torque", quantity=translate("slip torque"))
-    caption = translate("Springs as set. Of each effect both ends: the torque lies between, by what happened before.")
-    return Sheet(translate("What the law neglects"), [Chart(x, y, lines, from_zero=True)], caption, curve.name)
 
 
 SPRINGS = {"closing": deferred("closing spring"), "control": deferred("control spring")}

@@ -135,7 +135,7 @@ def test_every_text_is_inside_and_every_value_is_shown(lang, kind, subject, chan
             assert faults(figure) == ([], [])
             assert_shows(figure, own)
             assert joined([own.title, named(LONG)]) == joined([figure.get_suptitle()])
-        if kind in ("torque", "effects"):
+        if kind == "torque":
             svg = inline_svg(own.panels[0])
             (width,) = re.findall(r'viewBox="\S+ \S+ (\S+) \S+"', svg)
             sizes = {float(size) for size in re.findall(r"font(?:-size)?: (?:bold )?([\d.]+)px", svg)}
@@ -154,12 +154,6 @@ def test_the_picture_of_the_readme():
     now, then = (np.asarray(image.convert("RGB"), float) for image in (made, Image.open(stored)))
     assert np.sqrt(np.mean((now - then) ** 2)) <= 4
 
-
-SPLINES = [
-    "friction_group.spline_friction=0.1",
-    "friction_group.inner_spline_radius=0.075",
-    "friction_group.outer_spline_radius=0.125",
-]
 
 WISHES = CONFIGS / "requirements.toml"
 
@@ -186,9 +180,6 @@ def test_curves_of_the_base_clutch_are_its_closed_forms():
     (chart,) = sheet("accuracy", "default").panels
     assert all(y == pytest.approx(accuracy(x)) for x, y in curve(chart))
     assert sorted(guide.value for guide in chart.guides) == pytest.approx([0.5, 1 / 0.8])
-    (chart,) = sheet("effects", "default", *SPLINES).panels
-    assert all(y == pytest.approx(torque(x)) for x, y in curve(chart))
-    assert len(chart.lines) == 3
 
 
 def test_overload_of_eight_driving_pairs_is_s22s():
