@@ -1,7 +1,6 @@
 """Both adjustment methods side by side (S19)."""
 
 import math
-from collections.abc import Iterator
 from typing import Literal
 
 from ..engines import Clutch
@@ -75,19 +74,15 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
                 method=translate(narrower), machine=result.machine_torque,
             )
         )  # fmt: skip
-    return result, [*findings, *_re_made(clutch, *clutches.values())]
-
-
-def _re_made(clutch: Clutch, first: Quantities, second: Quantities) -> Iterator[Finding]:
-    """Yield findings on a control-spring force and pockets in the spec, which each method replaces by its own."""
-    control, unit = clutch.spec.control_spring, clutch.spec.control_unit
+    # each method replaces a control-spring force and pockets in the spec by its own
+    (first, second), control, unit = clutches.values(), clutch.spec.control_spring, clutch.spec.control_unit
     if control is not None and control.force is not None:
-        forces = {"at_min": first["control_force"], "at_mean": second["control_force"]}
-        yield finding("control-spring-re-set", "info", value=control.force, path="control_spring.force", **forces)
+        forces, path = {"at_min": first["control_force"], "at_mean": second["control_force"]}, "control_spring.force"
+        findings.append(finding("control-spring-re-set", "info", value=control.force, path=path, **forces))
     if unit is not None and unit.pocket is not None:
-        slopes = {"at_min": first["gain_slope"], "at_mean": second["gain_slope"]}
-        value = clutch["gain_slope"]
-        yield finding("pockets-re-cut", "info", value=value, path="control_unit.pocket", **slopes)
+        slopes, path = {"at_min": first["gain_slope"], "at_mean": second["gain_slope"]}, "control_unit.pocket"
+        findings.append(finding("pockets-re-cut", "info", value=clutch["gain_slope"], path=path, **slopes))
+    return result, findings
 
 
 def _threshold(clutch: Quantities) -> float | None:

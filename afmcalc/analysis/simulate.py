@@ -267,7 +267,7 @@ def _figures(clutch: Clutch, outcome: Outcome) -> dict[str, float | None]:
         "peak_torque": event.peak,
         "peak_torque_clutch": event.peak_clutch,
         "peak_error": event.peak_error,
-        "dynamic_factor": outcome.dynamic_factor,
+        "dynamic_factor": float(event.peak / outcome.case.pack.sliding),
         "slip_time": event.slip_time if event.ended else None,
         "slip_energy": event.heat if event.ended else None,
         "peak_torque_conventional": outcome.ordinary_peak,

@@ -68,11 +68,6 @@ class Outcome(NamedTuple):
         return float(self.ordinary.run(whole=False).peak)
 
     @property
-    def dynamic_factor(self) -> float:
-        """Dynamic factor k_д: peak torque over sliding torque."""
-        return float(self.event.peak / self.case.pack.sliding)
-
-    @property
     def endless(self) -> bool:
         """True if the motor keeps the clutch slipping for ever."""
         train, event = self.case.train, self.event
