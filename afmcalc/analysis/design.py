@@ -9,8 +9,7 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import ConfigDict, PrivateAttr, SerializeAsAny, create_model
 
-from ..drive.cases import simulate_clutches
-from ..engines import Clutch, build
+from ..engines import build
 from ..engines.checks import CHECKS, REQUIRED
 from ..engines.selection import NAMES
 from ..equations.terms import TERMS, term_of
@@ -51,8 +50,6 @@ _STACKS = 5
 """Number of parts that are tried for each spring."""
 _FIRST = 10
 """Number of clutches of a front that are shown, besides the compromise."""
-_TOGETHER = 50
-"""Number of candidates whose events are simulated together; ``drive.cases`` caches six events for each candidate."""
 _NO_SPRING = "no-spring"
 
 
@@ -180,53 +177,39 @@ class _Judge:
 
     def __init__(self, spec: Spec, survey: Survey) -> None:
         """Judge the feasible candidates of a survey."""
-        self.spec, self.survey, self.failed = spec, survey, set[int]()
+        self.spec, self.survey, self.failed, self.quick = spec, survey, set[int](), set[int]()
         self.passed: dict[int, tuple[Spec, dict[str, float], int]] = {}
         self.excluded = Counter[str]()
         self._ranks: list[tuple[int, float, int, list[Finding]]] = []
 
     def front(self) -> list[int]:
-        """Return the passing candidates that no other passing candidate dominates; events are simulated last."""
-        alive, waiting = np.arange(self.survey.feasible), dict[int, tuple[Clutch, Iterator[Clutch]]]()
+        """Return the passing candidates that no other passing candidate dominates."""
+        alive = np.arange(self.survey.feasible)
         while True:
             members = [int(member) for member in alive[unbeaten(self.survey.costs[alive])]]
             asked = [member for member in members if member not in self.passed]
             if not asked:
                 return members
-            new = [member for member in asked if member not in waiting]
-            for member in new:
-                judging = self._judge(member)
+            # what is simulated or sampled is asked only of a front that holds all other checks
+            quick = [member for member in asked if member not in self.quick]
+            for member in quick or asked:
                 with unwatched():
-                    clutch = next(judging, None)
-                if clutch is not None:
-                    waiting[member] = clutch, judging
-                self._tell(asked)
-            for first in () if new else range(0, len(asked), _TOGETHER):
-                few = [waiting.pop(member) for member in asked[first : first + _TOGETHER]]
-                with unwatched():
-                    simulate_clutches(clutch for clutch, _ in few)
-                    for _, judging in few:
-                        list(judging)
-                self._tell(asked)
+                    self._judge(member, quick=bool(quick))
+                tell(say("checking the front"), len(self.passed), len(self.passed) + len(asked))
             alive = alive[~np.isin(alive, [*self.failed])]
 
-    def _tell(self, asked: Sequence[int]) -> None:
-        tell(say("checking the front"), len(self.passed), len(self.passed) + len(asked))
-
-    def _judge(self, member: int) -> Iterator[Clutch]:
-        """Judge a candidate with each choice of springs until it passes; yield a clutch before simulating its event."""
+    def _judge(self, member: int, *, quick: bool) -> None:
+        """Judge a candidate with each choice of springs until it passes; ``quick``: without events and samples."""
         missed: list[Finding] = []
         for tried in self._with_springs(candidate(self.spec, self.survey.changes(member))):
-            clutch = build(tried)
-            answers, slow, required = Answers(clutch), simulating(clutch), tried.requirements
+            clutch, required = build(tried), tried.requirements
+            slow = simulating(clutch)
             unasked = set() if required and required.exceedance is not None else {"tolerance"}
-            values, warnings, failed = judgement(answers, slow)
-            if slow - unasked and not failed:
-                if clutch.spec.drive.event is not None:
-                    yield clutch
-                values, warnings, failed = judgement(answers, slow & unasked)
+            values, warnings, failed = judgement(Answers(clutch), slow if quick else slow & unasked)
             if not failed:
-                self.passed[member] = tried, values, warnings
+                self.quick.add(member)
+                if not quick or not slow - unasked:
+                    self.passed[member] = tried, values, warnings
                 return
             missed = min(filter(None, (missed, failed)), key=len)
         missed = missed or [Finding("error", _NO_SPRING, "")]
