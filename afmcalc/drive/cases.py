@@ -21,7 +21,7 @@ class Case(NamedTuple):
 
     def run(self, *, whole: bool = True, full: bool = False) -> Event:
         """Event of one drive, perhaps from the cache; raises CalculationError if the duration has too many steps."""
-        return _event(self, whole, full and self.duration is not None)
+        return event_of(self, whole, full and self.duration is not None)
 
     def peaks(self) -> Event:
         """Simulate one or many drives until their peaks have passed; raises the errors of ``run``."""
@@ -29,7 +29,7 @@ class Case(NamedTuple):
 
 
 @functools.lru_cache(maxsize=320)
-def _event(case: Case, whole: bool, full: bool) -> Event:  # noqa: FBT001
+def event_of(case: Case, whole: bool, full: bool) -> Event:  # noqa: FBT001
     """Event of a case; heat and requirements share it."""
     return simulate(*case, whole=whole, full=full)
 
