@@ -177,7 +177,7 @@ class _Judge:
 
     def __init__(self, spec: Spec, survey: Survey) -> None:
         """Judge the feasible candidates of a survey."""
-        self.spec, self.survey, self.failed, self.quick = spec, survey, set[int](), set[int]()
+        self.spec, self.survey, self.failed = spec, survey, set[int]()
         self.passed: dict[int, tuple[Spec, dict[str, float], int]] = {}
         self.excluded = Counter[str]()
         self._ranks: list[tuple[int, float, int, list[Finding]]] = []
@@ -190,26 +190,24 @@ class _Judge:
             asked = [member for member in members if member not in self.passed]
             if not asked:
                 return members
-            # what is simulated or sampled is asked only of a front that holds all other checks
-            quick = [member for member in asked if member not in self.quick]
-            for member in quick or asked:
+            for member in asked:
                 with unwatched():
-                    self._judge(member, quick=bool(quick))
+                    self._judge(member)
                 tell(say("checking the front"), len(self.passed), len(self.passed) + len(asked))
             alive = alive[~np.isin(alive, [*self.failed])]
 
-    def _judge(self, member: int, *, quick: bool) -> None:
-        """Judge a candidate with each choice of springs until it passes; ``quick``: without events and samples."""
+    def _judge(self, member: int) -> None:
+        """Judge a candidate with each choice of springs until it passes; what is simulated or sampled comes last."""
         missed: list[Finding] = []
         for tried in self._with_springs(candidate(self.spec, self.survey.changes(member))):
             clutch, required = build(tried), tried.requirements
-            slow = simulating(clutch)
+            answers, slow = Answers(clutch), simulating(clutch)
             unasked = set() if required and required.exceedance is not None else {"tolerance"}
-            values, warnings, failed = judgement(Answers(clutch), slow if quick else slow & unasked)
+            values, warnings, failed = judgement(answers, slow)
+            if slow - unasked and not failed:
+                values, warnings, failed = judgement(answers, slow & unasked)
             if not failed:
-                self.quick.add(member)
-                if not quick or not slow - unasked:
-                    self.passed[member] = tried, values, warnings
+                self.passed[member] = tried, values, warnings
                 return
             missed = min(filter(None, (missed, failed)), key=len)
         missed = missed or [Finding("error", _NO_SPRING, "")]

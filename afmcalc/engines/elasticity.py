@@ -2,6 +2,8 @@
 
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from .quantities import Quantities
 from .selection import NAMES
 
@@ -32,8 +34,6 @@ def elasticities(clutch: Quantities) -> dict[str, Elasticity]:
 
     A constant-torque pocket keeps its present slope C_1.
     """
-    import numpy as np
-
     laws, given = clutch.laws, dict(clutch.given)
     function, variant, method, keys = clutch.laws.made_by or ()
     if "constant-torque" in keys:
