@@ -26,7 +26,6 @@ from .fatigue import LifeResult, LifeSweep, band_axis, life_sweep
 from .pocket_contours import shop_drawing
 from .registry import PLOTS, Plot, StressRule
 from .simulate import MomentRow, history
-from .spring_search import springs_curve
 from .sweep import Axis, S, current_value, find_key, parse_axis, series
 from .tolerance_study import ToleranceResult
 from .trip import OverloadSweep, refuse
@@ -282,8 +281,6 @@ def gathered(name: str, request: Request) -> Any:
             return _life(request)
         case "pocket":
             return shop_drawing(subject.clutch, subject.ask("pocket")[0])  # raises an error without balls
-        case "springs":
-            return springs_curve(subject.clutch)
         case "tolerance":
             return _tolerance(subject)
         case "simulate":

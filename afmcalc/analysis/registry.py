@@ -178,7 +178,6 @@ ANALYSES: dict[str, Analysis] = {
         Analysis(
             "springs", "analysis.spring_search", "SpringsResult",
             reported=lambda clutch: bool(clutch.spec.spring_parts),
-            plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
         Analysis(
             "layout", "analysis.half_section", "LayoutResult", lambda clutch: clutch.spec.envelope is not None,
