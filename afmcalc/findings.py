@@ -118,7 +118,6 @@ depth-beyond-sleeve | the pockets, cut {value:.5g mm} deep, go through the sleev
 no-standard-ball | no standard ball is as large as {value:.5g mm}, the largest is {limit:.5g mm}: change gain, springs, gap or list
 ball-too-small | the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and clearance need
 wall-undercut | no curved wall for this ball: its radius is {value:.5g mm}, and from {limit:.5g mm} on it undercuts the wall; softer springs, a smaller gap or clearance make it possible
-wall-undercut/gain | a gain of {value:.4g} makes a wall possible that the ball does not undercut
 ball-slides-in-seat | the ball stays seated in the sleeve with the straight walls and slides there: the gain is that of rolling only as far as its friction is small
 balls-not-given | the number of balls is not given: neither the contact force is calculated nor whether they fit
 control-unit-not-judged | {path} is not given: whether balls and pockets can be made is not judged

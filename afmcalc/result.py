@@ -1,6 +1,6 @@
 """Results are values: frozen, typed, SI, with symbol, unit and description on every field."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
@@ -102,16 +102,7 @@ def shown_as(field: FieldInfo) -> Shown:
     return field.json_schema_extra if isinstance(field.json_schema_extra, Shown) else Shown()
 
 
-class AtEnds(Result):
-    """Base class of results that give a quantity at the smallest, the mean and the largest friction."""
-
-    @classmethod
-    def of(cls, values: Iterable[Any]) -> Self:
-        """Build the triple from its three values."""
-        return cls(**dict(zip(("min", "mean", "max"), values, strict=True)))
-
-
-class Triple(AtEnds):
+class Triple(Result):
     """A quantity at the smallest, the mean and the largest friction."""
 
     min: float = Field(description="at f_min")
@@ -119,7 +110,7 @@ class Triple(AtEnds):
     max: float = Field(description="at f_max")
 
 
-class OpenTriple(AtEnds):
+class OpenTriple(Result):
     """Optional ``Triple``: null where there is none."""
 
     min: float | None = Field(description="at f_min")
@@ -204,7 +195,7 @@ class Answer(Result):
         heads = [column.rstrip("]").partition(" [") for column in frame.columns]
         frame.columns = [name for name, _, _ in heads]
         units = {name: unit for name, _, unit in heads if unit}
-        ends = {name: dict(value) for name, value in self if isinstance(value, AtEnds) and len(frame) == 1}
+        ends = {name: dict(value) for name, value in self if isinstance(value, Triple | OpenTriple) and len(frame) == 1}
         if not ends:
             frame.attrs["units"] = units
             return frame

@@ -146,9 +146,9 @@ def searched_once(monkeypatch):
 
     search = design.design
 
-    def kept(spec: Any, sort: str | None = None) -> Any:
-        if (key := (spec.model_dump_json(), sort, spoken())) not in SEARCHED:
-            SEARCHED[key] = search(spec, sort)
+    def kept(spec: Any) -> Any:
+        if (key := (spec.model_dump_json(), spoken())) not in SEARCHED:
+            SEARCHED[key] = search(spec)
         return SEARCHED[key]
 
     monkeypatch.setattr(design, "design", kept)
@@ -179,7 +179,7 @@ def _the_whole_run():
     main.application = lambda line: kept(
         line[0] if line and line[0] in known else "", not {"-h", "--help"}.isdisjoint(line), spoken()
     )
-    cases.kept = functools.lru_cache(4096)(cases.kept.__wrapped__)
+    cases.event_of = functools.lru_cache(4096)(cases.event_of.__wrapped__)
 
 
 LONGEST = 1.0  # Process time of a test that is marked neither slow nor tool, s

@@ -58,26 +58,14 @@ def accuracy(
     kind = with_columns(AccuracySweep, clutch, columns)
     swept = series(kind, spec, sweeps, asked_by(kind, clutch), open_at=columns)
     slopes = elasticities(clutch)
-    result = answer(
-        AccuracyResult, clutch, sensitivity=dict(_shown(slopes)), sweep=swept,
-        **({} if _is_of_path(clutch) else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}),
-    )  # fmt: skip
+    # rounding errors become 0, a mean friction without effect is left out
+    shown = {path: each.slope if abs(each.slope) > _ROUNDING else 0.0 for path, each in slopes.items()}
+    shown = {path: slope for path, slope in shown.items() if slope or not path.endswith(".mean")}
+    # F11 differentiates K_т = T(f_max)/T(f_min) of unlike materials
+    ratio = clutch.get("accuracy_factor_by_ratios", 0.0) / clutch["accuracy_factor"]
+    of_path = {} if abs(ratio - 1) <= 1e-9 else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}
+    result = answer(AccuracyResult, clutch, sensitivity=shown, sweep=swept, **of_path)
     return result, [*clutch_findings(clutch), *_findings(clutch, slopes, swept), *replaced(spec, sweeps)]
-
-
-def _is_of_path(clutch: Quantities) -> bool:
-    """True for unlike materials whose accuracy factor K_т is T(f_max)/T(f_min), the ratio that F11 differentiates."""
-    name = "accuracy_factor_by_ratios"
-    return name in clutch and bool(abs(clutch[name] / clutch["accuracy_factor"] - 1) <= 1e-9)
-
-
-def _shown(slopes: Mapping[str, Elasticity]) -> Iterator[tuple[str, float]]:
-    """Yield key path and elasticity of K_т; rounding errors become 0, a mean friction without effect is left out."""
-    for path, (slope, _) in slopes.items():
-        if abs(slope) > _ROUNDING:
-            yield path, slope
-        elif not path.endswith(".mean"):
-            yield path, 0.0
 
 
 def _findings(

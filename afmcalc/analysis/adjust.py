@@ -1,7 +1,6 @@
 """Both adjustment methods side by side (S19)."""
 
 import math
-from collections.abc import Iterator
 from typing import Literal
 
 from ..engines import Clutch
@@ -47,16 +46,19 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     """Set the clutch by both methods for its nominal torque and compare the scatter bands."""
     nominal = clutch["nominal_torque"]
     clutches: dict[Method, Quantities] = {method: clutch.at(case) for method, case in METHODS.items()}
-    results = {method: _method(clutch, one) for method, one in clutches.items()}
+    results = {}
+    for method, own in clutches.items():
+        lowest = own["torque_min"] * (1 + 1e-12)
+        holds = {f"holds_{name}": lowest >= clutch[f"{name}_torque"] for name in ("nominal", "machine")}
+        results[method] = answer(MethodResult, own, **holds)
     at_min, at_mean = results.values()
     # the torque does not scatter if the friction is constant, or if curved pockets keep the torque constant
     wanders = at_min.scatter > 1e-12 * clutches["min-friction"]["torque_max"]
     ratio = clutch["scatter_ratio"] if wanders else None
+    wider = clutch["scatter_ratio"] if wanders else 1 + at_mean.scatter / nominal
     narrower: Literal["min-friction", "mean-friction", "equal"] = "equal"
-    if ratio is None and at_mean.scatter > 1e-12 * nominal:
-        narrower = "min-friction"
-    elif ratio is not None and abs(ratio - 1) > 1e-12:
-        narrower = "min-friction" if ratio > 1 else "mean-friction"
+    if abs(wider - 1) > 1e-12:
+        narrower = "min-friction" if wider > 1 else "mean-friction"
     result = answer(
         AdjustResult, clutch, min_friction=at_min, mean_friction=at_mean, scatter_ratio=ratio, narrower=narrower,
         pairs_threshold=_threshold(clutch),
@@ -72,25 +74,15 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
                 method=translate(narrower), machine=result.machine_torque,
             )
         )  # fmt: skip
-    return result, [*findings, *_re_made(clutch, *clutches.values())]
-
-
-def _re_made(clutch: Clutch, first: Quantities, second: Quantities) -> Iterator[Finding]:
-    """Yield findings on a control-spring force and pockets in the spec, which each method replaces by its own."""
-    control, unit = clutch.spec.control_spring, clutch.spec.control_unit
+    # each method replaces a control-spring force and pockets in the spec by its own
+    (first, second), control, unit = clutches.values(), clutch.spec.control_spring, clutch.spec.control_unit
     if control is not None and control.force is not None:
-        forces = {"at_min": first["control_force"], "at_mean": second["control_force"]}
-        yield finding("control-spring-re-set", "info", value=control.force, path="control_spring.force", **forces)
+        forces, path = {"at_min": first["control_force"], "at_mean": second["control_force"]}, "control_spring.force"
+        findings.append(finding("control-spring-re-set", "info", value=control.force, path=path, **forces))
     if unit is not None and unit.pocket is not None:
-        slopes = {"at_min": first["gain_slope"], "at_mean": second["gain_slope"]}
-        value = clutch["gain_slope"]
-        yield finding("pockets-re-cut", "info", value=value, path="control_unit.pocket", **slopes)
-
-
-def _method(own: Quantities, clutch: Quantities) -> MethodResult:
-    lowest = clutch["torque_min"] * (1 + 1e-12)
-    nominal, machine = own["nominal_torque"], own["machine_torque"]
-    return answer(MethodResult, clutch, holds_nominal=lowest >= nominal, holds_machine=lowest >= machine)
+        slopes, path = {"at_min": first["gain_slope"], "at_mean": second["gain_slope"]}, "control_unit.pocket"
+        findings.append(finding("pockets-re-cut", "info", value=clutch["gain_slope"], path=path, **slopes))
+    return result, findings
 
 
 def _threshold(clutch: Quantities) -> float | None:

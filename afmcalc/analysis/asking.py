@@ -5,14 +5,15 @@ from dataclasses import replace
 from functools import cache
 from typing import Any, ClassVar, NamedTuple, TypeVar, get_args
 
-from pydantic import Field, create_model
+from pydantic import create_model
 
 from ..engines import Clutch, build
 from ..engines.quantities import Quantities
 from ..equations.terms import DETAILS, term_of
 from ..errors import AfmcalcError
 from ..findings import Finding
-from ..result import Result, Shown, Triple, shown_as
+from ..result import Result, Triple, shown_as
+from ..result import quantity as declared
 from .registry import ANALYSES, StressRule
 
 R = TypeVar("R", bound=Result)
@@ -49,19 +50,19 @@ class Asking(Result):
                 field.description = field.description or term.meaning
 
 
-def asked(quantity: str = "", description: str = "", *, optional: bool = False, **shown: Any) -> Any:
+def asked(
+    quantity: str = "", description: str = "", *, symbol: str | None = None, optional: bool = False, **shown: Any
+) -> Any:
     """Declare a field for the value of a quantity; unit, symbol and meaning come from ``equations.terms``.
 
     Args:
         quantity: name of the quantity, if it is not the name of the field.
         description: meaning, if its words are to differ from those in ``equations.terms``.
+        symbol: symbol, if it differs from ``equations.terms``.
         optional: leave the field null (and out of tables) if the quantity cannot be calculated from the spec.
-        shown: further arguments of ``Shown``, such as a ``symbol`` that differs from ``equations.terms``.
+        shown: further arguments of ``Shown``.
     """
-    about = Shown(asked=True, quantity=quantity, **shown)
-    if optional:
-        return Field(default=None, description=description or None, json_schema_extra=about)
-    return Field(description=description or None, json_schema_extra=about)
+    return declared("", symbol, description, optional=optional, asked=True, quantity=quantity, **shown)
 
 
 class _Question(NamedTuple):

@@ -92,8 +92,7 @@ _MOST = 500
 def section(answers: Answers) -> ClutchSection:
     """Lay out a clutch for its drawing, with defaults for the keys that its spec leaves open.
 
-    Raises:
-        CalculationError: more pairs or balls than a drawing shows, or a bore as wide as the housing.
+    Raises CalculationError for more pairs or balls than a drawing shows, or a bore as wide as the housing.
     """
     for key in ("friction_group.pairs", "control_unit.balls"):
         if (value_at(answers.clutch.spec, key) or 0) > _MOST:
@@ -121,20 +120,13 @@ def section(answers: Answers) -> ClutchSection:
         )
         for number, row in enumerate(rows_of(laid_out), 1)
     }  # fmt: skip
+    # the collisions that ``layout`` reports; none without [envelope], as thicknesses are then assumed
+    given = [] if answers.clutch.spec.envelope is None else overlaps(parts_of(sizes_of(answers.clutch)))
     return ClutchSection(
         spec.name, parts, int(clutch.bypass_pairs) if spec.kind.controlled else 0, travel,
         {each.key: each for each in _measures(sizes, boxes, assumed)},
-        [*_collisions(answers.clutch)],
-        assumed,
+        [(one, other, float(missing)) for one, other, missing in given if missing > TOUCHES], assumed,
     )  # fmt: skip
-
-
-def _collisions(clutch: Clutch) -> Iterator[tuple[PartName, PartName, float]]:
-    """Yield the collisions that ``layout`` reports; no collisions without [envelope]: thicknesses are then assumed."""
-    if clutch.spec.envelope is not None:
-        for one, other, missing in overlaps(parts_of(sizes_of(clutch))):
-            if missing > TOUCHES:
-                yield one, other, float(missing)
 
 
 _BODY = ("friction_group", "envelope")

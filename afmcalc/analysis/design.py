@@ -9,9 +9,8 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import ConfigDict, PrivateAttr, SerializeAsAny, create_model
 
-from ..drive.cases import simulate_clutches
-from ..engines import Clutch, build
-from ..engines.checks import CHECKS, REQUIRED, Check
+from ..engines import build
+from ..engines.checks import CHECKS, REQUIRED
 from ..engines.selection import NAMES
 from ..equations.terms import TERMS, term_of
 from ..errors import AfmcalcError, CalculationError
@@ -27,7 +26,7 @@ from ..units import ENGINEER
 from .asking import Answers
 from .check import check, simulating
 from .design_grid import (
-    Nearest,
+    WARNINGS,
     Part,
     Survey,
     equal_to,
@@ -36,6 +35,7 @@ from .design_grid import (
     parts_of_search,
     unbeaten,
     wired,
+    with_ball,
 )
 from .solve import is_quantity
 from .spring_search import bounded_demands, label_of, ranked, springs
@@ -50,8 +50,6 @@ _STACKS = 5
 """Number of parts that are tried for each spring."""
 _FIRST = 10
 """Number of clutches of a front that are shown, besides the compromise."""
-_TOGETHER = 50
-"""Number of candidates whose events are simulated together; ``drive.cases`` caches six events for each candidate."""
 _NO_SPRING = "no-spring"
 
 
@@ -130,19 +128,17 @@ class DesignResult(Answer):
 
 
 @np.errstate(all="ignore")
-def design(spec: Spec, sort: str | None = None) -> tuple[DesignResult, list[Finding]]:
+def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     """Search the grid of a spec; return the front or, if it is empty, the checks that exclude the nearest candidate.
 
     Raises SpecError if there is no [search], or if it has too many candidates; AfmcalcError if an objective is no
-    quantity of any candidate, or if ``sort`` is not a number in the rows of the front.
+    quantity of any candidate.
     """
     objectives = list(spec.objectives or _DEFAULT)
     parts = parts_of_search(spec)
     _check_objectives(parts, objectives)
     survey = Survey(parts, objectives)
     judge = _Judge(spec, survey)
-    if sort is not None:
-        _check_sort(sort, spec, _columns(survey, objectives, judge))
     places = judge.front()
     excluded = {code: count for code, count in (survey.excluded + judge.excluded).items() if count}
     front = _numbered(survey, objectives, places, judge)
@@ -152,7 +148,12 @@ def design(spec: Spec, sort: str | None = None) -> tuple[DesignResult, list[Find
         compromise=next((row.number for row in front if row.mark), None), excluded=excluded, front=front,
         binding=missed,
     )  # fmt: skip
-    told = [_ordinary(result.compromise or 1, places, judge)] if front else [_none(result)]
+    told = [] if front else [_none(result)]
+    if front:  # the torque at which an ordinary clutch in place of the compromise would trip
+        number = result.compromise or 1
+        own = wired(judge.passed[places[number - 1]][0])
+        least, ordinary, largest = (own[f"trip_ratio_{name}"] for name in ("min", "ordinary", "max"))
+        told = [finding("ordinary-trips-at", "info", value=ordinary, limit=largest, least=least, number=number)]
     if equals := equal_to(survey.costs, places):
         told.append(finding("front-equals", "info", value=equals))
     return result, [*spec.label.findings, *told]
@@ -171,17 +172,6 @@ def _check_objectives(parts: Sequence[Part], objectives: Sequence[str]) -> None:
             raise AfmcalcError("objectives: {name} is no number", name=name)
 
 
-def _check_sort(sort: str, spec: Spec, columns: Mapping[str, Any]) -> None:
-    """Raise AfmcalcError, before the long calculation, if ``sort`` is not a number in the rows."""
-    numbers = ["number", "pairs", *(name for name, (_, field) in columns.items() if shown_as(field).unit)]
-    numbers += [name for name, row in REQUIRED.items() if row.needs and getattr(spec.requirements, name, None)]
-    if sort not in numbers:
-        raise AfmcalcError(
-            "--sort {name}: no such quantity{hint}; one of {known}",
-            name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
-        )  # fmt: skip
-
-
 class _Judge:
     """Judge of the candidates on the front, one by one: springs, events, the whole check, all impossible by arrays."""
 
@@ -193,44 +183,28 @@ class _Judge:
         self._ranks: list[tuple[int, float, int, list[Finding]]] = []
 
     def front(self) -> list[int]:
-        """Return the passing candidates that no other passing candidate dominates; events are simulated last."""
-        alive, waiting = np.arange(self.survey.feasible), dict[int, tuple[Clutch, Iterator[Clutch]]]()
+        """Return the passing candidates that no other passing candidate dominates."""
+        alive = np.arange(self.survey.feasible)
         while True:
             members = [int(member) for member in alive[unbeaten(self.survey.costs[alive])]]
             asked = [member for member in members if member not in self.passed]
             if not asked:
                 return members
-            new = [member for member in asked if member not in waiting]
-            for member in new:
-                judging = self._judge(member)
+            for member in asked:
                 with unwatched():
-                    clutch = next(judging, None)
-                if clutch is not None:
-                    waiting[member] = clutch, judging
-                self._tell(asked)
-            for first in () if new else range(0, len(asked), _TOGETHER):
-                few = [waiting.pop(member) for member in asked[first : first + _TOGETHER]]
-                with unwatched():
-                    simulate_clutches(clutch for clutch, _ in few)
-                    for _, judging in few:
-                        list(judging)
-                self._tell(asked)
+                    self._judge(member)
+                tell(say("checking the front"), len(self.passed), len(self.passed) + len(asked))
             alive = alive[~np.isin(alive, [*self.failed])]
 
-    def _tell(self, asked: Sequence[int]) -> None:
-        tell(say("checking the front"), len(self.passed), len(self.passed) + len(asked))
-
-    def _judge(self, member: int) -> Iterator[Clutch]:
-        """Judge a candidate with each choice of springs until it passes; yield a clutch before simulating its event."""
+    def _judge(self, member: int) -> None:
+        """Judge a candidate with each choice of springs until it passes; what is simulated or sampled comes last."""
         missed: list[Finding] = []
         for tried in self._with_springs(candidate(self.spec, self.survey.changes(member))):
-            clutch = build(tried)
-            answers, slow, required = Answers(clutch), simulating(clutch), tried.requirements
+            clutch, required = build(tried), tried.requirements
+            answers, slow = Answers(clutch), simulating(clutch)
             unasked = set() if required and required.exceedance is not None else {"tolerance"}
             values, warnings, failed = judgement(answers, slow)
             if slow - unasked and not failed:
-                if clutch.spec.drive.event is not None:
-                    yield clutch
                 values, warnings, failed = judgement(answers, slow & unasked)
             if not failed:
                 self.passed[member] = tried, values, warnings
@@ -248,8 +222,8 @@ class _Judge:
         _, _, member, missed = min(self._ranks, key=lambda rank: rank[:3])
         if missed[0].code == _NO_SPRING:
             found = springs(build(candidate(self.spec, self.survey.changes(member))), kind=self.kind)[1]
-            missed = [each for each in found if each.code == _NO_SPRING]
-        return sorted(missed, key=_beyond, reverse=True)
+            return [each for each in found if each.code == _NO_SPRING]
+        return missed
 
     @property
     def kind(self) -> Any:
@@ -303,8 +277,7 @@ def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judg
     """Return the rows of the front, numbered, with the compromise marked."""
     costs = survey.costs[places]
     best = _compromise(costs)
-    columns = _columns(survey, objectives, judge)
-    kind: Any = create_model("DesignRow", __base__=DesignRow, **columns)
+    kind: Any = create_model("DesignRow", __base__=DesignRow, **_columns(survey, objectives, judge))
     rows, told = list[DesignRow](), (*(name.removeprefix("-") for name in objectives), *_TOLD)
     for number, place in enumerate(places, 1):
         spec, judged, warnings = judge.passed[place]
@@ -313,7 +286,7 @@ def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judg
         values = {_column(path): value for path, value in changes.items()}
         values |= {"variant": spec.variant, "pairs": spec.friction_group.pairs}
         values |= {name: own[name] for name in told if name in own}
-        values |= {name: value for name, value in judged.items() if name in columns}
+        values |= judged
         values |= {f"{name}_part": label_of(part) for name, part in spec.spring_parts.items()}
         known = {name: _known(value) for name, value in values.items() if name in kind.model_fields}
         mark = "compromise" if number - 1 == best else None
@@ -404,20 +377,23 @@ def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow
 
 
 def shown(result: DesignResult, sort: str | None = None, *, whole: bool = False) -> DesignResult:
-    """Return the result with its front sorted: the first rows and the compromise, or all rows, with their numbers."""
+    """Return the result with its front sorted: the first rows and the compromise, or all rows, with their numbers.
+
+    Raises AfmcalcError if ``sort`` is not a number in the rows of the front.
+    """
     ordered = result.front
-    if sort is not None:
+    if sort is not None and ordered:
+        fields = type(ordered[0]).model_fields.items()
+        numbers = [name for name, field in fields if shown_as(field).unit or name in ("number", "pairs")]
+        if sort not in numbers:
+            raise AfmcalcError(
+                "--sort {name}: no such quantity{hint}; one of {known}",
+                name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
+            )  # fmt: skip
         ordered = sorted(ordered, key=lambda row: row.objective(sort))
     if not whole:
         ordered = [row for place, row in enumerate(ordered) if place < _FIRST or row.mark]
     return result.model_copy(update={"front": ordered})
-
-
-def _ordinary(number: int, places: Sequence[int], judge: _Judge) -> Finding:
-    """Return the finding on the torque at which an ordinary clutch in place of the clutch of a row would trip."""
-    own = wired(judge.passed[places[number - 1]][0])
-    least, ordinary, largest = (own[f"trip_ratio_{name}"] for name in ("min", "ordinary", "max"))
-    return finding("ordinary-trips-at", "info", value=ordinary, limit=largest, least=least, number=number)
 
 
 # no candidate passes
@@ -427,18 +403,15 @@ _SCALES = [float(f"{scale:.3g}") for scale in np.geomspace(0.25, 4.0, 201)]
 
 def _binding(spec: Spec, survey: Survey, judge: _Judge) -> list[Binding]:
     """Return the checks that exclude the nearest candidate of those judged one by one, else of the whole grid."""
-    would_do = None
-    if failed := judge.nearest():
-        missed = [_of_finding(each) for each in failed]
-    else:
-        assert survey.nearest is not None
-        missed = [
-            _constraint(
-                name_of(check), check.path, check.unit, _known(value), _known(limit), _missed(check, value, limit)
-            )
-            for check, value, limit in survey.nearest.missed
-        ]
-        would_do = _key_that_would_do(spec, survey.nearest)
+    failed, changes = judge.nearest(), None
+    if not failed and survey.nearest is not None:
+        _, changes, ball = survey.nearest
+        clutch = build(candidate(spec, changes | with_ball(ball)))
+        found = check(clutch, without=simulating(clutch))[1]
+        failed = [each for each in found if each.level == "error" or each.code in WARNINGS]
+    failed.sort(key=_beyond, reverse=True)
+    missed = [_missed(each) for each in failed]
+    would_do = None if changes is None else _key_that_would_do(spec, changes, failed[0].path)
     if would_do is not None:
         return [each.model_copy(update=would_do if each is missed[0] else _NO_KEY) for each in missed]
     # easing requirements to the candidate's values helps only if every missed check is a requirement
@@ -448,22 +421,15 @@ def _binding(spec: Spec, survey: Survey, judge: _Judge) -> list[Binding]:
 _NO_KEY: dict[str, Any] = {"key": None, "sign": None, "would_do": None, "key_unit": "1"}
 
 
-def _of_finding(missed: Finding) -> Binding:
-    name = _counted(missed)
-    unit = keys()[f"requirements.{name}"].unit if name in REQUIRED else _UNITS.get(name)
-    return _constraint(name, missed.path, unit or "1", missed.value, missed.limit, missed.message)
-
-
-def _constraint(
-    name: str, path: str | None, unit: str, value: float | None, limit: float | None, message: str
-) -> Binding:
+def _missed(found: Finding) -> Binding:
     """Return a missed check; a requirement also gets the limit that the candidate's value would meet."""
-    eased = _NO_KEY
-    if path == f"requirements.{name}" and value is not None:
+    name, eased = _counted(found), _NO_KEY
+    unit = (keys()[f"requirements.{name}"].unit if name in REQUIRED else _UNITS.get(name)) or "1"
+    if found.path == f"requirements.{name}" and found.value is not None:
         least = REQUIRED[name].least
-        would_do = _five_digits(value, least)
-        eased = {"key": path, "sign": "≤" if least else "≥", "would_do": would_do, "key_unit": unit}
-    return Binding(check=name, message=message, value=value, limit=limit, unit=unit, **eased)
+        would_do = _five_digits(found.value, least)
+        eased = {"key": found.path, "sign": "≤" if least else "≥", "would_do": would_do, "key_unit": unit}
+    return Binding(check=name, message=found.message, value=found.value, limit=found.limit, unit=unit, **eased)
 
 
 def _five_digits(value: float, down: bool) -> float:  # noqa: FBT001
@@ -472,28 +438,14 @@ def _five_digits(value: float, down: bool) -> float:  # noqa: FBT001
     return float(f"{(math.floor if down else math.ceil)(value / step) * step:.5g}")
 
 
-def _missed(check: Check, value: float, limit: float) -> str:
-    """Sentence on a missed check: the value that the candidate has, and the limit."""
-    first, _, second = check.value.partition("/")
-    if second:
-        return say(
-            "{first} and {second} collide by at least {missing:.4g mm}",
-            first=translate(first), second=translate(second), missing=value,
-        )  # fmt: skip
-    has, wanted = (measured(number, ENGINEER.get(check.unit, check.unit), 5) for number in (value, limit))
-    bound = translate("at least" if check.least else "at most")
-    return say("{name} {has}, {bound} {wanted}", name=translate(check.name), has=has, bound=bound, wanted=wanted)
-
-
-def _key_that_would_do(spec: Spec, near: Nearest) -> dict[str, Any] | None:
+def _key_that_would_do(spec: Spec, changes: Mapping[str, Any], worst: str | None) -> dict[str, Any] | None:
     """Return a key and its value nearest to the candidate's with which all checks pass, as fields of a ``Binding``.
 
     The key is a searched key, else the key of the worst check or the radius of the ball circle.
     """
-    base = candidate(spec, near.changes)
-    own = "" if (worst := near.missed[0].check).requirement else worst.path
-    fixed = {path: value_at(base, path) for path in (own, _BALL_CIRCLE) if path in keys()}
-    for prefix, paths in (("search.", near.changes), ("", fixed)):
+    base = candidate(spec, changes)
+    fixed = {path: value_at(base, path) for path in (worst, _BALL_CIRCLE) if path in keys() and path not in _REQUIRED}
+    for prefix, paths in (("search.", changes), ("", fixed)):
         found = []
         for path, value in paths.items():
             about = keys()[path].about
@@ -514,6 +466,7 @@ def _key_that_would_do(spec: Spec, near: Nearest) -> dict[str, Any] | None:
 
 
 _BALL_CIRCLE = "control_unit.ball_circle_radius"
+_REQUIRED = {f"requirements.{name}" for name in REQUIRED}
 
 
 def _none(result: DesignResult) -> Finding:

@@ -16,7 +16,7 @@ from ..engines.quantities import Quantities
 from ..engines.rings import TOUCHES, SectionPart, length_of, overlaps, parts_of, sizes_of
 from ..equations.arrays import next_listed
 from ..errors import SpecError
-from ..messages import deferred, say
+from ..messages import say
 from ..progress import tell
 from ..spec import Spec
 from ..spec.edit import candidate, value_at, with_values
@@ -49,11 +49,6 @@ class Row(NamedTuple):
         beyond = np.nan_to_num(np.abs(self.value - self.limit) / size, nan=1e9, posinf=1e9)
         return np.where(self.holds, 0.0, beyond)
 
-    def at(self, place: int) -> "Row":
-        """Return the row of one candidate."""
-        value, limit = (float(np.ravel(one)[place if np.size(one) > 1 else 0]) for one in (self.value, self.limit))
-        return self._replace(value=value, limit=limit)
-
 
 def name_of(check: Check) -> str:
     """Return the name under which a check is counted: the key of its requirement, or its code."""
@@ -78,6 +73,11 @@ class Part(NamedTuple):
         """Path → array of values, one for each candidate in ``numbers``; candidates are counted from 0 in the part."""
         places = np.unravel_index(numbers, tuple(len(values) for values in self.axes.values()) or (1,))
         return {path: values[place] for (path, values), place in zip(self.axes.items(), places, strict=False)}
+
+    def changes(self, number: np.intp) -> dict[str, Any]:
+        """Path → value of one candidate; whole numbers are int."""
+        values = self.values(np.array([number])).items()
+        return self.names | {path: (int if is_whole(path) else float)(own[0]) for path, own in values}
 
 
 def parts_of_search(spec: Spec) -> list[Part]:
@@ -162,11 +162,11 @@ def is_clutch(spec: Spec, own: Quantities) -> Any:
 
 # checks
 
-_WARNINGS = (
+WARNINGS = (
     "gain-above-limit", "reduced-gain-above-limit", "feedback-idle", "mean-pressure-in-range", "peak-pressure-in-range",
 )  # fmt: skip
 """Codes of the warnings that exclude a candidate, as every error does."""
-COLLIDE = Check("parts-collide", deferred("overlap of two parts"), "", "m", "", TOUCHES, path="envelope")
+COLLIDE = Check("parts-collide", "", "", "m", "", TOUCHES)
 
 
 def wired(spec: Spec) -> Quantities:
@@ -195,12 +195,12 @@ def rows_of(spec: Spec, own: Quantities) -> Iterator[Row]:
     laid = None if spec.envelope is None else _layout(spec, own)
     known = {} if laid is None else {"outer_diameter": 2 * laid[0].boxes[0].outer, "length": length_of(laid)}
     for check in checks_of(spec):
-        if (check.level == "error" or check.code in _WARNINGS) and check.needs in (None, "layout"):
+        if (check.level == "error" or check.code in WARNINGS) and check.needs in (None, "layout"):
             value, limit = (ask(known if check.needs else own) for ask in (check.value_of, check.limit_of))
             if value is not None and limit is not None:
                 yield Row(check, value, limit)
-    for first, second, missing in overlaps(laid or []):
-        yield Row(COLLIDE._replace(value=f"{first}/{second}"), missing, TOUCHES)
+    for *_, missing in overlaps(laid or []):
+        yield Row(COLLIDE, missing, TOUCHES)
 
 
 def holding(spec: Spec, own: Quantities, shape: tuple[int, ...]) -> Mask:
@@ -222,16 +222,6 @@ def _layout(spec: Spec, own: Quantities) -> list[SectionPart]:
 # survey and front
 
 
-class Nearest(NamedTuple):
-    """Candidate that fails the fewest checks; of several such candidates, the candidate with the least excess."""
-
-    rank: tuple[int, float]
-    """Number of failed checks, and the sum of their excesses."""
-    changes: dict[str, Any]
-    missed: list[Row]
-    """Failed checks, the largest excess first."""
-
-
 class Survey:
     """Candidates of the whole grid that pass every check, and counts of the checks that exclude the others."""
 
@@ -241,7 +231,8 @@ class Survey:
         self.candidates = sum(part.size for part in parts)
         self.excluded = Counter[str]()
         self.objectives = objectives
-        self.nearest: Nearest | None = None
+        self.nearest: tuple[tuple[int, float], dict[str, Any], float] | None = None
+        """Candidate that fails the fewest checks, of several the one with the least excess: that, changes, ball."""
         self._places: list[tuple[Part, NDArray[np.intp], Numbers]] = []
         costs, done = [np.empty((0, len(objectives)))], 0
         for part in parts:
@@ -270,35 +261,28 @@ class Survey:
             lost[name] = lost.get(name, False) | (~holds & real)
             good &= holds
         self.excluded.update({name: int(np.sum(mask)) for name, mask in lost.items()})
-        if real.any() and not good.any():
-            self._near(part, values, rows, np.where(real, misses, len(rows) + 1), excess)
         chooses = spec.control_unit is not None and spec.control_unit.ball_diameter is None
-        ball = own.get("ball_diameter_standard", math.nan) if chooses else math.nan
-        self._places.append((part, numbers[good], np.broadcast_to(ball, numbers.shape)[good]))
+        ball = np.broadcast_to(own.get("ball_diameter_standard", math.nan) if chooses else math.nan, numbers.shape)
+        if real.any() and not good.any():
+            best = int(np.lexsort((excess, np.where(real, misses, len(rows) + 1)))[0])
+            rank = int(misses[best]), float(excess[best])
+            if self.nearest is None or rank < self.nearest[0]:
+                self.nearest = rank, part.changes(numbers[best]), float(ball[best])
+        self._places.append((part, numbers[good], ball[good]))
         return np.stack([np.broadcast_to(cost(own, name), numbers.shape) for name in self.objectives], axis=1)[good]
 
-    def _near(self, part: Part, values: dict[str, Numbers], rows: list[Row], misses: Any, excess: Numbers) -> None:
-        best = int(np.lexsort((excess, misses))[0])
-        rank = int(misses[best]), float(excess[best])
-        if self.nearest is None or rank < self.nearest.rank:
-            changes = part.names | {path: own[best] for path, own in values.items()}
-            missed = sorted((row.at(best) for row in rows), key=lambda one: one.excess)
-            # checks of both ends of a material's range, or of the same gap, share a name: the larger excess counts
-            farthest = {(one.check.value, one.check.requirement): one for one in missed if not one.holds}
-            self.nearest = Nearest(rank, changes, sorted(farthest.values(), key=lambda one: -one.excess))
-
     def changes(self, row: int) -> dict[str, Any]:
-        """Path → value of the candidate in a row of ``costs``, with the ball chosen for it; whole numbers are int."""
+        """Path → value of the candidate in a row of ``costs``, with the ball chosen for it."""
         for part, numbers, balls in self._places:
             if row < len(numbers):
-                values = {
-                    path: (int if is_whole(path) else float)(own[0])
-                    for path, own in part.values(numbers[row : row + 1]).items()
-                }
-                ball = {} if np.isnan(balls[row]) else {"control_unit.ball_diameter": float(balls[row])}
-                return part.names | values | ball
+                return part.changes(numbers[row]) | with_ball(balls[row])
             row -= len(numbers)
         raise IndexError(row)
+
+
+def with_ball(diameter: float) -> dict[str, float]:
+    """Path → diameter of the ball chosen for a candidate; empty if the spec gives the ball, or none is large enough."""
+    return {} if np.isnan(diameter) else {"control_unit.ball_diameter": float(diameter)}
 
 
 def cost(own: Quantities, name: str) -> Any:

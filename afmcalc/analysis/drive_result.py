@@ -1,7 +1,7 @@
 """Results of a simulation of the drive."""
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any, Literal
 
 from ..result import Answer, OpenTriple, Result, Series, Triple, quantity
 
@@ -10,6 +10,11 @@ if TYPE_CHECKING:
 
 NOT_ENDED = "not ended"
 """Text for a slip that does not end: the motor keeps it going, or the simulated time is too short (see findings)."""
+
+
+def ends_of(values: Iterable[Any]) -> dict[str, Any]:
+    """Values at f_min, mean friction and f_max as fields of a ``Triple``, or of an ``OpenTriple``."""
+    return dict(zip(("min", "mean", "max"), values, strict=True))
 
 
 class SimulatePoint(Result):

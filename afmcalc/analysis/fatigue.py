@@ -4,7 +4,7 @@ The papers' rule takes T_min … T_max as one cycle, although a single slip load
 rules by amplitude take each slip, 0 to T(f), as one cycle; life follows from the mean damage (Miner; handbook, 4).
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from functools import partial, reduce
 from typing import Literal
 
@@ -92,7 +92,10 @@ def life(
     or if the block lacks the key that ``model`` needs.
     """
     spec = clutch.spec
-    _require(spec, model)
+    if spec.fatigue is None:
+        raise spec.refused("fatigue", say("required by life: endurance_limit, polar_section_modulus, …"))
+    if (needed := _NEEDS.get(model)) and getattr(spec.fatigue, needed) is None:
+        raise spec.refused(f"fatigue.{needed}", say("required by the model {model!r}", model=model))
     underrated: list[Finding] = []
     if answers is None and spec.drive.event is not None:
         answers = Answers(build(spec))
@@ -108,9 +111,13 @@ def life(
             sweep=life_sweep(clutch, model, sweeps, factor) or None,
         )  # fmt: skip
         judged = failures_of(spec, own, "life")
-        judged += [remark for side, load in sides.items() for remark in _judged(load, model, side)]
-    about = finding("slips-averaged" if model in _NEEDS else "mean-stress-rule", "info")
-    return result, [*clutch_findings(clutch), *judged, *underrated, about, *replaced(spec, sweeps)]
+        for side, load in sides.items():
+            if _is_unlimited(load):
+                code = "life-not-limited/no-number" if model in _NEEDS else "life-not-limited/extrapolated"
+                about = {"value": _stress(load), "limit": load["endurance_limit"], "path": "fatigue.endurance_limit"}
+                judged.append(finding(code, "info", **about, side=translate(side)))
+    rule = finding("slips-averaged" if model in _NEEDS else "mean-stress-rule", "info")
+    return result, [*clutch_findings(clutch), *judged, *underrated, rule, *replaced(spec, sweeps)]
 
 
 _SIDES = {
@@ -123,15 +130,6 @@ _SIDES = {
 def _load(own: Quantities, side: str) -> Quantities:
     """Quantities of the clutch in the cases that make up the load of a side in ``_SIDES``."""
     return reduce(lambda load, case: load.at(case), _SIDES[side], own)
-
-
-def _require(spec: Spec, model: StressRule) -> None:
-    """Raise SpecError if the spec has no [fatigue] block, or lacks the key that the rule ``model`` needs."""
-    if spec.fatigue is None:
-        raise spec.refused("fatigue", say("required by life: endurance_limit, polar_section_modulus, …"))
-    needed = _NEEDS.get(model)
-    if needed and getattr(spec.fatigue, needed) is None:
-        raise spec.refused(f"fatigue.{needed}", say("required by the model {model!r}", model=model))
 
 
 def _by_setting(spec: Spec, own: Quantities, side: str) -> MethodCycles:
@@ -245,11 +243,3 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
     if bool((values < 0).any()):
         raise AfmcalcError("--sweep {text:.80}: a scatter band is not negative", text=text)
     return Axis("dT", key, values)
-
-
-def _judged(load: Quantities, model: StressRule, side: str) -> Iterator[Finding]:
-    """Yield a finding if fatigue does not limit the life of a side, with the springs as in the spec."""
-    if _is_unlimited(load):
-        code = "life-not-limited/no-number" if model in _NEEDS else "life-not-limited/extrapolated"
-        stress, limit = _stress(load), load["endurance_limit"]
-        yield finding(code, "info", value=stress, limit=limit, path="fatigue.endurance_limit", side=translate(side))

@@ -23,13 +23,13 @@ from ..spec.models import PressureDiscKey
 from ..spec.write import lacking
 from ..variants import foreign_keys
 from .clutch_findings import clutch_findings, speed_findings
+from .drive_result import ends_of
 
 EffectName = Literal["spline-friction", "centrifugal", "wear", "pressure-disc-key"]
 NOTICEABLE = 0.05
 """Relative change of the accuracy factor, or else of the torque, above which there is a warning."""
 POINTS = 33
 """Number of friction values at which the largest and the smallest torque are searched."""
-ENDS = ("min", "mean", "max")
 STEEL = 7850.0
 """Density of a ball of bearing steel (ISO 3290-1), kg/m³."""
 STIFFNESS, _SPEED = "closing_spring.stiffness", "drive.speed"
@@ -69,32 +69,8 @@ def torque_after_wear(clutch: Clutch, result: EffectsResult) -> float | None:
     return next((effect.torque_least for effect in result.effects if effect.effect == "wear"), 0.0)
 
 
-class EffectCurve(Result):
-    """Torques with one effect, as f_1 and f_2 rise together."""
-
-    effect: EffectName = described("effect")
-    low: list[float] = quantity("N*m", "T_low", "smaller slip torque")
-    high: list[float] = quantity("N*m", "T_high", "larger slip torque")
-
-
-class EffectsCurve(Result):
-    """Torques by the law and with each effect, as f_1 and f_2 rise together."""
-
-    name: str | None = described("name of the clutch", optional=True)
-    friction: list[float] = quantity("1", "f", "coefficient of friction")
-    torque: list[float] = quantity("N*m", "T", "slip torque by the law")
-    effects: list[EffectCurve] = described("effects the law neglects")
-
-
-class Bracket(NamedTuple):
-    """Curves between which the torque lies under an effect, and findings; no curves if the clutch then fails."""
-
-    curves: Sequence[Torque]
-    remarks: tuple[Finding, ...] = ()
-
-    def ends(self, frictions: tuple[Floats, Floats]) -> list[list[float]]:
-        """Smaller and larger torque at each pair of frictions, N·m."""
-        return np.sort([curve(*frictions) for curve in self.curves], axis=0).tolist()
+Bracket = tuple[Sequence[Torque], Sequence[Finding]]
+"""Curves between which the torque lies under an effect, and findings; no curves if the clutch then fails."""
 
 
 class EffectSource(NamedTuple):
@@ -123,11 +99,7 @@ def _value(clutch: Clutch, path: str) -> Any:
 
 
 def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
-    """Calculate each effect for which the spec has the data; the springs stay as they are set.
-
-    Raises:
-        SpecError: the spec has the data of no effect.
-    """
+    """Calculate each effect for which the spec has the data (else SpecError); the springs stay as they are set."""
     brackets = _brackets(clutch)
     if not brackets:
         listed, paths = _wanting(clutch, {name for name, source in SOURCES.items() if source.is_begun(clutch)})
@@ -135,37 +107,12 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
         raise lacking(clutch.spec, "effects", needs, "drive", paths)
     result = EffectsResult(
         accuracy_factor=clutch.accuracy_factor,
-        torque=Triple.of(_torque(clutch, *_ends(clutch)).tolist()),
-        effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
+        torque=ends_of(_torque(clutch, *_ends(clutch)).tolist()),
+        effects=[_effect(clutch, name, curves) for name, (curves, _) in brackets.items() if curves],
     )
-    remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
+    remarks = [remark for _, found in brackets.values() for remark in found]
     taken = speed_findings(clutch.spec) if "centrifugal" in brackets else ()
     return result, [*clutch_findings(clutch), *taken, *remarks, *_findings(clutch, result)]
-
-
-def effects_curve(clutch: Clutch) -> EffectsCurve:
-    """Calculate the torque over friction with every effect for which the spec has the data.
-
-    Raises:
-        CalculationError: the spec has the data of no effect, or the friction is constant.
-    """
-    path, brackets = _path(clutch), _brackets(clutch)
-    if not brackets:
-        raise CalculationError("plot effects: the spec gives the data of no effect (afmcalc effects says which)")
-    if all(friction[0] == friction[-1] for friction in path):
-        raise CalculationError("the friction does not wander (min = max): there is no curve over it")
-    courses = {
-        name: (ends[0], ends[-1])
-        for name, bracket in brackets.items()
-        if bracket.curves
-        for ends in [bracket.ends(path)]
-    }
-    return EffectsCurve(
-        name=clutch.spec.name,
-        friction=path[0].tolist(),
-        torque=_torque(clutch, *path).tolist(),
-        effects=[EffectCurve(effect=name, low=low, high=high) for name, (low, high) in courses.items()],
-    )
 
 
 def _torque(clutch: Clutch, driving: Floats, driven: Floats) -> Floats:
@@ -181,9 +128,15 @@ def _brackets(clutch: Clutch) -> dict[EffectName, Bracket]:
     }
 
 
-def _path(clutch: Clutch) -> tuple[Floats, Floats]:
-    """f_1 and f_2 as they rise together from smallest to largest, ``POINTS`` values each."""
-    return clutch.path(np.linspace(0.0, 1.0, POINTS))
+def _effect(clutch: Clutch, name: EffectName, curves: Sequence[Torque]) -> Effect:
+    # accuracy factor: largest over smallest torque as f_1 and f_2 rise together
+    path, ends = clutch.path(np.linspace(0.0, 1.0, POINTS)), _ends(clutch)
+    factors = sorted(float(course.max() / course.min()) for course in (curve(*path) for curve in curves))
+    torques = np.sort([curve(*ends) for curve in curves], axis=0)
+    return Effect(
+        effect=name, torque_low=ends_of(torques[0].tolist()), torque_high=ends_of(torques[-1].tolist()),
+        accuracy_factor_low=factors[0], accuracy_factor_high=factors[-1],
+    )  # fmt: skip
 
 
 def _ends(clutch: Clutch) -> tuple[Floats, Floats]:
@@ -192,28 +145,14 @@ def _ends(clutch: Clutch) -> tuple[Floats, Floats]:
     return first, second
 
 
-def _effect(clutch: Clutch, name: EffectName, bracket: Bracket) -> Effect:
-    # accuracy factor: largest over smallest torque as f_1 and f_2 rise together
-    courses = (curve(*_path(clutch)) for curve in bracket.curves)
-    factors = sorted(float(course.max() / course.min()) for course in courses)
-    low, *_, high = map(Triple.of, bracket.ends(_ends(clutch)))
-    return Effect(
-        effect=name, torque_low=low, torque_high=high, accuracy_factor_low=factors[0], accuracy_factor_high=factors[-1]
-    )
-
-
 def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
     """Yield a warning for each effect on the accuracy factor, else on the torque; a note on effects without data."""
     for effect in result.effects:
         by_law, low, high = result.accuracy_factor, effect.accuracy_factor_low, effect.accuracy_factor_high
         path, words = SOURCES[effect.effect].needs[0], translate(SOURCES[effect.effect].words)
         farthest = max(low, high, key=lambda factor: abs(factor / by_law - 1))
-        changes = (
-            getattr(torque, end) / getattr(result.torque, end) - 1
-            for torque in (effect.torque_low, effect.torque_high)
-            for end in ENDS
-        )
-        change = max(changes, key=abs)
+        torques = np.array([[*vars(each).values()] for each in (effect.torque_low, effect.torque_high)])
+        change = max((torques / [*vars(result.torque).values()] - 1).ravel().tolist(), key=abs)
         if abs(farthest / by_law - 1) > NOTICEABLE:
             yield finding(
                 "effect-on-accuracy", "warning", value=farthest, limit=by_law, path=path, effect=words, low=low,
@@ -259,7 +198,7 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
     most = float(max(share(friction.max, radius) for friction in clutch.spec.friction.groups for radius in radii))
     if most >= 1:
         locks = finding("splines-lock", "error", value=most, limit=1.0, path="friction_group.spline_friction")
-        return Bracket((), (locks,))
+        return (), (locks,)
     if pairs > _MOST_PAIRS:
         raise CalculationError("effects: splines are followed disc by disc, at most {most:,} pairs", most=_MOST_PAIRS)
     of_discs = np.resize(radii, pairs - 1)[:, None]
@@ -289,7 +228,7 @@ def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
         first = zero_of(lambda first: pressed(first)["normal_force"] - first, np.full_like(driving, most_force))
         return pressed(first)["torque"]
 
-    return Bracket((closing, opening))
+    return (closing, opening), ()
 
 
 def _centrifugal(clutch: Clutch, speed: float, balls: int, diameter: float, circle: float) -> Bracket:
@@ -297,11 +236,6 @@ def _centrifugal(clutch: Clutch, speed: float, balls: int, diameter: float, circ
     tangent = pack.tan_wall_angle(clutch.gain, circle, clutch.mean_radius)
     mass = law.ball_mass(STEEL, diameter / 2, math.pi)
     return _weaker(clutch, float(law.centrifugal_thrust(balls, mass, speed, circle, tangent)), _SPEED)
-
-
-def _wear(clutch: Clutch, lining: float, *_: float) -> Bracket:
-    """Torques under wear: of the new pack, and of the pack with its lining worn off."""
-    return _weaker(clutch, float(lost_by_wear(clutch, lining)), "heat.lining")
 
 
 def _pressure_disc_key(clutch: Clutch, key: PressureDiscKey) -> Bracket:
@@ -327,7 +261,7 @@ def _pressure_disc_key(clutch: Clutch, key: PressureDiscKey) -> Bracket:
         return np.where(driving > float(clutch.friction_min), slackening, _torque(clutch, driving, driven))
 
     locks = finding("pressure-disc-key-locks", "warning", value=1 / share, limit=most, path=_KEY_FRICTION)
-    return Bracket((partial(torque, 1), partial(torque, -1), set_free), (locks,) if share * most >= 1 else ())
+    return (partial(torque, 1), partial(torque, -1), set_free), (locks,) if share * most >= 1 else ()
 
 
 _KEY_FRICTION = "control_unit.pressure_disc_key.friction"
@@ -339,10 +273,10 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
     """Torques with and without a loss of force on the pack at rest, N; no curves if no force is left."""
     force = float(clutch.pack_force_at_rest)
     if loss >= force:
-        return Bracket((), (finding("force-used-up", "error", value=loss, limit=force, path=path),))
+        return (), (finding("force-used-up", "error", value=loss, limit=force, path=path),)
     name = "control_force_made" if clutch.spec.kind.travels else "closing_force"
     weakened = as_set(clutch, **{name: force - loss})
-    return Bracket((partial(_torque, weakened), partial(_torque, clutch)))
+    return (partial(_torque, weakened), partial(_torque, clutch)), ()
 
 
 def with_pairs(clutch: Clutch, bypass: Values, controlled: Values, **values: Values) -> Clutch:
@@ -363,7 +297,12 @@ SOURCES: Mapping[EffectName, EffectSource] = {
         _centrifugal,
         deferred("balls thrown against conical pockets"),
     ),
-    "wear": EffectSource(("heat.lining", STIFFNESS), _wear, deferred("wear of the lining"), own=1),
+    "wear": EffectSource(
+        ("heat.lining", STIFFNESS),
+        lambda clutch, lining, *_: _weaker(clutch, float(lost_by_wear(clutch, lining)), "heat.lining"),
+        deferred("wear of the lining"),
+        own=1,
+    ),
     "pressure-disc-key": EffectSource(
         ("control_unit.pressure_disc_key",),
         _pressure_disc_key,

@@ -12,7 +12,7 @@ from ..equations.arrays import Floats
 from ..errors import AfmcalcError, CalculationError, given
 from ..messages import did_you_mean
 from ..papers.claims import paper_figure
-from ..result import Result, described, quantity
+from ..result import quantity
 from ..spec import Spec
 from ..spec.keys import is_whole
 from ..spec.models import Method
@@ -23,11 +23,9 @@ from .assembly import section
 from .design import DesignResult, design
 from .drive_result import SimulateResult
 from .fatigue import LifeResult, LifeSweep, band_axis, life_sweep
-from .neglected import effects_curve
 from .pocket_contours import shop_drawing
 from .registry import PLOTS, Plot, StressRule
 from .simulate import MomentRow, history
-from .spring_search import springs_curve
 from .sweep import Axis, S, current_value, find_key, parse_axis, series
 from .tolerance_study import ToleranceResult
 from .trip import OverloadSweep, refuse
@@ -50,8 +48,8 @@ class Request(NamedTuple):
 class ClutchCurve(Asking):
     """Base class of curves, with name and variant of the clutch to which the curve belongs."""
 
-    name: str | None = described("name of the clutch", optional=True)
-    variant: str = described("variant")
+    name: str | None
+    variant: str
 
     @field_validator("*", mode="before")
     @classmethod
@@ -75,36 +73,36 @@ class TorqueCurve(ClutchCurve):
     )
     nominal_torque: float = asked()
     margin: float = asked()
-    method: Method = described("setting of the spec")
+    method: Method
 
 
 class AccuracyCurve(ClutchCurve):
     """Accuracy over one key, with the clutch's own value of the key and its gain limit, if it has them."""
 
-    series: AccuracySweep = described("accuracy over the key")
-    about: str = described("what it is")
-    symbol: str = described("symbol")
-    unit: str = described("SI unit")
-    own: float | None = described("what the clutch has of the key", optional=True)
+    series: AccuracySweep
+    about: str
+    symbol: str
+    unit: str
+    own: float | None
     accuracy_factor: float = asked()
-    limit: float | None = described("gain limit, as the key is called", optional=True)
+    limit: float | None
 
 
-class SettingLife(Result):
-    """Life of the protected side with the spring set by one method."""
+class SettingLife(NamedTuple):
+    """Scatter band, N·m, and cycles of the protected side with the spring set by one method."""
 
-    method: Method = described("method")
-    scatter: float = quantity("N*m", "ΔT", "torque scatter band")
-    cycles: float | None = quantity("1", "N_ц", "cycles of the protected side", null="unlimited")
+    method: Method
+    scatter: float
+    cycles: float | None
 
 
 class LifeCurve(ClutchCurve):
     """Life over the scatter band, and the band and life of the clutch as each method sets it."""
 
-    model: StressRule = described("rule for the damaging stress")
-    series: LifeSweep = described("life over the band")
+    model: StressRule
+    series: LifeSweep
     base_cycles: float = asked()
-    settings: list[SettingLife] = described("both settings")
+    settings: list[SettingLife]
 
 
 class OverloadCurve(ClutchCurve):
@@ -117,7 +115,7 @@ class OverloadCurve(ClutchCurve):
     potential_torque: list[float] = asked()
     machine_torque: float = asked("machine_torque_at_overload")
     margin: float = asked()
-    accuracy: OverloadSweep = described("accuracy over the reduced gain")
+    accuracy: OverloadSweep
     bypass_pairs: int = asked()
     reduced_gain: float = asked()
     optimal_reduced_gain: float = asked()
@@ -164,9 +162,7 @@ def overload_curve(clutch: Clutch) -> OverloadCurve:
     """Calculate the trip from f_min to f_max, and the accuracy over the reduced gain.
 
     The reduced gain goes from 0 to its recommended limit 5, or to 1.2 times the clutch's reduced gain, if greater.
-
-    Raises:
-        CalculationError: S22 does not treat the variant, or unlike materials.
+    Raises CalculationError if S22 does not treat the variant, or unlike materials.
     """
     refuse(clutch)
     gains = np.linspace(0.0, max(5.0, 1.2 * clutch["reduced_gain"]), 401)
@@ -178,13 +174,10 @@ def overload_curve(clutch: Clutch) -> OverloadCurve:
 def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
     """Calculate the life over the scatter band: from half to twice the clutch's band, or over the range in ``sweep``.
 
-    Raises:
-        AfmcalcError: ``sweep`` names another axis than dT.
-        CalculationError: there is no scatter band, as the torque is constant.
+    Raises AfmcalcError if ``sweep`` names another axis than dT, or if the torque is constant.
     """
     clutch, text = answers.clutch, sweep or "dT"
-    name = text.partition("=")[0].strip()
-    if name != "dT":
+    if (name := text.partition("=")[0].strip()) != "dT":
         raise AfmcalcError(
             "plot life: its axis is the scatter band dT, not {name!r} (dT=RANGE sets its range)", name=name
         )
@@ -196,10 +189,9 @@ def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
         axis = axis._replace(values=np.linspace(low, high, POINTS))
     life, both = answers.of(LifeResult), answers.of(AdjustResult)
     (over,) = life_sweep(clutch, life.model, [axis], life.dynamic_factor)
-    fields = {method: method.replace("-", "_") for method in METHODS}
     settings = [
-        SettingLife(method=method, scatter=getattr(both, field).scatter, cycles=getattr(life.protected, field))
-        for method, field in fields.items()
+        SettingLife("min-friction", both.min_friction.scatter, life.protected.min_friction),
+        SettingLife("mean-friction", both.mean_friction.scatter, life.protected.mean_friction),
     ]
     return answer(LifeCurve, clutch, **_of(clutch), model=life.model, series=over, settings=settings)
 
@@ -215,11 +207,7 @@ def _over(axis: Axis, kind: type[S], clutch: Clutch) -> S:
 
 
 def _path(clutch: Clutch) -> dict[str, Floats]:
-    """Name → frictions from smallest to largest value; f_1 and f_2 of unlike materials rise together.
-
-    Raises:
-        CalculationError: every friction is constant.
-    """
+    """Name → frictions from smallest to largest value (CalculationError if constant); f_1 and f_2 rise together."""
     if not any(group.max > group.min for group in clutch.spec.friction.groups):
         raise CalculationError("the friction does not wander (min = max): there is no curve over it")
     first, second = clutch.path(np.linspace(0.0, 1.0, POINTS))
@@ -258,11 +246,7 @@ class ParetoFigure(NamedTuple):
 
 
 def plot_of(name: str) -> Plot:
-    """Return the plot called ``name``.
-
-    Raises:
-        AfmcalcError: there is no such plot.
-    """
+    """Return the plot called ``name``; raises AfmcalcError if there is no such plot."""
     if name not in PLOTS:
         hint, kinds = did_you_mean(name, PLOTS), ", ".join(PLOTS)
         raise AfmcalcError("no plot {name!r}{hint}; there are: {kinds}", name=name, hint=hint, kinds=kinds)
@@ -270,30 +254,18 @@ def plot_of(name: str) -> Plot:
 
 
 def check_request(name: str, request: Request) -> None:
-    """Check that subjects and options fit a plot.
-
-    Raises:
-        AfmcalcError: there is no such plot, it takes one subject and gets several, or it does not take an option.
-    """
-    plot = plot_of(name)
-    if plot.takes in _SINGLE and len(request.subjects) != 1:
-        raise AfmcalcError(
-            "plot {name} takes one {what}, not {count}",
-            name=name,
-            what=_SINGLE[plot.takes],
-            count=len(request.subjects),
-        )
+    """Raise AfmcalcError if there is no such plot, or if it does not take several subjects or an option."""
+    plot, count = plot_of(name), len(request.subjects)
+    if plot.takes in _SINGLE and count != 1:
+        what = _SINGLE[plot.takes]
+        raise AfmcalcError("plot {name} takes one {what}, not {count}", name=name, what=what, count=count)
     for option in ("sweep", "model"):
         if getattr(request, option) is not None and option not in plot.options:
             raise AfmcalcError("plot {name} has no use for --{option}", name=name, option=option)
 
 
 def gathered(name: str, request: Request) -> Any:
-    """Return the data of a plot.
-
-    Raises:
-        AfmcalcError: there is no such plot, subjects or options do not fit it, or its analysis does not apply.
-    """
+    """Return the data of a plot; raises AfmcalcError if the request does not fit, or its analysis does not apply."""
     check_request(name, request)
     subject = request.subjects[0]
     match name:
@@ -309,10 +281,6 @@ def gathered(name: str, request: Request) -> Any:
             return _life(request)
         case "pocket":
             return shop_drawing(subject.clutch, subject.ask("pocket")[0])  # raises an error without balls
-        case "effects":
-            return effects_curve(subject.clutch)
-        case "springs":
-            return springs_curve(subject.clutch)
         case "tolerance":
             return _tolerance(subject)
         case "simulate":

@@ -67,8 +67,7 @@ class ShopDrawing(NamedTuple):
 def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
     """Lay out the pockets of a control unit that ``synthesize.pocket`` has designed.
 
-    Raises:
-        CalculationError: the wall cannot be cut, or the pockets cut into each other or through a sleeve.
+    Raises CalculationError if the wall cannot be cut, or if pockets cut into each other or through a sleeve.
     """
     wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
     if not wall.can_be_cut:

@@ -106,10 +106,6 @@ def _can_be_synthesized(clutch: "Clutch") -> bool:
     return unit is not None and unit.ball_circle_radius is not None and bool(clutch["gain"] > 0)
 
 
-def _heat_is_known(clutch: "Clutch") -> bool:
-    return _can_be_simulated(clutch) or clutch.spec.runs_down
-
-
 def _any_effect(clutch: "Clutch") -> bool:
     from .neglected import SOURCES
 
@@ -172,18 +168,16 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "heat", "analysis.trip_heat", "HeatResult", _heat_is_known, ("answers",), explained=True, judged=True,
-            conclusion=_heated, example="drive",
+            "heat", "analysis.trip_heat", "HeatResult",
+            lambda clutch: _can_be_simulated(clutch) or clutch.spec.runs_down, ("answers",),
+            explained=True, judged=True, conclusion=_heated, example="drive",
         ),
         Analysis(
-            "effects", "analysis.neglected", "EffectsResult", _any_effect, judged=True,
-            plot=Plot("effects", "torque with each effect that the law neglects", "clutch", applies=_any_effect),
-            example="drive",
+            "effects", "analysis.neglected", "EffectsResult", _any_effect, judged=True, example="drive",
         ),
         Analysis(
             "springs", "analysis.spring_search", "SpringsResult",
             reported=lambda clutch: bool(clutch.spec.spring_parts),
-            plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
         Analysis(
             "layout", "analysis.half_section", "LayoutResult", lambda clutch: clutch.spec.envelope is not None,

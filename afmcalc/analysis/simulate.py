@@ -21,9 +21,9 @@ from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import measured, say, translate
 from ..progress import counted
-from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
+from ..result import Answer, Result, Triple, described, quantity
 from .clutch_findings import carried_by_motor, clutch_findings, speed_findings
-from .drive_result import SimulatePoint, SimulateResult, SimulateSweep
+from .drive_result import SimulatePoint, SimulateResult, SimulateSweep, ends_of
 from .neglected import with_pairs
 from .pocket_wall import wall_of
 from .registry import ANALYSES
@@ -42,8 +42,6 @@ _NEAR = 1e-3
 _ROUNDING = 1e-9
 _MOMENTS = 2000
 """Approximate number of moments in a history."""
-_OPEN = ("slip_time", "slip_energy", "key_energy")
-"""Names of the results that a slip without end does not have."""
 
 
 def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result: SimulateResult) -> Iterator[Finding]:
@@ -148,15 +146,14 @@ def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterat
         yield finding("judder", "info", value=least, limit=train.damping, path=path, ordinary=ordinary)
 
 
-def contact_forces(clutch: Clutch, outcomes: Sequence[Outcome]) -> list[float] | None:
-    """Largest contact force F_n on a ball in each event, N; None if number or circle of the balls is not known."""
+def _contact_force(clutch: Clutch, one: Outcome) -> float | None:
+    """Largest contact force F_n on a ball in an event, N; None if number or circle of the balls is not known."""
     unit = clutch.spec.control_unit
     if unit is None or unit.balls is None or unit.ball_circle_radius is None or not clutch.gain:
         return None
-    if clutch.spec.kind.travels and let_go(outcomes[-1].case) is None:
+    if clutch.spec.kind.travels and let_go(one.case) is None:
         return None  # a clutch with κ = 0 is simulated without balls
-    count, radius = unit.balls, unit.ball_circle_radius
-    return [float(control_unit.contact_force(each.event.peak_wall, count, radius, 1.0)) for each in outcomes]
+    return float(control_unit.contact_force(one.event.peak_wall, unit.balls, unit.ball_circle_radius, 1.0))
 
 
 def let_go(case: Case) -> float | None:
@@ -219,34 +216,23 @@ def simulate(
     """Simulate the event of the [drive] block at f_min, mean friction and f_max, each constant during the event.
 
     ``friction`` has further values, (f, None) for all friction pairs alike or (f_1, f_2); a sweep returns only peaks.
-    With ``heated`` the result includes the heat of the trip.
-
-    Raises:
-        SpecError: the spec has no event.
+    With ``heated`` the result includes the heat of the trip. Raises SpecError if the spec has no event.
     """
     train, points = train_of(clutch), pairs_asked(clutch, friction)
     ends = counted(say("simulating the event"), list(zip(*clutch.spec.friction.groups, strict=True)))
     outcomes = [outcome_of(clutch, *end) for end in ends]
     figures, events = [_figures(clutch, one) for one in outcomes], [one.event for one in outcomes]
-    ended = {name: [each[name] for each in figures] for name in figures[0]}
-    peaks = [event.peak for event in events]
     # heat and time of a slip depend on the time step if the sleeve rattles against its stop
-    rattling = events if any(event.travel_max for event in events) else []
+    if any(event.travel_max for event in events):
+        for own, event in zip(figures, events, strict=True):
+            own["slip_time_spread"] = event.time_error if event.ended else None
+            own["slip_energy_spread"] = event.heat_error if event.ended else None
     (peak,) = bypass_peaks(clutch).tolist()
     bypass = None if math.isnan(peak) else peak
     sweep, rising = swept(clutch, sweeps)
-    unit = clutch.spec.control_unit
-    late = unit is not None and bool(unit.release_lag)
     result = SimulateResult(
-        **{name: _ends(OpenTriple if name in _OPEN else Triple, values) for name, values in ended.items()},
+        **{name: ends_of(own[name] for own in figures) for name in figures[0]},
         peak_torque_bypass=bypass,
-        peak_error=_ends(Triple, [event.peak_error for event in events]),
-        peak_over_machine=_ends(Triple, [peak / train.load for peak in peaks]) if train.load else None,
-        slip_time_spread=_ends(OpenTriple, [event.time_error if event.ended else None for event in rattling]),
-        slip_energy_spread=_ends(OpenTriple, [event.heat_error if event.ended else None for event in rattling]),
-        contact_force=_ends(Triple, contact_forces(clutch, outcomes) or ()),
-        trip_torque=_ends(OpenTriple, [event.trip_torque or None for event in events]) if late else None,
-        trip_position=_ends(OpenTriple, [one.trip_position for one in outcomes]) if late else None,
         inertia_torque=train.inertia_torque,
         load_torque=train.load,
         energy_residual=max(event.residual for event in events),
@@ -258,7 +244,11 @@ def simulate(
         *failures_of(clutch.spec, Beside(event_values(clutch, result), clutch), "simulate"),
         *_springs(clutch, max(event.travel_max for event in events)),
         *remarks_of(clutch, train, outcomes, result),
-        *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
+        *(
+            []
+            if bypass is None
+            else [finding("bypass-peak", "warning", value=bypass, limit=max(event.peak for event in events))]
+        ),
         *rising,
         *replaced(clutch.spec, sweeps),
         *(remark for pair in points for remark in outside_range(clutch, *pair)),
@@ -271,33 +261,35 @@ def simulate(
 
 def _figures(clutch: Clutch, outcome: Outcome) -> dict[str, float | None]:
     """Name → result of an event at one friction; results of a slip that does not end are None."""
-    event, unit = outcome.event, clutch.spec.control_unit
-    until_end = {"slip_time": event.slip_time, "slip_energy": event.heat}
-    travel = {"travel_max": event.travel_max} if clutch.spec.kind.travels else {}
-    if travel and unit is not None and unit.key_friction:
-        until_end["key_energy"] = event.key_heat
-    return {
+    event, unit, load = outcome.event, clutch.spec.control_unit, outcome.case.train.load
+    figures = {
         "sliding_torque": float(outcome.case.pack.sliding),
         "peak_torque": event.peak,
         "peak_torque_clutch": event.peak_clutch,
-        "dynamic_factor": outcome.dynamic_factor,
-        **{name: value if event.ended else None for name, value in until_end.items()},
-        **travel,
+        "peak_error": event.peak_error,
+        "dynamic_factor": float(event.peak / outcome.case.pack.sliding),
+        "slip_time": event.slip_time if event.ended else None,
+        "slip_energy": event.heat if event.ended else None,
         "peak_torque_conventional": outcome.ordinary_peak,
     }
+    if load:
+        figures["peak_over_machine"] = event.peak / load
+    if clutch.spec.kind.travels:
+        figures["travel_max"] = event.travel_max
+        if unit is not None and unit.key_friction:
+            figures["key_energy"] = event.key_heat if event.ended else None
+    if unit is not None and unit.release_lag:
+        figures |= {"trip_torque": event.trip_torque or None, "trip_position": outcome.trip_position}
+    force = _contact_force(clutch, outcome)
+    return figures if force is None else figures | {"contact_force": force}
 
 
-def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:
-    if not friction or friction_driven == 0:
+def _point(clutch: Clutch, *frictions: float) -> SimulatePoint:
+    if not all(frictions):
         raise CalculationError("--friction 0: without friction there is no torque to simulate")
-    own = friction_fields(clutch, friction, friction_driven)
-    return SimulatePoint(**own | _figures(clutch, outcome_of(clutch, friction, friction_driven)))
-
-
-def _ends(kind: type[AtEnds], values: Iterable[float | None]) -> Any:
-    """Values at f_min, mean friction and f_max, as an object of class ``kind``; None if there are no values."""
-    ends = list(values)
-    return kind.of(ends) if ends else None
+    figures = _figures(clutch, outcome_of(clutch, *frictions))
+    own = {name: value for name, value in figures.items() if name in SimulatePoint.model_fields}
+    return SimulatePoint(**own | friction_fields(clutch, *frictions))
 
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:
@@ -391,14 +383,9 @@ class HistoryResult(Answer):
 def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = False) -> HistoryResult:
     """Return the course of events at pairs of frictions or, without pairs, at f_min, mean friction and f_max.
 
-    With ``short`` the course ends when the peak has passed.
-
-    Raises:
-        SpecError: the spec has no event.
+    With ``short`` the course ends when the peak has passed. Raises SpecError if the spec has no event.
     """
-    unlike = clutch.spec.friction.unlike
-    ends = [(first, second if unlike else None) for first, second in zip(*clutch.spec.friction.groups, strict=True)]
-    rows = []
+    rows, ends = [], list(zip(*clutch.spec.friction.groups, strict=True))
     for pair in counted(say("simulating the event"), pairs_asked(clutch, friction) or ends):
         case = case_of(clutch, *pair)
         moments = case.run(full=True).rows

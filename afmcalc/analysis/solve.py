@@ -1,18 +1,19 @@
 """Values of one key of the spec that give a quantity a wanted value: its range is sampled, crossings are refined."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import suppress
 from functools import cache, partial
-from typing import Any, ClassVar, cast
+from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..engines import Clutch, build
 from ..engines.checks import REQUIRED, after_event, takes_factor_of_event
 from ..engines.evaluate import Output, evaluate
 from ..engines.selection import NAMES
-from ..equations.arrays import Floats, Values
+from ..equations.arrays import Floats
 from ..equations.terms import CASES, TERMS, term_of
 from ..errors import AfmcalcError, CalculationError, SpecError
 from ..findings import Finding, finding
@@ -38,10 +39,10 @@ REACH, REACH_OF_EVENTS = 100.0, 5.0
 """Ratio of the outermost samples to the present value: of a key without bounds, and if samples simulate an event."""
 _SAME, _TOUCH = 1e-12, 1e-8
 """Relative tolerances: for equality apart from rounding, and for an extreme that only touches the wanted value."""
-_STEPS, _STEPS_OF_ROWS = (33,) * 8, (9, 9)
-"""Numbers of points in the successive refinements of a crossing: with arrays, and clutch by clutch."""
-_JUMP, _JUMP_OF_ROWS = 1e-6, 0.05
-"""Change of the target over the last interval, relative to the wanted value, above which a crossing is a jump."""
+_CLOSE, _CLOSE_OF_ROWS = 1e-14, 1e-5
+"""Relative tolerances of a root: with arrays, and clutch by clutch."""
+_JUMP, _JUMP_OF_ROWS = 1e-6, 0.01
+"""Deviation of the target at a crossing, relative to the wanted value, above which the crossing is a jump."""
 SEVERAL = {"balls_listed", *(name for name in TERMS if "_slips" in name)}
 """Quantities that are lists of numbers (one number for each slip, or a catalogue) and therefore no targets."""
 
@@ -163,9 +164,20 @@ def solve(
     if arrays and not whole:
         at = _with_extremes(values, wanted, at)
     rounding = _rounding(values, wanted, at) if arrays else _SAME * abs(wanted)
-    on = np.abs(values(at) - wanted) <= rounding
-    steps = () if whole else _STEPS if arrays else _STEPS_OF_ROWS
-    roots, at = _roots(values, wanted, at, rounding, steps)
+    gap = values(at) - wanted
+    on = np.abs(gap) <= rounding
+    # of a stretch on which the target has the wanted value, its ends are roots
+    places, crossed = {*np.flatnonzero(on).tolist()}, _crossed(np.where(on, 0.0, gap))
+    roots = sorted(float(at[i]) for i in places if whole or not {i - 1, i + 1} <= places)
+    if whole:
+        roots = sorted({*roots, *at[crossed].tolist(), *at[crossed + 1].tolist()})
+    elif crossed.size:
+        close, jump = (_CLOSE, _JUMP) if arrays else (_CLOSE_OF_ROWS, _JUMP_OF_ROWS)
+        met = np.array([_root(values, wanted, at[i], at[i + 1], close) for i in crossed])
+        size = abs(wanted) or float(np.nanmedian(np.abs(values(at))))
+        roots = sorted([*roots, *met[np.abs(values(met) - wanted) <= jump * size].tolist()])
+        # where the target jumps, the nearest value lies on one side
+        at = np.unique([*at, *met, *(met * (1 - 10 * close)), *(met * (1 + 10 * close))])
     value = values(at)
     at, value = at[np.isfinite(value)], value[np.isfinite(value)]
     if not at.size:
@@ -226,11 +238,6 @@ def _present(clutch: Clutch, key: Key) -> float:
     return float(value)
 
 
-def _asked(target: str) -> str:
-    """Return the quantity of a target; for a requirement the quantity that it judges."""
-    return REQUIRED[target].value if target in REQUIRED else target
-
-
 def _judged_value(clutch: Clutch, target: str) -> float:
     """Value that a requirement judges; infinite if the value is unlimited, or if the slip has not ended."""
     check = after_event(clutch.spec, REQUIRED[target])
@@ -246,15 +253,16 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
 
     Raises AfmcalcError if the clutch does not have the target.
     """
-    output: Output = _asked(target)
-    if takes_factor_of_event(clutch.spec, str(output)):
-        output = partial(_unprotected, str(output))
+    name = REQUIRED[target].value if target in REQUIRED else target
+    output: Output = name
+    if takes_factor_of_event(clutch.spec, name):  # each clutch has the dynamic factor of its own event
+        output = lambda own: own.at(dynamic_factor=dynamic_factors(own))[name]  # noqa: E731
         return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: output})[target]), False
-    arrays = not (target in REQUIRED and (REQUIRED[target].needs or output not in clutch))
+    arrays = not (target in REQUIRED and (REQUIRED[target].needs or name not in clutch))
     if arrays:
         try:
             with suppress(ArithmeticError):  # other values of the key may give a number
-                clutch[str(output)]
+                clutch[name]
         except LookupError as error:
             raise AfmcalcError("{name} cannot be solved for: {why}", name=target, why=error) from None
     elif target == "peak_torque" and clutch.spec.drive.event is not None:
@@ -264,11 +272,6 @@ def _function(clutch: Clutch, path: str, target: str) -> tuple[Function, bool]:
         judged = exceedance if target == "exceedance" else partial(_judged_value, target=target)
         return _kept(partial(_rows, clutch, path, judged)), False
     return _kept(lambda at: evaluate(clutch.spec, {path: at}, {target: output})[target]), arrays
-
-
-def _unprotected(name: str, clutch: Clutch) -> Values:
-    """Values of a quantity of the unprotected side; each clutch has the dynamic factor of its own event."""
-    return cast("Values", clutch.at(dynamic_factor=dynamic_factors(clutch))[name])
 
 
 def _kept(function: Function) -> Function:
@@ -318,7 +321,8 @@ def _within_gain_limit(clutch: Clutch, path: str, at: Floats) -> Floats:
         gains = evaluate(clutch.spec, {path: at}, {"gain": "gain", "gain_limit": "gain_limit"})
         return gains["gain"] / gains["gain_limit"] - 1
 
-    at = at if is_whole(path) else np.unique([*at, *_roots(excess, 0.0, at, 0.0, _STEPS)[0]])
+    met = [] if is_whole(path) else [_root(excess, 0.0, at[i], at[i + 1], _CLOSE) for i in _crossed(excess(at))]
+    at = np.unique([*at, *met])
     within = at[excess(at) <= 1e-9]
     if not within.size:
         raise CalculationError("no value of {path} keeps the gain limit (--beyond-limit goes past it)", path=path)
@@ -332,31 +336,16 @@ def _rounding(function: Function, wanted: float, at: Floats) -> float:
     return max(_SAME * abs(wanted), 4 * float(np.max(np.abs(moved), where=np.isfinite(moved), initial=0.0)))
 
 
-def _roots(
-    function: Function, wanted: float, at: Floats, rounding: float, steps: Sequence[int]
-) -> tuple[list[float], Floats]:
-    """Return the arguments at which a function has the wanted value, and ``at`` with both ends of each crossing added.
+def _crossed(gap: Floats) -> NDArray[np.intp]:
+    """Places of the samples after which a function changes its sign."""
+    return np.flatnonzero(np.sign(gap[:-1]) * np.sign(gap[1:]) < 0)
 
-    Without ``steps`` (the key is a whole number) both neighbours of a crossing are roots; else both ends of a stretch
-    on which the function equals the wanted value.
-    """
-    gap = function(at) - wanted
-    side = np.where(np.abs(gap) <= rounding, 0.0, np.sign(gap))
-    on, crossed = np.flatnonzero(side == 0), np.flatnonzero(side[:-1] * side[1:] < 0)
-    roots = {float(at[i]) for i in on if not steps or not {i - 1, i + 1} <= {*on}}
-    ends, first = np.stack([at[crossed], at[crossed + 1]]), side[crossed]
-    if not steps or not crossed.size:
-        return sorted(roots.union(ends.ravel().tolist())), at
-    for count in steps:
-        inner = np.linspace(ends[0], ends[1], count)
-        gap = function(inner.ravel()).reshape(inner.shape) - wanted
-        place = np.maximum((np.sign(gap) != first).argmax(axis=0), 1)
-        ends, gap = (np.take_along_axis(each, np.stack([place - 1, place]), axis=0) for each in (inner, gap))
-    size = abs(wanted) or float(np.nanmedian(np.abs(function(at))))
-    good = np.abs(gap[1] - gap[0]) <= (_JUMP if steps == _STEPS else _JUMP_OF_ROWS) * size
-    low, high = ends[:, good]
-    roots |= {*(low + (high - low) * gap[0, good] / (gap[0, good] - gap[1, good])).tolist()}
-    return sorted(roots), np.unique([*at, *ends.ravel()])
+
+def _root(function: Function, wanted: float, low: float, high: float, close: float) -> float:
+    """Argument between two others at which a function passes a wanted value, or jumps past it."""
+    from scipy.optimize import brentq
+
+    return float(brentq(lambda x: function(np.array([x]))[0] - wanted, low, high, xtol=close * high, rtol=close))
 
 
 def _with_extremes(function: Function, wanted: float, at: Floats) -> Floats:

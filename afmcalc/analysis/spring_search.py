@@ -14,7 +14,7 @@ from ..engines.characteristics import DiscCharacteristic, characteristic
 from ..engines.parts import INDEX, SpringDemand, SpringName, checks_of_part, spring_demands, values_of_part
 from ..equations import springs as law
 from ..equations.arrays import Floats
-from ..errors import AfmcalcError, CalculationError
+from ..errors import AfmcalcError
 from ..findings import Finding, finding
 from ..messages import say, translate
 from ..result import Answer, Result, described, quantity
@@ -57,7 +57,6 @@ _SLACK = 1e-9
 """Relative excess over a limit that counts as a rounding error."""
 _BORNE = ("deflection", "stress", "fatigue")
 """Topics of those checks that give the utilisation of a spring part."""
-_CURVE_POINTS = 121
 
 
 class SpringOption(Result):
@@ -132,27 +131,6 @@ class SpringsResult(Answer):
         detail=True,
     )  # fmt: skip
     nearest: list[SpringOption] | None = described("nearest, where there is none", optional=True)
-
-
-class SpringCurve(Result):
-    """Force of one spring over its deflection, and the deflections at which the spring works in the clutch."""
-
-    spring: SpringName = described("spring")
-    part: str = described("part")
-    deflection: list[float] = quantity("m", "s", "deflection")
-    force: list[float] = quantity("N", "F", "force")
-    tangent: list[float] = quantity("N", "c s", "straight spring of the stiffness as set")
-    set_deflection: float = quantity("m", "s", "deflection as set")
-    set_force: float = quantity("N", "F", "force as set")
-    service: tuple[float, float] = quantity("m", "s", "deflections in service")
-    usable: tuple[float, float] = quantity("m", "s", "deflections it may be used between")
-
-
-class SpringsCurve(Result):
-    """The springs of a clutch."""
-
-    name: str | None = described("name of the clutch", optional=True)
-    springs: list[SpringCurve] = described("springs")
 
 
 class Table(NamedTuple):
@@ -450,30 +428,3 @@ def _none(demand: SpringDemand, part: Part, missed: Mapping[str, float]) -> Find
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
     label, path = label_of(part, demand.catalogue), f"{demand.name}_spring"
     return finding("no-spring", "warning", value=demand.force, path=path, part=label, size=size, misses=misses)
-
-
-def springs_curve(clutch: Clutch) -> SpringsCurve:
-    """Return the force over deflection of each spring: of the part that the spec names, else of the best that fits.
-
-    Raises CalculationError if no part fits.
-    """
-    curves = []
-    for demand in bounded_demands(clutch):
-        part = clutch.spec.spring_parts.get(demand.name)
-        if part is None:
-            best = ranked(demand)
-            if not best:
-                raise CalculationError("plot springs: nothing fits: {name}", name=translate(f"{demand.name} spring"))
-            part = best[0].made
-        spring = characteristic(part)
-        deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
-        at = float(spring.deflection(demand.force))
-        curve = SpringCurve(
-            spring=demand.name, part=label_of(part, demand.catalogue), deflection=deflections.tolist(),
-            force=np.asarray(spring.force(deflections)).tolist(),
-            tangent=(demand.force + float(spring.stiffness(at)) * (deflections - at)).tolist(), set_deflection=at,
-            set_force=float(spring.force(at)), service=(at - demand.relaxes, at + demand.compresses),
-            usable=spring.range,
-        )  # fmt: skip
-        curves.append(curve)
-    return SpringsCurve(name=clutch.spec.name, springs=curves)

@@ -1,6 +1,6 @@
 """Synthesis of the control unit: wall angle, travel, balls, pockets, contact (S21 (16)–(24))."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Any, ClassVar, Literal
 
 import numpy as np
@@ -8,22 +8,16 @@ import numpy as np
 from ..engines import Clutch
 from ..engines.checks import failures_of
 from ..engines.quantities import Quantities
-from ..engines.selection import quantities_of
-from ..equations.arrays import next_listed
 from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, described, quantity
-from ..spec import Spec
 from ..spec.catalogues import ball_designation
-from ..spec.edit import with_key
 from ..spec.models import ControlUnit
 from .asking import Asking, answer, asked
 from .clutch_findings import clutch_findings
 from .pocket_wall import WallPoint, wall_of
 
 Basis = Literal["given", "hertz-ball-on-flat", "hertz-ball-on-curved-wall"]
-_GAINS = 1.02 ** np.arange(1, 121)
-"""Factors by which the gain is raised, one after the other, until a curved wall can be cut."""
 
 
 class SynthesisResult(Asking, Answer):
@@ -72,7 +66,7 @@ def pocket(clutch: Clutch) -> tuple[SynthesisResult, list[Finding]]:
 
     Raises SpecError if the spec lacks what synthesis needs.
     """
-    spec, unit = clutch.spec, _unit(clutch)
+    unit = _unit(clutch)
     diameter = float(clutch["ball_diameter_standard"])
     chosen = None if np.isnan(diameter) else diameter
     wall = wall_of(clutch, clutch["face_gap"], clutch["ball_radius_chosen"])
@@ -89,8 +83,8 @@ def pocket(clutch: Clutch) -> tuple[SynthesisResult, list[Finding]]:
         wall=wall.points() if wall.steepening > 0 and wall.can_be_cut else None, **unknown,
         **_contact(clutch, unit, by_hertz=chosen is not None and wall.can_be_cut),
     )  # fmt: skip
-    remarks = _remarks(clutch, unit, result, clutch["balls_listed"])
-    return result, [*clutch_findings(clutch), *failures_of(spec, clutch, "pocket"), *remarks]
+    findings = [*clutch_findings(clutch), *failures_of(clutch.spec, clutch, "pocket")]
+    return result, [*findings, *_remarks(clutch, unit, result)]
 
 
 def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[str, Any]:
@@ -136,20 +130,17 @@ def completed(result: SynthesisResult) -> dict[str, Any]:
     return changes
 
 
-def _remarks(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:
-    """Yield findings on assumed values, sleeve travel, seat of the ball, and a gain with which the wall can be cut."""
-    spec = clutch.spec
+def _remarks(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> Iterator[Finding]:
+    """Yield findings on assumed values, sleeve travel, and the seat of the ball."""
     for key in ("face_gap", "edge_clearance"):
         if getattr(unit, key) is None:
             yield finding("default-clearance", "info", value=getattr(result, key), path=f"control_unit.{key}")
-    if not spec.kind.travels:
+    if not clutch.spec.kind.travels:
         play = clutch["wear_play"]
         code = "no-sleeve-travel/worn" if play else "no-sleeve-travel"
         yield finding(code, "info", value=play, path="heat.lining")
-    if (limit := result.undercut_radius) is not None:
+    if result.undercut_radius is not None:
         yield finding("ball-slides-in-seat", "info", path=f"control_unit.{'pocket' if unit.pocket else 'gain_slope'}")
-        if result.ball_diameter >= 2 * limit and (gain := _gain_that_can_be_cut(spec, sizes)) is not None:
-            yield finding("wall-undercut/gain", "info", value=gain, path="control_unit.gain")
     if unit.balls is None:
         yield finding("balls-not-given", "info", path="control_unit.balls")
     elastic = unit.elasticity
@@ -162,13 +153,3 @@ def _remarks(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, sizes: 
             "contact-assumed", "info", value=result.contact_pressure, limit=result.allowable_pressure,
             path="control_unit.contact", modulus=elastic.wall_modulus, poisson=elastic.wall_poisson,
         )  # fmt: skip
-
-
-def _gain_that_can_be_cut(spec: Spec, sizes: Sequence[float]) -> float | None:
-    """Smallest gain, in steps of 2 %, with which a standard ball is large enough and undercuts no wall, else None."""
-    gains = float(quantities_of(spec)["gain"]) * _GAINS
-    with np.errstate(all="ignore"):
-        steeper = quantities_of(with_key(spec, "control_unit.gain", float(gains[0]))).at(gain=gains)
-        ball = next_listed(2 * steeper["ball_radius"], sizes)
-        cut = np.broadcast_to(ball / 2 < steeper["undercut_radius"], gains.shape)
-    return float(gains[cut.argmax()]) if cut.any() else None

@@ -1,12 +1,11 @@
 """Torque and forces of the slipping clutch."""
 
 from collections.abc import Iterable
-from typing import ClassVar, TypeVar
+from typing import ClassVar
 
 from pydantic import ConfigDict, SerializeAsAny
 
 from ..engines import Clutch
-from ..engines.quantities import Quantities
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..result import Answer, Triple, described, quantity
@@ -81,53 +80,41 @@ class TorqueResult(Asking, Answer):
 
 
 Pair = tuple[float, float | None]
-T = TypeVar("T")
 
 
 def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
     """Calculate torque and forces over the friction range, and at the given frictions (f, None) or (f_1, f_2)."""
     spec = clutch.spec
     points = pairs_asked(clutch, friction)
-    left_out = {"friction": None} if spec.friction.unlike else {"friction_driving": None, "friction_driven": None}
-    if not spec.kind.travels:
-        left_out["pack_force_at_rest"] = None  # it equals the closing force
+    absent = {"friction": None} if spec.friction.unlike else {"friction_driving": None, "friction_driven": None}
+    at_rest = {} if spec.kind.travels else {"pack_force_at_rest": None}  # it equals the closing force
     result = answer(
-        TorqueResult, clutch, torque_range=answer(TorqueExtremes, clutch),
-        points=[_point(clutch, *pair, unlike=spec.friction.unlike) for pair in points] or None, **left_out,
+        TorqueResult, clutch, torque_range=answer(TorqueExtremes, clutch), **absent, **at_rest,
+        points=[answer(FrictionPoint, clutch.at_friction(*pair), **absent) for pair in points] or None,
     )  # fmt: skip
     remarks = [remark for pair in points for remark in outside_range(clutch, *pair)]
     return result, [*clutch_findings(clutch), *remarks]
 
 
-def _point(clutch: Quantities, friction: float, friction_driven: float | None, *, unlike: bool) -> FrictionPoint:
-    if not unlike:
-        there = clutch.at(friction=friction)
-        return answer(FrictionPoint, there, friction_driving=None, friction_driven=None)
-    driven = friction if friction_driven is None else friction_driven
-    there = clutch.at(friction_driving=friction, friction_driven=driven)
-    return answer(FrictionPoint, there, friction=None)
-
-
-def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
-    """Return the given frictions; raises CalculationError if a clutch of one material gets a pair f_1, f_2."""
+def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[tuple[float, float]]:
+    """Return the given frictions as (f_1, f_2); raises CalculationError if a clutch of one material gets two."""
     points = list(friction)
     if not clutch.spec.friction.unlike and any(pair[1] is not None for pair in points):
         raise CalculationError(
             "--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)"
         )
-    return points
+    return [(first, first if second is None else second) for first, second in points]
 
 
-def friction_fields(clutch: Clutch, friction: T, friction_driven: T | None) -> dict[str, T]:
+def friction_fields(clutch: Clutch, first: float, second: float) -> dict[str, float]:
     """Return frictions as result fields: ``friction`` or, with unlike materials, a field for each group of pairs."""
-    if not clutch.spec.friction.unlike:
-        return {"friction": friction}
-    return {"friction_driving": friction, "friction_driven": friction if friction_driven is None else friction_driven}
+    return (
+        {"friction_driving": first, "friction_driven": second} if clutch.spec.friction.unlike else {"friction": first}
+    )
 
 
-def outside_range(clutch: Clutch, friction: float, friction_driven: float | None) -> list[Finding]:
+def outside_range(clutch: Clutch, *pair: float) -> list[Finding]:
     """Findings on a given friction that lies outside the friction range of the spec."""
-    pair = (friction, friction if friction_driven is None else friction_driven)
     findings = [
         finding(
             "friction-outside-range", "info", value=value, limit=allowed.min if value < allowed.min else allowed.max,

@@ -1,9 +1,8 @@
 """Overload with a torque margin (S22): potential torque, actuation torque as published and at equilibrium."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
 from ..engines import Clutch
-from ..engines.quantities import Quantities
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
@@ -13,9 +12,6 @@ from .clutch_findings import clutch_findings
 from .registry import ANALYSES
 from .sweep import Axis, replaced, series
 from .torque import Pair, outside_range, pairs_asked
-
-SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)
-"""Shares of the rise of the load until slip, at which the potential torque is listed."""
 
 
 class OverloadSweep(Asking, Series):
@@ -45,15 +41,6 @@ class OverloadPoint(Asking):
     actuation_torque_published: float = asked()
     actuation_torque_equilibrium: float = asked()
     actuation_factor: float = asked()
-
-
-class RisenLoad(Asking):
-    """The clutch under a load between the machine's nominal torque and slip."""
-
-    friction: float = asked()
-    rise: float = asked("risen_load", "rise of the load above T_н.маш")
-    load: float = asked("load_risen")
-    potential_torque: float = asked("potential_torque_risen")
 
 
 class OverloadResult(Asking, Answer):
@@ -86,7 +73,6 @@ class OverloadResult(Asking, Answer):
     accuracy_factor_equilibrium: float = asked()
     sweep: list[OverloadSweep] | None = described("overload over the swept values", optional=True)
     points: list[OverloadPoint] | None = described("at the friction asked for", optional=True)
-    loads: list[RisenLoad] | None = described("load from the machine's nominal torque up to slip", optional=True)
 
 
 def overload(
@@ -102,10 +88,14 @@ def overload(
     trips = [clutch.at(friction=value) for value, _ in points]
     first = {} if clutch["bypass_pairs"] else {"potential_torque_bypass_first": None}
     alike = {} if clutch["bypass_pairs"] else {"potential_torque_gain": None}
+    # frictions between which the published actuation torque is below the expected torque, S22 (17)
+    low = high = 0.0
+    if clutch["reduced_gain"] != 0:
+        ends = sorted((clutch["friction_at_equal_potential"], clutch["friction_at_unit_loop_gain"]))
+        low, high = max(ends[0], clutch["friction_min"]), min(ends[1], clutch["friction_max"])
     result = answer(
-        OverloadResult, clutch, **alike, **first, friction_interval=_interval(clutch),
+        OverloadResult, clutch, **alike, **first, friction_interval=[low, high] if low < high else None,
         points=[answer(OverloadPoint, trip, **first) for trip in trips] or None,
-        loads=[answer(RisenLoad, risen) for trip in trips for risen in _loads(trip)] or None,
         sweep=series(OverloadSweep, spec, sweeps, asked_by(OverloadSweep, clutch)),
     )  # fmt: skip
     findings = [*clutch_findings(clutch), finding("published-against-equilibrium", "info")]
@@ -113,13 +103,6 @@ def overload(
         findings.append(finding("margin-role", "warning", value=spec.adjustment.margin, path="adjustment.method"))
     findings += [remark for pair in points for remark in outside_range(clutch, *pair)]
     return result, [*findings, *replaced(spec, sweeps)]
-
-
-def _loads(trip: Quantities) -> Iterator[Quantities]:
-    """Yield the clutch under loads from T_н.маш up to slip; only under T_н.маш if the clutch already slips there."""
-    rise = trip["load_rise"]
-    for share in SHARES if rise > 0 else (0.0,):
-        yield trip.at(risen_load=share * rise)
 
 
 def refuse(clutch: Clutch) -> None:
@@ -130,12 +113,3 @@ def refuse(clutch: Clutch) -> None:
         raise CalculationError(
             "overload: S22 treats all-driving and differentiated clutches of one material, not {what}", what=what
         )
-
-
-def _interval(clutch: Quantities) -> list[float] | None:
-    """Frictions between which the published actuation torque is below the expected torque, S22 (17), or None."""
-    if clutch["reduced_gain"] == 0:
-        return None
-    ends = sorted((clutch["friction_at_equal_potential"], clutch["friction_at_unit_loop_gain"]))
-    low, high = max(ends[0], clutch["friction_min"]), min(ends[1], clutch["friction_max"])
-    return [low, high] if low < high else None

@@ -1,7 +1,7 @@
 """Heat and wear of a trip: work, temperature, trips per hour, trips until the lining is worn off, and findings."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -19,13 +19,13 @@ from ..errors import CalculationError, given
 from ..findings import Finding, finding
 from ..messages import measured, say, translate
 from ..progress import counted
-from ..result import OpenTriple, Triple
+from ..result import OpenTriple
 from ..spec.catalogues import Material, friction_materials
 from ..spec.models import Heat, Spec
 from ..units import ZEROS
 from .asking import Answers
 from .clutch_findings import carried_by_motor, clutch_findings, speed_findings
-from .drive_result import EnergySource, HeatResult
+from .drive_result import EnergySource, HeatResult, ends_of
 from .registry import ANALYSES
 
 _ENDS = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
@@ -41,13 +41,8 @@ class Slip(NamedTuple):
     """Function that applies a law at the friction of the slip, and notes it as a step."""
 
 
-class Trips(NamedTuple):
-    """The trip at f_min, mean friction and f_max, and the source of its heat."""
-
-    source: EnergySource
-    slips: Mapping[str, Slip]
-    found: tuple[Finding, ...]
-    """Findings on the end of the slip."""
+Trips = tuple[EnergySource, dict[str, Slip], list[Finding]]
+"""Source of the heat of a trip, its slips at f_min, mean friction and f_max, and findings on the end of the slip."""
 
 
 def remarks(clutch: Clutch, given: Heat, result: HeatResult) -> Iterator[Finding]:
@@ -57,9 +52,9 @@ def remarks(clutch: Clutch, given: Heat, result: HeatResult) -> Iterator[Finding
     if melted >= IRON_MELTS:
         yield finding("discs-melt", "error", value=melted, limit=IRON_MELTS, path="heat.disc_mass")
     yield from failures_of(clutch.spec, known := heat_values(result), "heat")
-    lining = material_limit(clutch)
+    limits, lining = limits_of(clutch), _weakest(clutch)
     if lining is not None and result.face_temperature is None and known["hottest"] is not None:
-        yield finding("faces-not-judged", "info", path="friction_group.inner_radius", name=lining.name)
+        yield finding("faces-not-judged", "info", path="friction_group.inner_radius", name=lining[1].name)
     if result.surface_temperature_rise is not None:
         # assumptions on which the temperature of the faces rests
         if given.lining_conductivity is None:
@@ -81,10 +76,10 @@ def remarks(clutch: Clutch, given: Heat, result: HeatResult) -> Iterator[Finding
     if missing:
         yield finding("heat-not-told", "info", listed=", ".join(missing))
     # without a limit, a temperature above that of the best material in the catalogue still gives a warning
-    if not limits_of(clutch):
+    if not limits:
         hottest, path = _most(result.face_temperature or result.temperature), "friction.material"
         listed = (clutch.spec.lists.materials or friction_materials()).values()
-        allowed = [(_allowed(one)[1], one.name) for one in listed if one.temperature_max is not None]
+        allowed = [(one.temperature_max + _FREEZING, one.name) for one in listed if one.temperature_max is not None]
         limit, name = max(allowed, default=(IRON_MELTS, ""))
         if limit < hottest < IRON_MELTS:
             yield finding("temperature-beyond-catalogue", "warning", value=hottest, limit=limit, path=path, name=name)
@@ -111,38 +106,18 @@ IRON_MELTS = 1811.0
 """Melting point of iron, K (CRC Handbook of Chemistry and Physics); steel and cast iron melt below it."""
 
 
-class Limit(NamedTuple):
-    """Temperature limit of the discs, K: a requirement (low = high), or the range that a material allows."""
-
-    low: float
-    high: float
-    path: str
-    name: str | None
-    """Name of the material; None if a requirement of the spec sets the limit."""
+def _weakest(clutch: Clutch) -> tuple[str, Material] | None:
+    """Path and row of the friction material that the spec names with the lowest allowable temperature."""
+    named = [(path, row) for path, row in clutch.spec.friction.linings.items() if row.temperature_min is not None]
+    return min(named, key=lambda each: given(each[1].temperature_min), default=None)
 
 
-def material_limit(clutch: Clutch) -> Limit | None:
-    """Allowable temperature of the faces: the lowest limit of the friction materials that the spec names."""
-    linings = clutch.spec.friction.linings.items()
-    allowing = [(path, material) for path, material in linings if material.temperature_min is not None]
-    if not allowing:
-        return None
-    path, material = min(allowing, key=lambda each: _allowed(each[1])[0])
-    return Limit(*_allowed(material), path, material.name)
-
-
-def limits_of(clutch: Clutch) -> list[Limit]:
-    """All temperature limits; a required mean temperature of the discs comes first."""
-    required = clutch.spec.requirements
-    given = {} if required is None else {key: getattr(required, key) for key in ("temperature", "face_temperature")}
-    asked = [Limit(most, most, f"requirements.{key}", None) for key, most in given.items() if most is not None]
-    material = material_limit(clutch)
-    return [*asked, *([] if material is None else [material])]
-
-
-def limit_of(clutch: Clutch) -> Limit | None:
-    """Limit of the mean disc temperature over many trips: a requirement, else the limit of the material."""
-    return next((each for each in limits_of(clutch) if each.path != "requirements.face_temperature"), None)
+def limits_of(clutch: Clutch) -> dict[str, float]:
+    """Path → temperature limit, K: a required mean temperature of the discs, of the faces, the limit of a material."""
+    required, lining = clutch.spec.requirements, _weakest(clutch)
+    asked = {f"requirements.{key}": getattr(required, key, None) for key in ("temperature", "face_temperature")}
+    limits = {path: most for path, most in asked.items() if most is not None}
+    return limits if lining is None else limits | {lining[0]: given(lining[1].temperature_min) + _FREEZING}
 
 
 def heat_values(result: HeatResult) -> dict[str, Any]:
@@ -162,62 +137,74 @@ def heat_values(result: HeatResult) -> dict[str, Any]:
     return known
 
 
-def _allowed(material: Material) -> tuple[float, float]:
-    """Range of temperatures that a material allows, K."""
-    return given(material.temperature_min) + _FREEZING, given(material.temperature_max) + _FREEZING
-
-
 HOUR = 3600.0
 
 
 def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, list[Finding]]:
     """Calculate heat and wear of a trip from the blocks [drive] (what drives the clutch) and [heat] (its discs).
 
-    Raises:
-        SpecError: the [drive] block lacks keys from which the heat of a trip follows.
-        CalculationError: the ambient temperature reaches a limit of the discs.
+    Raises SpecError if [drive] lacks keys from which the heat of a trip follows; CalculationError if the ambient
+    temperature reaches a limit of the discs.
     """
     source, slips, ended = trips(clutch, answers)
-    own, limit, group = discs_of(clutch.spec), limit_of(clutch), clutch.spec.friction_group
-    pairs, area = group.pairs, None
+    own, limits, group, area = discs_of(clutch.spec), limits_of(clutch), clutch.spec.friction_group, None
     if group.inner_radius is not None and group.outer_radius is not None:
         area = clutch.apply(law.friction_area, group.inner_radius, group.outer_radius, math.pi)
-    for each in limits_of(clutch):
-        if own.ambient is not None and own.ambient >= each.low:
+    for path, low in limits.items():
+        if own.ambient is not None and own.ambient >= low:
             raise CalculationError(
                 "heat: heat.ambient, {ambient:.4g °C}, is no cooler than the {limit:.4g °C} that {path} allows",
                 ambient=own.ambient,
-                limit=each.low,
-                path=each.path,
+                limit=low,
+                path=path,
             )
-    faces, shares = _warmed(own, pairs, area, slips)
-    ends = slips.values()
-    work = power = worn_out = rises = None
-    if area is not None:
-        work = OpenTriple.of(slip.energy and slip.apply(law.specific_work, slip.energy, pairs, area) for slip in ends)
-        power = Triple.of(slip.apply(law.power_density, slip.course.power.max(), pairs, area) for slip in ends)
-        if own.wear is not None and own.lining is not None and slack_before_worn(clutch, own) is None:
-            worn_out = _how_many(
-                slips, lambda slip: slip.apply(law.trips_to_wear_out, pairs, area, own.lining, own.wear, slip.energy)
-            )
-    if own.disc_mass is not None:
-        rises = OpenTriple.of(slip.energy and _rise_of(own, slip) * shares[end] for end, slip in slips.items())
+    # the mean temperature of the discs over many trips
+    limit = next((low for path, low in limits.items() if path != "requirements.face_temperature"), None)
+    figures = [_figures(clutch, own, area, None if own.ambient is None else limit, slip) for slip in slips.values()]
     result = HeatResult(
-        energy_source=source,
-        slip_time=OpenTriple.of(slip.time for slip in ends),
-        energy=OpenTriple.of(slip.energy for slip in ends),
-        specific_work=work,
-        power_density=power,
-        temperature_rise=rises,
-        temperature=_temperatures(own, rises),
-        surface_temperature_rise=faces,
-        face_temperature=_temperatures(own, faces),
-        temperature_limit=limit.low if limit and own.ambient is not None else None,
-        **_numbers_of_trips(own, slips, limit),
-        trips_to_wear_out=worn_out,
-        **_setting(clutch, own),
-    )
+        energy_source=source, temperature_limit=None if own.ambient is None else limit,
+        **{name: ends_of(each[name] for each in figures) for name in figures[0]}, **_setting(clutch, own),
+    )  # fmt: skip
     return result, [*clutch_findings(clutch), *ended, *_taken(clutch.spec, own), *remarks(clutch, own, result)]
+
+
+def _figures(
+    clutch: Clutch, own: Heat, area: float | None, limit: float | None, slip: Slip
+) -> dict[str, Values | None]:
+    """Name → result of a slip; None if the slip does not end, and for a number of trips if there is no heat.
+
+    Without data of the lining the discs take all the heat; the temperature of the faces needs their ``area``.
+    """
+    (time, energy, course, apply), pairs, share = slip, clutch.spec.friction_group.pairs, 1.0
+    ambient, mass, cooling = own.ambient, own.disc_mass, own.cooling
+    found, rises = {"slip_time": time, "energy": energy}, dict[str, Values | None]()
+    if area is not None:
+        found["specific_work"] = energy and apply(law.specific_work, energy, pairs, area)
+        found["power_density"] = apply(law.power_density, course.power.max(), pairs, area)
+        rises["face_temperature"] = found["surface_temperature_rise"] = energy
+        if energy:
+            warmed = warming(layers_of(own, pairs, area), pairs * area, course)
+            rises["face_temperature"] = found["surface_temperature_rise"] = float(warmed.face.max())
+            share = float(warmed.disc.max() / course.heat[-1])
+        if own.wear is not None and own.lining is not None and slack_before_worn(clutch, own) is None:
+            worn = energy and apply(law.trips_to_wear_out, pairs, area, own.lining, own.wear, energy)
+            found["trips_to_wear_out"] = worn or None
+    rise = energy
+    if mass is not None:
+        # by all the heat: between trips the lining gives its heat back to the discs
+        rise = energy and apply(law.temperature_rise, energy, mass, own.specific_heat)
+        rises["temperature"] = found["temperature_rise"] = rise and rise * share
+    if ambient is not None:
+        found |= {name: None if each is None else ambient + each for name, each in rises.items()}
+    if limit is None:
+        return found
+    if mass is not None:
+        found["trips_without_cooling"] = apply(law.trips_without_cooling, limit, ambient, rise) if rise else None
+    if cooling is not None:
+        found["trips_per_hour"] = HOUR * apply(law.trips_per_time, cooling, limit, ambient, energy) if energy else None
+    if cooling is not None and mass is not None:
+        found["trips_per_hour_peak"] = _rate(own, slip, given(ambient) + rise, limit) if rise else None
+    return found
 
 
 STEEL = {"density": 7850.0, "specific_heat": 480.0, "conductivity": 50.0}
@@ -245,37 +232,6 @@ def _taken(spec: Spec, own: Heat) -> Iterator[Finding]:
         yield finding("discs-from-layout", "info", value=own.disc_mass, path="heat.disc_mass")
 
 
-def _how_many(slips: Mapping[str, Slip], of: Callable[[Slip], Values]) -> OpenTriple:
-    """Number of trips at each friction whose slip ends and gives heat, else None; without heat it is unlimited."""
-    return OpenTriple.of(of(slip) if slip.energy else None for slip in slips.values())
-
-
-def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
-    if rises is None or own.ambient is None:
-        return None
-    return OpenTriple.of(None if rise is None else own.ambient + rise for rise in vars(rises).values())
-
-
-def _warmed(
-    own: Heat, pairs: int, area: float | None, slips: Mapping[str, Slip]
-) -> tuple[OpenTriple | None, Mapping[str, float]]:
-    """Largest temperature rises of the faces, and largest shares of the heat that are in the discs.
-
-    The rises are None if the area of the faces is not known; without data of the lining the discs take all the heat.
-    """
-    faces: dict[str, Values | None] = {end: slip.energy and 0.0 for end, slip in slips.items()}
-    shares = dict.fromkeys(slips, 1.0)
-    if area is None:
-        return None, shares
-    layers = layers_of(own, pairs, area)
-    for end, slip in slips.items():
-        if slip.energy:
-            warmed = warming(layers, pairs * area, slip.course)
-            faces[end] = float(warmed.face.max())
-            shares[end] = float(warmed.disc.max() / slip.course.heat[-1])
-    return OpenTriple.of(faces.values()), shares
-
-
 def layers_of(own: Heat, pairs: int, area: float) -> list[Layer]:
     """Layers that take heat: the disc, and the lining if its data are known."""
     conductivity, density, specific_heat = given(own.conductivity), given(own.density), given(own.specific_heat)
@@ -286,34 +242,9 @@ def layers_of(own: Heat, pairs: int, area: float) -> list[Layer]:
     return layers
 
 
-def _numbers_of_trips(own: Heat, slips: Mapping[str, Slip], limit: Limit | None) -> dict[str, OpenTriple]:
-    """Numbers of trips that the limit allows: one after the other without cooling, and per hour."""
-    numbers: dict[str, OpenTriple] = {}
-    if limit is None or own.ambient is None:
-        return numbers
-    most, ambient, known = limit.low, own.ambient, own.disc_mass is not None
-    if known:
-        numbers["trips_without_cooling"] = _how_many(
-            slips, lambda slip: slip.apply(law.trips_without_cooling, most, ambient, _rise_of(own, slip))
-        )
-    if own.cooling is not None:
-        numbers["trips_per_hour"] = _how_many(
-            slips, lambda slip: HOUR * slip.apply(law.trips_per_time, own.cooling, most, ambient, slip.energy)
-        )
-    if own.cooling is not None and known:
-        numbers["trips_per_hour_peak"] = _how_many(slips, lambda slip: _rate(own, slip, most, ambient))
-    return numbers
-
-
-def _rise_of(own: Heat, slip: Slip) -> Values:
-    """Temperature rise of the discs by all the heat: between trips the lining gives its heat back to the discs."""
-    rise: Values = slip.apply(law.temperature_rise, slip.energy, own.disc_mass, own.specific_heat)
-    return rise
-
-
-def _rate(own: Heat, slip: Slip, limit: float, ambient: float) -> float:
+def _rate(own: Heat, slip: Slip, temperature: Values, limit: float) -> float:
     """Number of trips per hour at which each trip ends at the temperature limit; 0 if one trip exceeds it."""
-    used = slip.apply(law.share_of_rise, ambient + _rise_of(own, slip), ambient, limit)
+    used = slip.apply(law.share_of_rise, temperature, own.ambient, limit)
     if used >= 1:
         return 0.0
     logarithm = -math.log1p(-used)
@@ -332,30 +263,28 @@ def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
 
 
 def trips(clutch: Clutch, answers: Answers | None = None) -> Trips:
-    """Heat and time of a trip at f_min, mean friction and f_max.
+    """Heat and time of a trip: of the simulated event or, without an event, of a motor side that runs down.
 
-    An event in the [drive] block is simulated; without an event the tool is blocked and the motor side runs down.
-
-    Raises:
-        SpecError: the spec lacks data of the drive.
+    Raises SpecError if the spec lacks data of the drive.
     """
-    spec, drive = clutch.spec, clutch.spec.drive
+    spec, drive, ends = clutch.spec, clutch.spec.drive, {end: clutch.at(f"f_{end}") for end in _ENDS}
     if ANALYSES["simulate"].applies(clutch):
-        return _simulated(answers or Answers(clutch))
+        return _simulated(answers or Answers(clutch), ends)
     if not spec.runs_down:
         raise without_event(spec)
     motor = drive.load_torque if drive.motor_torque is None else drive.motor_torque
     if motor is None:
         motor = clutch["running_torque"]
-    ends = dict(_ends(clutch))
     slips = {end: run_down(spec, there["torque"], motor, there.apply) for end, there in ends.items()}
-    found = (*speed_findings(spec),)
+    found = [*speed_findings(spec)]
     if drive.motor_inertia is None:
-        return Trips("constant-speed", slips, found)
-    carried = {end: there["torque"] for end, there in ends.items() if there["torque"] <= motor}
-    if carried:
-        found += (_carried(drive.cut_off, carried, slips, motor),)
-    return Trips("run-down", slips, found)
+        return "constant-speed", slips, found
+    # the motor carries the slip torque
+    if carried := {end: there["torque"] for end, there in ends.items() if there["torque"] <= motor}:
+        least, at = float(min(carried.values())), ", ".join(translate(_ENDS[end], "symbol") for end in carried)
+        heat = max(float(slips[end].energy or 0.0) for end in carried)
+        found.append(carried_by_motor(least, float(motor), at, measured(least, "N*m", 5), heat, drive.cut_off))
+    return "run-down", slips, found
 
 
 def run_down(spec: Spec, torque: Values, motor: Values, apply: Apply) -> Slip:
@@ -379,24 +308,11 @@ def run_down(spec: Spec, torque: Values, motor: Values, apply: Apply) -> Slip:
     return Slip(time if ended else None, energy if ended else None, course_of(course), apply)
 
 
-def _carried(off: float | None, torques: Mapping[str, Values], slips: Mapping[str, Slip], motor: Values) -> Finding:
-    """Finding that the motor carries the slip torque, with the frictions at which it does."""
-    least, at = float(min(torques.values())), ", ".join(translate(_ENDS[end], "symbol") for end in torques)
-    heat = max(float(slips[end].energy or 0.0) for end in torques)
-    return carried_by_motor(least, float(motor), at, measured(least, "N*m", 5), heat, off)
-
-
-def _ends(clutch: Clutch) -> Iterator[tuple[str, Quantities]]:
-    """Names of f_min, mean friction and f_max, and the clutch at each."""
-    return ((end, clutch.at(f"f_{end}")) for end in _ENDS)
-
-
-def _simulated(answers: Answers) -> Trips:
+def _simulated(answers: Answers, ends: Mapping[str, Quantities]) -> Trips:
     (found, said), slips = answers.ask("simulate"), {}
-    for end, there in counted(say("simulating the event"), [*_ends(answers.clutch)]):
-        time, energy = getattr(found.slip_time, end), getattr(found.slip_energy, end)
+    for end, there in counted(say("simulating the event"), [*ends.items()]):
         rows = case_of(answers.quiet, *(getattr(own, end) for own in answers.clutch.spec.friction.groups)).run().rows
         moments = ((row.time, float(law.slip_power(row.torque_clutch, row.slip)), row.heat) for row in rows)
+        time, energy = getattr(found.slip_time, end), getattr(found.slip_energy, end)
         slips[end] = Slip(time, energy, course_of(moments), there.apply)
-    ended = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))
-    return Trips("simulate", slips, ended)
+    return "simulate", slips, [each for each in said if each.path in ("drive.cut_off", "drive.event.duration")]

@@ -35,7 +35,7 @@ def settled(motion: Motion, powered: Any, pending: Any, peak: Values) -> Flags:
     standing = np.abs(motion.tool) <= _STANDING * train.speed
     with np.errstate(all="ignore"):
         limit = pack.sticks_up_to(motion.turn, motion.normal)
-        still, moving = _standing(motion, powered, limit, peak), _moving(motion, powered, pending)
+        still, moving = _standing(motion, powered), _moving(motion, powered, pending)
         motor, shaft = (np.where(standing, first, last) for first, last in zip(still, moving, strict=True))
         behind = train.hub_inertia + train.driven_inertia
         passed = np.where(motion.rate == 0, shaft, np.maximum(shaft, pack.lift)) if pack.travels else shaft
@@ -85,7 +85,7 @@ def _top(train: Train, inertia: Values, swing: Values) -> Floats:
     return swing * (1 + train.damping / (train.stiffness * inertia) ** 0.5)
 
 
-def _standing(motion: Motion, powered: Any, limit: Values, peak: Values) -> tuple[Values, Values]:
+def _standing(motion: Motion, powered: Any) -> tuple[Values, Values]:
     """Upper bounds of motor and shaft torque while the tool stands, even after the motor is off; inf: no bound."""
     train, pack, front = motion.train, motion.pack, motion.train.front
     rest = np.where(powered, train.engine.at(0.0 * motion.motor), 0.0)
@@ -99,27 +99,10 @@ def _standing(motion: Motion, powered: Any, limit: Values, peak: Values) -> tupl
         swing = np.where(holds, swing, np.hypot(swing, (2 * train.stiffness * pack.work(travel)) ** 0.5))
     speed = swing / (train.stiffness * front) ** 0.5
     motor, top = np.abs(rest) + train.damping * speed, np.abs(rest) + _top(train, front, swing)
-    if pack.travels:
-        most = np.minimum(limit, peak * (pack.net_gain / pack.net_gain_returning))
-        below = _lacks_energy(motion, rest, most)
-        motor, top = (np.where(below, np.minimum(bound, most), bound) for bound in (motor, top))
     torn = np.asarray(powered) & _fed(train, speed)
     if train.kind == "load":
         torn = torn | (top > train.overload)
     return motor, np.where(torn, np.inf, top)
-
-
-def _lacks_energy(motion: Motion, rest: Values, torque: Values) -> Flags:
-    """Flags: a stuck drive has less energy than it takes to load the shaft and the springs with a torque.
-
-    The springs take the torque of the shaft, or its share κ/κ₊ where the driven half swings on the shaft.
-    """
-    pack, stiffness = motion.pack, motion.train.stiffness
-    turn = pack.turn_under(torque)
-    returned = pack.stop_gain / pack.net_gain_returning * pack.work(pack.travel(turn))
-    needed = returned - rest * turn + (torque / 2 - rest) * torque / stiffness
-    energy = motion.stored - rest * (motion.elastic / stiffness + motion.turn)
-    return np.asarray((energy < needed) & (rest < torque))
 
 
 def _moving(motion: Motion, powered: Any, pending: Any) -> tuple[Values, Values]:

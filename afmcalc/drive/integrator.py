@@ -130,8 +130,7 @@ def simulate(
         whole: step on to the end of the slip.
         full: step on to the end of a given duration, even if nothing more can happen.
 
-    Raises:
-        CalculationError: the duration has too many steps.
+    Raises CalculationError if the duration has too many steps.
     """
     shape = np.broadcast_shapes(*shapes(train), *shapes(pack), np.shape(0.0 if duration is None else duration))
     h, end = step_of(train, pack), horizon(train, pack) if duration is None else duration

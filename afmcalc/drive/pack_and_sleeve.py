@@ -322,8 +322,7 @@ class Sleeve(Pack):
 def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sleeve":
     """Return the pack of a clutch at one friction, with its sleeve if the clutch is indirect.
 
-    Raises:
-        CalculationError: the sleeve would be off its stop without load.
+    Raises CalculationError if the sleeve would be off its stop without load.
     """
     bypass, controlled, gain = (clutch[name] for name in ("bypass_pairs", "controlled_pairs", "gain"))
     if not clutch.spec.kind.travels:

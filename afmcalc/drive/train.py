@@ -105,11 +105,7 @@ def without_event(spec: Spec) -> SpecError:
 
 
 def train_of(clutch: Clutch) -> Train:
-    """Return the drive of a clutch.
-
-    Raises:
-        SpecError: the spec has no event, or a motor that cannot carry the load.
-    """
+    """Return the drive of a clutch; raises SpecError without an event, or if the motor cannot carry the load."""
     # validation of the spec guarantees that these values are given if there is an event
     given: Any = clutch.spec.drive
     if (event := given.event) is None:

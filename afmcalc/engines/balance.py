@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+import numpy as np
+
 from ..equations import curved
 from ..equations.arrays import Floats, Values, chosen, quotient, smaller
 from .characteristics import SetSpring, root
@@ -85,8 +87,6 @@ class Balance:
 
     def _tried(self, end: Values, friction: Values) -> Floats:
         """Grid of travels to ``end`` along the first axis; between neighbours the equilibrium friction is monotone."""
-        import numpy as np
-
         grid = places(end + self.nought, _PLACES)
         with np.errstate(all="ignore"):  # division by N = 0 where the closing spring is slack
             found = np.sort(np.concatenate([grid, turned(self._friction_slope, grid)]), axis=0)
@@ -107,8 +107,6 @@ class Balance:
 
         They include every extreme of the torque and both ends of every jump; travels inside a jump become ``start``.
         """
-        import numpy as np
-
         ahead = np.where(np.asarray(end) >= start, 1.0, -1.0)
 
         def torque_slope(at: Floats) -> Values:
@@ -135,8 +133,6 @@ class Balance:
 
 def turned(function: Callable[[Floats], Values], at: Floats) -> Floats:
     """Zero of a function in each interval of the first axis, by bisection; without a zero, the interval's start."""
-    import numpy as np
-
     low, sign = at[:-1], function(at[:-1]) > 0
     high = np.where(sign == (function(at[1:]) > 0), low, at[1:])
     for _ in range(_HALVINGS if (low != high).any() else 0):
@@ -148,15 +144,11 @@ def turned(function: Callable[[Floats], Values], at: Floats) -> Floats:
 
 def places(end: Values, count: int) -> Floats:
     """``count`` + 1 equally spaced values from 0 to ``end``, along the first axis."""
-    import numpy as np
-
     return np.multiply.outer(np.linspace(0.0, 1.0, count + 1), end)
 
 
 def _first(tried: Floats, good: Any) -> tuple[Values, Values]:
     """Last value before the first ``good`` value along the first axis, and this first good value."""
-    import numpy as np
-
     first = np.argmax(good, axis=0)[None]
     before, there = (np.take_along_axis(tried, np.maximum(first - each, 0), axis=0)[0] for each in (1, 0))
     return before, there

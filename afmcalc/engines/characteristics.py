@@ -87,14 +87,9 @@ class DiscCharacteristic:
         return own.parallel * own.series * disc
 
     @property
-    def cone_height(self) -> float:
-        """Cone height l_0 − t of one disc spring, with the thickness t as if without contact flats, m."""
-        return self.part.free_height - self.part.thickness
-
-    @property
     def range(self) -> tuple[float, float]:
-        """Smallest and largest permitted deflection of the stack, m."""
-        whole = self.part.series * self.cone_height
+        """Smallest and largest permitted deflection of the stack, m; shares of t as if without contact flats."""
+        whole = self.part.series * (self.part.free_height - self.part.thickness)
         return LEAST_USED * whole, MOST_USED * whole
 
     @property

@@ -217,17 +217,14 @@ def _has_several_balls(spec: Any) -> bool:
     return balls is not None and (is_array(balls) or balls > 1)
 
 
-def _is_lasting(spec: Any) -> bool:
-    asked = spec.requirements
-    return spec.kind.travels and asked is not None and asked.accuracy_factor and not asked.accuracy_factor_hysteresis
-
-
 _WHEN: Mapping[str, Callable[[Any], Any]] = {
     "breakaway": lambda spec: spec.kind.gain_limit == "breakaway",
     "recommended": lambda spec: spec.kind.gain_limit == "recommended",
     "controlled": lambda spec: spec.kind.controlled and not spec.kind.travels,
     "key": lambda spec: spec.kind.travels and (is_array(friction := spec.control_unit.key_friction) or friction),
-    "lasting": _is_lasting, "faces": lambda spec: spec.friction_group.inner_radius is not None,
+    "lasting": lambda spec: spec.kind.travels and spec.requirements and spec.requirements.accuracy_factor
+    and not spec.requirements.accuracy_factor_hysteresis,
+    "faces": lambda spec: spec.friction_group.inner_radius is not None,
     "no-faces": lambda spec: spec.friction_group.inner_radius is None, "pockets": _has_pockets,
     "several": _has_several_balls, "single": lambda spec: not _has_several_balls(spec),
     "chosen": lambda spec: spec.control_unit.ball_diameter is None,

@@ -1,5 +1,7 @@
 """Laws of a sleeve between disc springs behind curved walls; for straight walls see ``disc_balance``."""
 
+import numpy as np
+
 from ..equations.arrays import chosen, larger, place_of_largest, place_of_smallest, smaller
 from ..equations.wiring import Either
 from .balance import Balance
@@ -58,8 +60,6 @@ def _turns(balance, travel_start, travel_end, friction_low, friction_high, torqu
     """Points of smallest and largest torque between two travels: (torque, friction) of each.
     Source: Handbook, chapter 12; the places are those where the slope of the torque changes its sign. Validity: At
     frictions within a range."""
-    import numpy as np
-
     way = balance.way(travel_start + balance.nought, travel_end + balance.nought)  # + nought: both get the full shape
     friction = np.asarray(balance.friction(way))
     torque = balance.pressed(way) * arm * friction

@@ -2,11 +2,13 @@
 
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from .quantities import Quantities
 from .selection import NAMES
 
-STEP = 2.0**-16
-"""Step of ln p, where p is the value of a key; the error grows with the fourth power of the step."""
+STEP = 2.0**-15
+"""Step of ln p, where p is the value of a key; the error grows with the square of the step."""
 _KINK = 1e-5
 """Difference between left and right slope above which there is a kink."""
 PATHS = {name: f"{path}.{key}" for path, names in NAMES.items() for key, name in names.items() if key != "margin"}
@@ -32,8 +34,6 @@ def elasticities(clutch: Quantities) -> dict[str, Elasticity]:
 
     A constant-torque pocket keeps its present slope C_1.
     """
-    import numpy as np
-
     laws, given = clutch.laws, dict(clutch.given)
     function, variant, method, keys = clutch.laws.made_by or ()
     if "constant-torque" in keys:
@@ -42,7 +42,7 @@ def elasticities(clutch: Quantities) -> dict[str, Elasticity]:
         given["bypass_pairs"] = clutch["bypass_pairs"]
     needs = laws.needs("accuracy_factor", frozenset(given))
     varied = [one for one in PATHS if one in needs and given.get(one)]
-    shares = np.array([-5, -4, -3, -2, -1, 1, 2, 3, 4, 5]) * STEP
+    shares = np.array([-2, -1, 0, 1, 2]) * STEP
     arrays: dict[str, Any] = {}
     for place, one in enumerate(varied):
         arrays[one] = np.full((len(varied), len(shares)), float(given[one]))
@@ -58,16 +58,10 @@ def elasticities(clutch: Quantities) -> dict[str, Elasticity]:
 
 
 def _slopes(beside: list[float]) -> Elasticity:
-    """Elasticity from ten values of ln K_т: from the four in the middle or, at a kink, from five on each side."""
-    below, lower, upper, above = beside[3:7]
-    left, right = -_one_sided(beside[4::-1]), _one_sided(beside[5:])
+    """Elasticity from five values of ln K_т: by the two beside the middle or, at a kink, by the three on each side."""
+    below, lower, middle, upper, above = beside
+    left, right = (3 * middle - 4 * lower + below) / (2 * STEP), (4 * upper - 3 * middle - above) / (2 * STEP)
     if abs(left - right) > _KINK * max(1.0, abs(left), abs(right)):
         return Elasticity(left, right)
-    slope = (8 * (upper - lower) - (above - below)) / (12 * STEP)
+    slope = (upper - lower) / (2 * STEP)
     return Elasticity(slope, slope)
-
-
-def _one_sided(ahead: list[float]) -> float:
-    """Slope at a point from five values on one side, without the value at the point, where a kink may be."""
-    weights = -77, 214, -234, 122, -25
-    return sum(weight * value for weight, value in zip(weights, ahead, strict=True)) / (12 * STEP)

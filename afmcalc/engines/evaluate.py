@@ -1,7 +1,9 @@
-"""Many clutches at once: a spec with arrays in place of some numbers. NumPy is imported on first use."""
+"""Many clutches at once: a spec with arrays in place of some numbers."""
 
 from collections.abc import Callable, Mapping
 from itertools import product
+
+import numpy as np
 
 from ..equations.arrays import Floats, Values
 from ..errors import AfmcalcError, SpecError
@@ -27,8 +29,6 @@ def evaluate(
     Every constraint of a spec bounds one value or orders two values, so it suffices to validate the extremes of the
     arrays; then the arrays go through the same engine as numbers. Raises SpecError if a spec with extremes is invalid.
     """
-    import numpy as np
-
     arrays = {path: np.asarray(array, float) for path, array in values.items()}
     for path, array in arrays.items():
         if array.size == 0:

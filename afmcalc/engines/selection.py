@@ -24,7 +24,7 @@ from ..equations.arrays import along_path, is_array
 from ..messages import say
 from ..spec import Spec, make_spec
 from ..spec.catalogues import balls
-from ..variants import VARIANTS, Variant
+from ..variants import VARIANTS
 from .quantities import Case, Laws, Quantities
 
 Part: TypeAlias = ModuleType | Mapping[str, Any]
@@ -53,7 +53,16 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
     unlike_materials = "friction_driving_min" in keys
     slips, slips_from_mean = {"friction": "friction_slips"}, life.FORECAST_OF_SLIPS
     kind = VARIANTS[variant]
-    parts: list[Part] = [*_parts_of(kind), METHODS[method]]
+    # a law in a later module replaces an earlier law of the same name
+    if kind.travels:
+        parts = [*_EVERY, control_unit, indirect]
+    elif not kind.controlled:
+        parts = [*_DIRECT, direct.CONVENTIONAL]
+    else:
+        bypass = kind.bypass(1, None)  # default of the variant, for any number of pairs
+        part = direct.DIFFERENTIATED if bypass else direct.ALL_DRIVING
+        parts = [*_DIRECT, control_unit, part, {"bypass_pairs": bypass}]
+    parts.append(METHODS[method])
     if unlike_materials:
         parts += [accuracy.TURNING, unlike, _METHODS_UNLIKE[method]]
         slips = unlike.OF_SLIPS
@@ -73,16 +82,6 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
     laws = Laws(*parts, cases=cases)
     laws.made_by = laws_for, variant, method, keys
     return laws
-
-
-def _parts_of(kind: Variant) -> tuple[Part, ...]:
-    """Modules with the laws of a variant; a law in a later module replaces an earlier law of the same name."""
-    if kind.travels:
-        return (*_EVERY, control_unit, indirect)
-    if not kind.controlled:
-        return (*_DIRECT, direct.CONVENTIONAL)
-    bypass = kind.bypass(1, None)  # default of the variant, for any number of pairs
-    return (*_DIRECT, control_unit, direct.DIFFERENTIATED if bypass else direct.ALL_DRIVING, {"bypass_pairs": bypass})
 
 
 def _sleeve(keys: frozenset[str]) -> Iterator[Part]:
@@ -197,7 +196,9 @@ def given(spec: Spec) -> dict[str, Any]:
             block = None if block is None else getattr(block, name)
         if block is not None:
             found |= {name: value for key, name in names.items() if (value := getattr(block, key)) is not None}
-    found |= dict(_materials(spec))
+    for path, friction in spec.friction.blocks.items():  # smallest and largest friction of each material named
+        names, (low, _, high) = NAMES[path], friction.range
+        found |= {names["min"]: low, names["max"]: high}
     if "ball_circle_radius" in found:
         found["balls_listed"] = spec.lists.balls or balls()
     slope = found.get("gain_slope")
@@ -211,13 +212,6 @@ def given(spec: Spec) -> dict[str, Any]:
 
             found[name] = DiscCharacteristic(spring.disc)
     return found
-
-
-def _materials(spec: Spec) -> Iterator[tuple[str, float]]:
-    """Yield name and value of the smallest and the largest friction of each material that the spec names."""
-    for path, block in spec.friction.blocks.items():
-        names, (low, _, high) = NAMES[path], block.range
-        yield from ((names["min"], low), (names["max"], high))
 
 
 def as_set(clutch: Clutch, **values: Any) -> Clutch:

@@ -47,26 +47,20 @@ def test_first_torque_of_the_bypass_pairs():
         assert torque(example(name))[0].onset_torque is None
 
 
-def test_the_load_rises_until_slip():
+def test_the_trip_at_a_friction_asked_for():
     """S22 (6), (9) by hand: z 8, z_1 1, C 0.5, R 0.1 m, F_п 2 kN, f_min 0.1, β_н 1.25, at f = 0.3."""
     result = overload(example("default"), friction=[(0.3, None)])[0]
     (point,) = result.points
     machine = 8 * 2000 * 0.1 * 0.1 / 1.35 / 1.25
     potential = 8 * 0.3 * 0.1 * (2000 - machine * 7 / 8 * 0.5 / 0.1)  # the release force of T_н.маш, shared 1 : 7
     assert (point.potential_torque, point.expected_torque) == pytest.approx((potential, 480 / 2.05))
-    assert [load.load for load in result.loads][::4] == pytest.approx([machine, 480 / 2.05])
-    for load in result.loads:
-        assert load.potential_torque == pytest.approx(8 * 0.3 * 0.1 * (2000 - load.load * 7 / 8 * 0.5 / 0.1))
-    assert result.loads[-1].potential_torque == pytest.approx(result.loads[-1].load)
 
 
 def test_friction_asked_for_of_overload():
-    result, found = overload(example("all-driving"), friction=[(0.01, None)])
+    _, found = overload(example("all-driving"), friction=[(0.01, None)])
     assert "friction-outside-range" in {each.code for each in found}
-    assert len(result.loads) == 1  # the pack slips under the load of the machine already
     with pytest.raises(CalculationError, match="unlike"):
         overload(example("all-driving"), friction=[(0.1, 0.2)])
-    assert overload(example("all-driving"))[0].loads is None
 
 
 def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):

@@ -1,6 +1,6 @@
 """Sheets of curves: clutches over friction, over a spec key or over time, springs, and the papers' figures."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from ...messages import deferred, named, say, translate
@@ -9,10 +9,8 @@ from ..amounts import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
 if TYPE_CHECKING:  # results that are drawn, for signatures only: a plot loads only its own analysis
-    from ...analysis.neglected import EffectsCurve
     from ...analysis.plot_data import AccuracyCurve, LifeCurve, OverloadCurve, SimulateFigure, TorqueCurve
     from ...analysis.simulate import MomentRow
-    from ...analysis.spring_search import SpringCurve, SpringsCurve
     from ...papers.claims import PaperFigure
 
 
@@ -146,55 +144,7 @@ def life(curves: "Sequence[LifeCurve]") -> Sheet:
     return Sheet(title, [chart], f"{about} {beyond}", first.name if single else None)
 
 
-_EFFECTS = {
-    "spline-friction": deferred("discs held in their splines"),
-    "centrifugal": deferred("balls thrown against conical pockets"),
-    "wear": deferred("lining worn"),
-}
-
-
-def effects(curve: "EffectsCurve") -> Sheet:
-    """Torque over friction by the law, and its upper and lower limit with each neglected effect."""
-    lines = [line_of(curve, "torque", curve.friction, style=0)]
-    for style, effect in enumerate(curve.effects, 1):
-        for symbol, torque in (("T_high", effect.high), ("T_low", effect.low)):
-            if torque != curve.torque:
-                label = f"{translate(_EFFECTS[effect.effect])}, {symbol}"
-                lines.append(Line(label, curve.friction, torque, style=style))
-    x, y = axis_of(curve, "friction"), axis_of(curve, "torque", quantity=translate("slip torque"))
-    caption = translate("Springs as set. Of each effect both ends: the torque lies between, by what happened before.")
-    return Sheet(translate("What the law neglects"), [Chart(x, y, lines, from_zero=True)], caption, curve.name)
-
-
 SPRINGS = {"closing": deferred("closing spring"), "control": deferred("control spring")}
-
-
-def springs(curve: "SpringsCurve") -> Sheet:
-    """Force of each spring over its deflection, with its range of use and the range in service."""
-    caption = translate(
-        "Upright: ends of the range of use, and of what service takes of it. Friction between discs is left out."
-    )
-    return Sheet(translate("Springs"), [_spring(spring) for spring in curve.springs], caption, curve.name)
-
-
-def _spring(spring: "SpringCurve") -> Chart:
-    tangent = line_of(spring, "tangent", spring.deflection)
-    label = say("as set: {stated}", stated=stated("F", spring.set_force, "N"))
-    lines = [
-        line_of(spring, "force", spring.deflection),
-        tangent._replace(y=[force if force >= 0 else None for force in spring.tangent]),
-        Line(label, [spring.set_deflection], [spring.set_force], points=True),
-    ]
-    used = _upright(translate("range of use"), [end for end in spring.usable if end > 0], 0)
-    guides = used + _upright(translate("service"), sorted(set(spring.service)), 1)
-    x, y = axis_of(spring, "deflection"), axis_of(spring, "force")
-    title = f"{translate(SPRINGS[spring.spring])}: {translate(spring.part)}"
-    return Chart(x, y, lines, title[:1].upper() + title[1:], guides=guides, from_zero=True)
-
-
-def _upright(label: str, ends: Iterable[float], style: int) -> list[Guide]:
-    """Vertical guides with the same meaning; the legend names only the first guide."""
-    return [Guide("" if number else label, end, across=False, style=style) for number, end in enumerate(ends)]
 
 
 _EVENTS = {

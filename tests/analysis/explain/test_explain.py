@@ -166,11 +166,3 @@ def test_the_contact_along_a_wall_is_shown_where_it_is_largest():
     (found, _), (told, _) = ANALYSES["pocket"].function(build(spec)), explain("pocket", spec)
     for symbol, largest in ("F_n", found.contact_force), ("p_0", found.contact_pressure):
         assert max(step.value for step in told.steps if step.symbol == symbol) == pytest.approx(largest, rel=1e-12)
-
-
-def test_the_search_for_a_gain_that_can_be_cut_is_not_explained(afmcalc):
-    """The thousand steps of the gains that are tried are not shown."""
-    wide = ["--set", "control_unit.edge_clearance=4"]
-    told = afmcalc("explain", "pocket", CONFIGS / "constant-torque.toml", *wide, "--json").json
-    assert "wall-undercut" in {each["code"] for each in told["findings"]}
-    assert len(told["result"]["steps"]) < 70
