@@ -8,7 +8,6 @@ import math
 import re
 import textwrap
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 
 from ..analysis.assembly import ClutchSection
 from ..analysis.pocket_contours import ShopDrawing
@@ -35,7 +34,7 @@ from .plot.section_drawing import section as laid_out
 
 _TITLE_TEXT, _TEXT, _SMALL, _LETTER, _LINE = 7.0, 5.0, 3.5, 0.54, 4.2
 """Sizes of titles, text and notes on paper, mm; largest letter width over font size; line spacing of notes, mm."""
-_SCALES = [*map(Fraction, ("20", "10", "5", "4", "2.5", "2", "1", "1/2", "0.4", "1/4", "1/5", "1/10", "1/20", "1/50"))]
+_SCALES = (20, 10, 5, 4, 2.5, 2, 1, 0.5, 0.4, 0.25, 0.2, 0.1, 0.05, 0.02)
 _WIDE, _HIGH, _TITLE = 420, 297, (185, 55)
 _LEFT, _EDGE = 20, 5
 """Margins of the sheet, mm: the left margin, and each of the other margins."""
@@ -44,7 +43,7 @@ _LEFT, _EDGE = 20, 5
 class ShopSheet:
     """A sheet around a drawing; places on paper are millimetres from the lower left corner of the sheet."""
 
-    scale = Fraction(1)
+    scale = 1.0
     origin = 0.0, 0.0
     """Place of the drawing's origin on paper, mm."""
 
@@ -53,16 +52,16 @@ class ShopSheet:
     ) -> None:
         """Reserve the space of title block and notes: the numbered notes of the spec and ``said``, then ``below``."""
         shop = spec.drawing or ShopNotes()
-        told_first = [
-            shop.hardness and say("hardness of the pocket walls {hardness}", hardness=shop.hardness),
-            shop.tolerance
-            and say(
-                "limit deviations of dimensions that show none: {tolerance}; the same for the division, along the ball "
-                "circle, and for wall angles, across the wall",
-                tolerance=shop.tolerance,
-            ),
-        ]
-        numbered = enumerate(filter(None, (*told_first, *said)), 1)
+        first = [shop.hardness and say("hardness of the pocket walls {hardness}", hardness=shop.hardness)]
+        if shop.tolerance:
+            first.append(
+                say(
+                    "limit deviations of dimensions that show none: {tolerance}; the same for the division, along the "
+                    "ball circle, and for wall angles, across the wall",
+                    tolerance=shop.tolerance,
+                )
+            )
+        numbered = enumerate(filter(None, (*first, *said)), 1)
         texts = [*(f"{number}. {text[0].upper()}{text[1:].rstrip('.')}." for number, text in numbered), *below]
         letters = int((_WIDE - _LEFT - _EDGE - _TITLE[0] - 6) / (_SMALL * _LETTER))
         self.notes = [line for text in texts for line in textwrap.wrap(text, letters, subsequent_indent="    ")]
@@ -75,7 +74,7 @@ class ShopSheet:
     @property
     def unit(self) -> float:
         """Millimetres of the drawing for one millimetre of paper."""
-        return float(1 / self.scale)
+        return 1 / self.scale
 
     def at(self, x: float, y: float) -> Point:
         """Point of the paper, mm, in drawing coordinates."""
@@ -109,29 +108,30 @@ class ShopSheet:
             (160, 35, 25, 5, translate("Scale")), (160, 20, 25, 15, _stated(self.scale)),
             (135, 15, 50, 5, translate("Sheet 1 of 1")), (135, 0, 50, 15, block.organisation),
         ]  # fmt: skip
-        x, y = _WIDE - _EDGE - _TITLE[0], _EDGE
-        boxes = [("frame", _LEFT, y, self.free[0], _HIGH - 2 * _EDGE)]
+        x = _WIDE - _EDGE - _TITLE[0]
+        yield self._box("frame", _LEFT, _EDGE, self.free[0], _HIGH - 2 * _EDGE)
         for left, low, width, height, text in cells:
-            boxes.append(("title", x + left, y + low, width, height))
+            yield self._box("title", x + left, _EDGE + low, width, height)
             if text:
                 size = min(_TITLE_TEXT, 0.7 * height, (width - 2) / (_LETTER * len(text)))
-                middle = self.at(x + left + width / 2, y + low + height / 2 - 0.35 * size)
+                middle = self.at(x + left + width / 2, _EDGE + low + height / 2 - 0.35 * size)
                 yield Inscription(text, middle, size * self.unit, "middle", ours=False)
-        for layer, left, low, width, height in boxes:
-            corner, (right, top) = self.at(left, low), self.at(left + width, low + height)
-            yield Region(layer, (corners((corner[0], right, corner[1], top)),))
         for row, note in enumerate(self.notes, 1):
             yield Inscription(note, self.at(_LEFT + 4, self.low - _LINE * row), _SMALL * self.unit, ours=False)
 
+    def _box(self, layer: str, left: float, low: float, width: float, height: float) -> Region:
+        corner, (right, top) = self.at(left, low), self.at(left + width, low + height)
+        return Region(layer, (corners((corner[0], right, corner[1], top)),))
 
-def largest_scale(size: Point, free: Point) -> Fraction:
+
+def largest_scale(size: Point, free: Point) -> float:
     """Largest standard scale at which ``size`` fits into ``free``, both in mm; else the smallest standard scale."""
     fits = (scale for scale in _SCALES if all(a * scale <= b for a, b in zip(size, free, strict=True)))
     return next(fits, _SCALES[-1])
 
 
-def _stated(scale: Fraction) -> str:
-    number = localized(f"{float(max(scale, 1 / scale)):g}")
+def _stated(scale: float) -> str:
+    number = localized(f"{max(scale, 1 / scale):g}")
     return f"{number}:1" if scale >= 1 else f"1:{number}"
 
 
@@ -194,7 +194,7 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     sheet = ShopSheet(drawing.spec, title, said, *below, mass=mass, material=shop.material)
     wide, high = sheet.free
     own = largest_scale((outer, outer), (_WIDE / 2 - 33, high - 36))
-    left = float(own) * outer + 74
+    left = own * outer + 74
     sheet.scale = largest_scale((2 * back, 2 * side), (wide - left - 60, high - 64))
     middle = (sheet.low + _HIGH - _EDGE) / 2 - 4
     sheet.origin = (left + _WIDE - 18) / 2, middle
@@ -212,8 +212,8 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     for x, y in ((back + 3 * sheet.unit, 0.0), (0.0, side + 3 * sheet.unit)):
         shapes.append(Stroke("centre", ((-x, -y), (x, y))))
     shapes += _roughness(sheet, drawing)
-    x = _LEFT + 52 + float(own) * outer / 2
-    shapes += _end_view(sheet, drawing, sheet.at(x, middle), float(own / sheet.scale))
+    x = _LEFT + 52 + own * outer / 2
+    shapes += _end_view(sheet, drawing, sheet.at(x, middle), own / sheet.scale)
     title = say("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
     shapes.append(Inscription(title, (0.0, side + 30 * sheet.unit), _TITLE_TEXT * sheet.unit, "middle"))
     title = say("Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
@@ -293,6 +293,6 @@ def section(clutch: ClutchSection, spec: Spec) -> Drawing:
     left, low, right, high = drawing.frame
     size = right - left, high - low
     sheet.scale = largest_scale(size, sheet.free)
-    x, y = ((room - float(sheet.scale) * wide) / 2 for room, wide in zip(sheet.free, size, strict=True))
-    sheet.origin = _LEFT + x - left * float(sheet.scale), sheet.low + y - low * float(sheet.scale)
+    x, y = ((room - sheet.scale * wide) / 2 for room, wide in zip(sheet.free, size, strict=True))
+    sheet.origin = _LEFT + x - left * sheet.scale, sheet.low + y - low * sheet.scale
     return sheet.drawing(drawing.shapes)

@@ -1,10 +1,10 @@
 """The handbook as a document: Markdown that includes formulas, misprints, figures and lists from the program."""
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 
 from markdown_it import MarkdownIt
-from markdown_it.token import Token
+from markdown_it.tree import SyntaxTreeNode
 
 from ... import __version__
 from ...analysis.handbook_content import Entry, Handbook
@@ -21,7 +21,7 @@ from .blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .formulas import broken, equated, formula
 from .html import page
 from .page import figure_of
-from .pieces import said
+from .pieces import said, table
 from .title import today
 
 
@@ -44,60 +44,48 @@ class _Book:
     def __init__(self, handbook: Handbook) -> None:
         parser = MarkdownIt("commonmark", {"html": False}).enable("table")
         self.handbook, self.numbers, self.figures = handbook, dict[str, str](), 0
-        self.lists: dict[str, Callable[[], blocks.Table]] = {
-            "notation": self._notation,
-            "claims": self._claims,
-            "misprints": _misprints,
-            "references": _references,
-        }
-        self.parts: list[tuple[int, str, list[Token]]] = []
+        self.parts: list[tuple[int, str, list[SyntaxTreeNode]]] = []
         for number, words in handbook.chapters.items():
             head, _, body = words.partition("\n")
-            tokens = parser.parse(body)
-            shown = [name for kind, name in _directives(tokens) if kind == "equation"]
+            nodes = SyntaxTreeNode(parser.parse(body)).children
+            shown = [name for node in nodes for kind, name in _directives(node) if kind == "equation"]
             self.numbers |= {name: f"{number}.{count}" for count, name in enumerate(shown, 1)}
-            self.parts.append((number, head.removeprefix("# "), tokens))
+            self.parts.append((number, head.removeprefix("# "), nodes))
 
     def chapters(self) -> list[blocks.Section]:
         """Lay out every chapter; the number of a chapter is in the name of its file."""
         return [
-            blocks.Section(f"chapter-{number}", str(number), said(title), self._chapter(number, tokens))
-            for number, title, tokens in self.parts
+            blocks.Section(f"chapter-{number}", str(number), said(title), self._chapter(number, nodes))
+            for number, title, nodes in self.parts
         ]
 
-    def _chapter(self, number: int, tokens: list[Token]) -> list[Block]:
+    def _chapter(self, number: int, nodes: list[SyntaxTreeNode]) -> list[Block]:
         """Lay out a chapter: the text before its first section, then its sections."""
-        before: list[Block] = []
+        body = before = list[Block]()
         sections: list[blocks.Section] = []
-        body = before
-        left = iter(tokens)
-        for token in left:
-            if token.type == "heading_open":
+        for node in nodes:
+            if node.type == "heading":
                 body, count = [], len(sections) + 1
-                title = self._inline(next(left))
+                title = self._inline(node)
                 sections.append(blocks.Section(f"section-{number}-{count}", f"{number}.{count}", title, body))
-                next(left)
             else:
-                body += self._blocks(token, left)
+                body += self._blocks(node)
         return [*before, *sections]
 
-    def _blocks(self, token: Token, left: Iterator[Token]) -> Iterator[Block]:
-        """Lay out the block that begins with ``token``; the other tokens of the block are taken from ``left``."""
-        if token.type == "inline":
-            found = _blocks_of(token)
-            yield from (self._block(*each) for each in found)
-            if not found:
-                yield blocks.Paragraph(self._inline(token))
-        elif token.type == "fence":
-            lines = [*map(said, token.content.splitlines())]
-            yield blocks.Code(token.content) if token.info == "sh" else blocks.Bullets(lines, "derivation")
-        elif token.type == "bullet_list_open":
-            yield blocks.Bullets([*map(self._inline, _until("bullet_list_close", left))])
-        elif token.type == "table_open":
-            rows: list[int] = []
-            cells = [*map(self._inline, _until("table_close", left, rows))]
-            head, *others = [cells[start:end] for start, end in zip(rows, [*rows[1:], None], strict=True)]
-            yield blocks.Table("", text(), head, others)
+    def _blocks(self, node: SyntaxTreeNode) -> list[Block]:
+        """Lay out a block of Markdown."""
+        match node.type:
+            case "fence" if node.info == "sh":
+                return [blocks.Code(node.content)]
+            case "fence":
+                return [blocks.Bullets([*map(said, node.content.splitlines())], "derivation")]
+            case "bullet_list":
+                return [blocks.Bullets([*map(self._inline, node.children)])]
+            case "table":
+                rows = (row for part in node.children for row in part.children)
+                head, *others = ([*map(self._inline, row.children)] for row in rows)
+                return [blocks.Table("", text(), head, others)]
+        return [self._block(*each) for each in _directives(node)] or [blocks.Paragraph(self._inline(node))]
 
     def _block(self, kind: str, name: str) -> Block:
         if kind == "equation":
@@ -108,9 +96,7 @@ class _Book:
             self.figures += 1
             sheet = SCHEMES[name]() if kind == "figure" else sheet_of(name.split()[0], self.handbook.plots[name])
             return figure_of(self.figures, sheet)
-        if kind == "mend":
-            return _mended_by(name)
-        return self.lists[name]()
+        return _mended_by(name) if kind == "mend" else getattr(self, f"_{name}")()
 
     def _formula(self, entry: Entry) -> blocks.Step:
         """Lay out a formula: meanings of its symbols, example, sources, proofs, and the commands that calculate it."""
@@ -130,20 +116,10 @@ class _Book:
         notes = []
         if validity := translate(equation.validity):
             notes.append(text(_strong(say("Validity:")), " ", self._linked(validity, equation.name)))
-        notes += [
-            text(
-                *(
-                    _strong(say("Printed:")),
-                    " ",
-                    said(worded(place.id)),
-                    ": ",
-                    said(worded(place.printed or ""), False),
-                ),
-                f" ({place.misprint})",
-            )
-            for place in entry.printed
-            if place.status == "mended"
-        ]
+        for place in entry.printed:
+            if place.status == "mended":
+                print_of = said(worded(place.id)), ": ", said(worded(place.printed or ""), False)
+                notes.append(text(_strong(say("Printed:")), " ", *print_of, f" ({place.misprint})"))
         proofs = when(entry.proofs, _strong(say("Proved by:")), " ", _codes(entry.proofs), "; ")
         commands = _codes(entry.commands) if entry.commands else text(say("no command"))
         by = text(_strong(say("Calculated by:")), " ", commands, "; ")
@@ -165,20 +141,17 @@ class _Book:
             pieces.append(self._see(name) if place % 2 and name in self.numbers else said(part))
         return text(*pieces)
 
-    def _inline(self, token: Token) -> Text:
-        """Typeset a line of Markdown."""
-        levels: list[list[str | Piece | Text]] = [[]]
-        for child in token.children or []:
-            if child.type == "em_open":
-                levels.append([])
-            elif child.type == "em_close":
-                inner = levels.pop()
-                levels[-1].append(piece("em", text(*inner)))
-            elif child.type == "code_inline":
-                levels[-1].append(piece("code", child.content))
-            else:
-                levels[-1].append(" " if child.type == "softbreak" else self._text(child.content))
-        return text(*levels[0])
+    def _inline(self, node: SyntaxTreeNode) -> Text:
+        """Typeset a node of Markdown and its children."""
+        match node.type:
+            case "text":
+                return self._text(node.content)
+            case "softbreak":
+                return text(" ")
+            case "code_inline":
+                return text(piece("code", node.content))
+        inner = text(*map(self._inline, node.children))
+        return text(piece("em", inner)) if node.type == "em" else inner
 
     def _text(self, content: str) -> Text:
         before, *pieces = _INLINE.split(content)
@@ -200,7 +173,7 @@ class _Book:
         meant = [(term.symbol, translate(term.meaning), typeset(term.unit)) for term in terms if term.meaning]
         rows = {(name, meaning, translate(unit, "unit")) for name, meaning, unit in meant}
         rows_in_order = sorted(rows, key=lambda row: (row[0].casefold(), *row))
-        return _table(("Symbol", "Quantity", "Unit"), [[*map(said, row)] for row in rows_in_order])
+        return table("", ("Symbol", "Quantity", "Unit"), [[*map(said, row)] for row in rows_in_order])
 
     def _claims(self) -> blocks.Table:
         rows = [
@@ -215,7 +188,22 @@ class _Book:
             for row in self.handbook.claims
         ]
         heads = "No.", "Source", "Inputs", "Printed", "Computed", "Verdict", "Why"
-        return _table(heads, rows, role="claims", named=True)
+        return table("claims", heads, rows, named=True)
+
+    def _misprints(self) -> blocks.Table:
+        rows = [
+            [
+                text(piece("link", entry.id, entry.id)),
+                said(translate(entry.where)),
+                text(translate(entry.status, "value")),
+            ]
+            for entry in misprints()
+        ]
+        return table("", ("No.", "Where", "Kind"), rows)
+
+    def _references(self) -> blocks.Table:
+        rows = [[text(name), said(source)] for name, source in references().items() if name != "handbook"]
+        return table("", ("Cited as", "Source"), rows, named=True)  # without the handbook, which does not cite itself
 
 
 def _strong(words: str | Text) -> Piece:
@@ -253,32 +241,11 @@ _NAMED = re.compile("``([a-z_.]+)``")
 _BLOCK = re.compile(r"\{(equation|misprint|figure|plot|list|mend) ([^{}]+)\}")
 
 
-def _blocks_of(token: Token) -> list[tuple[str, str]]:
-    """Kind and name of each directive in a paragraph of directives; empty for a paragraph of prose."""
-    lines = [_BLOCK.fullmatch(line.strip()) for line in token.content.splitlines()]
-    return [(line[1], line[2]) for line in lines if line] if all(lines) else []
-
-
-def _directives(tokens: list[Token]) -> Iterator[tuple[str, str]]:
-    return (pair for token in tokens if token.type == "inline" for pair in _blocks_of(token))
-
-
-def _until(end: str, left: Iterator[Token], rows: list[int] | None = None) -> list[Token]:
-    """Take tokens up to the type ``end``; return the inline tokens; append to ``rows`` how many precede each row."""
-    texts: list[Token] = []
-    for token in left:
-        if token.type == end:
-            break
-        if token.type == "tr_open" and rows is not None:
-            rows.append(len(texts))
-        texts += [token] if token.type == "inline" else []
-    return texts
-
-
-def _table(
-    heads: Sequence[str], rows: Sequence[Sequence[Text]], *, role: str = "", named: bool = False
-) -> blocks.Table:
-    return blocks.Table(role, text(), [text(translate(head)) for head in heads], rows, named=named)
+def _directives(node: SyntaxTreeNode) -> list[tuple[str, str]]:
+    """Kind and name of each directive in a paragraph of directives; empty for any other block."""
+    lines = node.children[0].content.splitlines() if node.type == "paragraph" else []
+    found = [_BLOCK.fullmatch(line.strip()) for line in lines]
+    return [(line[1], line[2]) for line in found if line] if all(found) else []
 
 
 def _mended_by(ways: str) -> blocks.Paragraph:
@@ -289,16 +256,3 @@ def _mended_by(ways: str) -> blocks.Paragraph:
 
 
 _ARROWS = {"+": "↑", "-": "↓", "±": "↕"}
-
-
-def _misprints() -> blocks.Table:
-    rows = [
-        [text(piece("link", entry.id, entry.id)), said(translate(entry.where)), text(translate(entry.status, "value"))]
-        for entry in misprints()
-    ]
-    return _table(("No.", "Where", "Kind"), rows)
-
-
-def _references() -> blocks.Table:
-    rows = [[text(name), said(source)] for name, source in references().items() if name != "handbook"]
-    return _table(("Cited as", "Source"), rows, named=True)  # without the handbook, which does not cite itself

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
-from ...analysis.explain.explain import CaseRow, Derivation, Meaning
+from ...analysis.explain.explain import Circumstance, Derivation, Meaning
 from ...analysis.spring_search import SpringsResult
 from ...formula_tree import Tree, symbol_tree, value_tree
 from ...messages import deferred, say, translate, with_unit
@@ -19,7 +19,7 @@ from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curve_sheets import SPRINGS
 from ..text_tables import TextTable, blocks, cells, quantities
-from .blocks import Piece, Step, Text, listed, piece, text
+from .blocks import Piece, Step, Text, listed, piece, text, when
 from .formulas import SHORT, Formula, broken, formula, size
 from .pieces import marks, said
 from .words import form, told
@@ -39,16 +39,12 @@ def chapters(dossier: Dossier) -> list[Chapter]:
     return [
         Chapter(
             topic,
-            [_captioned(topic, table) for table in _tables(topic)],
+            [_captioned(topic, table) for table in _TABLES.get(topic.name, _laid_out)(topic.result)],
             [step_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations],
             [] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
         )
         for topic in dossier.topics
     ]
-
-
-def _tables(topic: Topic) -> list[TextTable]:
-    return _TABLES[topic.name](topic.result) if topic.name in _TABLES else _laid_out(topic.result)
 
 
 def _captioned(topic: Topic, table: TextTable) -> TextTable:
@@ -57,7 +53,7 @@ def _captioned(topic: Topic, table: TextTable) -> TextTable:
     return table if table.title else table._replace(title=f"{title}: {', '.join(heads)}" if heads[1:] else title)
 
 
-def _laid_out(result: Result) -> list[TextTable]:
+def _laid_out(result: Any) -> list[TextTable]:
     """Tables of a result, in which symbols and names replace keys of the spec."""
     laid_out = document(result)
     tables = [table._replace(columns=[*chain(*map(_named, table.columns))]) for table in laid_out.tables]
@@ -73,9 +69,9 @@ def peaks(dossier: Dossier) -> list[TextTable]:
 
 
 _PEAKS = (
-    *("peak_torque", "dynamic_factor", "slip_time", "energy", "temperature", "face_temperature"),
-    *("trips_per_hour", "trips_to_wear_out"),
-)
+    "peak_torque", "dynamic_factor", "slip_time", "energy", "temperature", "face_temperature", "trips_per_hour",
+    "trips_to_wear_out",
+)  # fmt: skip
 
 
 def _both_settings(result: AdjustResult) -> list[TextTable]:
@@ -122,17 +118,13 @@ _FRICTION = {
     "friction.driven": ("f_2", deferred("friction of the driven pairs in service")),
 }
 
-_TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {
-    "adjust": _both_settings,
-    "springs": _named_springs,
-}
+_TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {"adjust": _both_settings, "springs": _named_springs}
 """Topic → function that makes its tables, for topics whose tables ``_laid_out`` does not make."""
 
 
 def step_of(step: Derivation, method: str) -> Step:
     """Lay out a derivation; lines that all have the spring setting of the spec, ``method``, do not name it."""
-    columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "setting", "side")]
-    columns = [(name, labels) for name, labels in columns if any(labels)]
+    columns = _labels([row.case for row in step.rows], method)
     symbol, first = symbol_tree(translate(step.symbol)), step.rows[0]
     in_one_line = not columns and len(step.rows) == 1 and size(step.formula) + size(first.numbers) <= SHORT
     # the formula may consist of the symbol alone, and the formula with numbers of the value alone
@@ -143,9 +135,9 @@ def step_of(step: Derivation, method: str) -> Step:
     room = SHORT - 12 * max(0, len(columns) - 1)
     lines = [
         ([*map(said, labels)], _worked(symbol, broken(row.numbers, room), _values(row.value, step.unit)))
-        for row, *labels in zip(step.rows, *(labels for _, labels in columns), strict=True)
+        for row, *labels in zip(step.rows, *columns.values(), strict=True)
     ]
-    heads = [*(told(name) for name, _ in columns), say("Numbers put in")]
+    heads = [*map(told, columns), say("Numbers put in")]
     return Step(
         what=_what(step),
         number=str(step.number) if step.formula else "",
@@ -170,8 +162,8 @@ def _what(step: Derivation) -> Text:
 
 def _values(value: float, unit: str) -> list[Tree]:
     """Value in the unit of the tables, after the value in the SI unit if the two units differ."""
-    in_si = with_unit(significant(value), "" if unit == "1" else translate(typeset(unit), "unit"))
-    return [*map(value_tree, dict.fromkeys((in_si, measured(value, unit)) if value else (measured(value, unit),)))]
+    in_si = [with_unit(significant(value), "" if unit == "1" else translate(typeset(unit), "unit"))] if value else []
+    return [*map(value_tree, dict.fromkeys([*in_si, measured(value, unit)]))]
 
 
 def _worked(symbol: Tree, numbers: Tree, values: Sequence[Tree]) -> list[Formula]:
@@ -180,16 +172,16 @@ def _worked(symbol: Tree, numbers: Tree, values: Sequence[Tree]) -> list[Formula
     return [formula(first, *rest[:1]), *(formula((), result) for result in rest[1:])]
 
 
-def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
-    """One column of labels; all are empty if no line has a side, or if all lines have the spring setting ``method``."""
-    cases = [row.case for row in rows]
-    if name == "friction":
-        return [case.at or "" for case in cases]
-    if name == "side":
-        on_sides = any(case.side for case in cases)
-        return [told(f"side/{case.side or 'protected'}") if on_sides else "" for case in cases]
-    labels = [told(f"setting/{case.setting or method}") for case in cases]
-    return [""] * len(rows) if set(labels) == {told(f"setting/{method}")} else labels
+def _labels(cases: Sequence[Circumstance], method: str) -> dict[str, list[str]]:
+    """Columns of labels that tell cases apart; the spring setting ``method`` is named only beside another."""
+    columns = {}
+    if any(case.at for case in cases):
+        columns["friction"] = [case.at or "" for case in cases]
+    if any(case.setting not in (None, method) for case in cases):
+        columns["setting"] = [told(f"setting/{case.setting or method}") for case in cases]
+    if any(case.side for case in cases):
+        columns["side"] = [told(f"side/{case.side or 'protected'}") for case in cases]
+    return columns
 
 
 def explained(meaning: Meaning) -> str:
@@ -200,25 +192,21 @@ def explained(meaning: Meaning) -> str:
 
 def _explained(meanings: Sequence[Meaning]) -> list[Text]:
     """Explain each symbol once, with every formula that gives the symbol."""
-    origins: dict[tuple[str, str], list[tuple[str, int]]] = {}
-    for symbol, words, meaning in ((each.symbol, explained(each), each) for each in meanings):
-        same = (key for key in origins if key[0] == symbol and words in ("", key[1]))
-        known = origins.setdefault(next(same, (symbol, words)), [])
-        known += [] if meaning.number is None else [(meaning.source, meaning.number)]
+    origins: dict[tuple[str, str], list[Piece]] = {}
+    for each in meanings:
+        words = explained(each)
+        same = (key for key in origins if key[0] == each.symbol and words in ("", key[1]))
+        known = origins.setdefault(next(same, (each.symbol, words)), [])
+        known += [] if each.number is None else [_origin(each.source, each.number)]
     return [
-        text(
-            piece("b", said(symbol)),
-            *([" – "] if words or given else []),
-            listed([*([said(words)] if words else []), *map(_origin, given)]),
-        )
-        for (symbol, words), given in origins.items()
+        text(piece("b", said(symbol)), when(words or links, " – "), listed([said(words), *links]))
+        for (symbol, words), links in origins.items()
     ]
 
 
-def _origin(given: tuple[str, int]) -> Piece:
+def _origin(source: str, number: int) -> Piece:
     """Link to the formula that gives a symbol; before the link the quantity's own symbol, if the two differ."""
-    source, number = given
-    words = (
-        say("{source} by ({number})", source=source, number=number) if source else say("by ({number})", number=number)
-    )
+    words = say("by ({number})", number=number)
+    if source:
+        words = say("{source} by ({number})", source=source, number=number)
     return piece("link", said(words), f"formula-{number}")

@@ -52,7 +52,7 @@ def math(formula: Formula) -> str:
     return element("math", *map(_node, formula.tree), display="block")
 
 
-def _row(tree: Tree) -> str:
+def _side(tree: Tree) -> str:
     body = "".join(map(_node, tree))
     return body if len(tree) == 1 else element("mrow", body)
 
@@ -77,9 +77,9 @@ def _node(node: str | Node) -> str:
         case "rows":
             return element("mtable", *(element("mtr", element("mtd", *map(_node, row))) for row in node.parts))
         case "fraction":
-            return element("mfrac", *map(_row, node.parts))
+            return element("mfrac", *map(_side, node.parts))
     _, below, above = node.parts
-    return element("msubsup" if below and above else "msub" if below else "msup", *map(_row, filter(None, node.parts)))
+    return element("msubsup" if below and above else "msub" if below else "msup", *map(_side, filter(None, node.parts)))
 
 
 def fragment(parts: Iterable[Block], level: int = 2) -> str:
@@ -139,22 +139,24 @@ def _caption(name: str, title: Text) -> str:
     return element("b", name) + (f" – {inline(title)}" if title else "")
 
 
+def _row(cells: Sequence[Text], numeric: Sequence[bool], tag: str = "td", row: str = "", **more: str) -> str:
+    numbers = ["number" if each else "" for each in numeric] or [""] * len(cells)
+    shown = (element(tag, inline(cell), **more, class_=kind) for cell, kind in zip(cells, numbers, strict=True))
+    return element("tr", *shown, id=row)
+
+
 def _head(heads: Sequence[Text], numeric: Sequence[bool] = ()) -> str:
-    kinds = ["number" if each else "" for each in numeric] or [""] * len(heads)
-    cells = (element("th", inline(head), scope="col", class_=kind) for head, kind in zip(heads, kinds, strict=True))
-    return element("thead", element("tr", *cells))
+    return element("thead", _row(heads, numeric, "th", scope="col"))
 
 
 def table(block: blocks.Table) -> str:
     """HTML of a table."""
-    kinds = ["number" if each else "" for each in block.numeric] or [""] * len(block.head)
     bodies: list[list[str]] = [[]]
     for row in block.rows:
         if len(row) < len(block.head):
             bodies.append([element("tr", element("th", inline(row[0]), scope="rowgroup", colspan=len(block.head)))])
         else:
-            cells = (element("td", inline(each), class_=kind) for each, kind in zip(row, kinds, strict=True))
-            bodies[-1].append(element("tr", *cells, id=str(row[0]) if block.named else ""))
+            bodies[-1].append(_row(row, block.numeric, row=str(row[0]) if block.named else ""))
     caption = ""
     if block.number:
         name = say("Table {number}", number=block.number)
@@ -236,7 +238,7 @@ def page(document: Document) -> str:
         element("h1", escape(document.name)),
         fragment(document.cover),
     ]
-    if document.contents:
+    if not document.short:
         contents = say("Contents")
         cover.append(element("nav", element("h2", contents), _contents(document.body), aria_label=contents))
     body = element("header", *cover), element("main", fragment(document.body))

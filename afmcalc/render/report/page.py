@@ -18,7 +18,6 @@ from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
-from ...spec.parse import Source
 from ..amounts import display, display_unit, measured, worded
 from ..plot import sheet_of
 from ..plot.chart import Sheet
@@ -28,24 +27,18 @@ from . import blocks
 from .blocks import Block, Document, Piece, Text, listed, piece, text, when
 from .chapters import Chapter, chapters, explained, peaks
 from .html import page
-from .pieces import MISPRINT, cell, cited, name_of, plain, said, unparted
-from .title import text_as_given, title_block, today
+from .pieces import MISPRINT, cell, cited, name_of, plain, said, table, unparted
+from .title import text_as_given, today
 from .words import PEOPLE, SHORT, form, titled, told
 
 
 @dataclass(frozen=True)
 class Subject:
-    """Subject of a report: the dossier of a clutch, and the title block."""
+    """Subject of a report: the dossier of a clutch, and how the report shows it."""
 
     dossier: Dossier
-    given: str
-    """Text of the spec as given."""
-    title: TitleBlock = TitleBlock()
-    """Title block of the spec, as it is: without a date if the spec gives no date."""
     digest: str = ""
     """SHA-256 of the file as given."""
-    source: str = ""
-    """Name of the source from which the spec was read, such as a file name."""
     overrides: Sequence[str] = ()
     """Overrides ``PATH=VALUE`` of values in the spec."""
     with_source: bool = False
@@ -53,19 +46,11 @@ class Subject:
     short: bool = False
     """True if the report is to take two pages: task, limits, section, peaks, heat, conclusions."""
 
-
-def subject_of(
-    dossier: Dossier,
-    source: Source,
-    digest: str,
-    overrides: Sequence[str] = (),
-    *,
-    with_source: bool = False,
-    short: bool = False,
-) -> Subject:
-    """Subject of the report on a clutch that was read from a source."""
-    texts = text_as_given(source), title_block(dossier.spec), digest, source, overrides
-    return Subject(dossier, *texts, with_source, short)
+    @property
+    def title(self) -> TitleBlock:
+        """The [report] block of the spec, dated today if the block has no date."""
+        block = self.dossier.spec.report or TitleBlock()
+        return block if block.date else block.model_copy(update={"date": today()})
 
 
 _PROGRAM = f"afmcalc {__version__}"
@@ -106,33 +91,27 @@ def render(subject: Subject) -> str:
 
 def report(subject: Subject) -> Document:
     """Lay a report out; the same subject gives the same document."""
-    laid_out = _report(subject)
-    body, numbers = cited(laid_out.body)
-    sources = references()
-    entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
-    body = [
-        replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
-        for each in body
-    ]
-    return replace(laid_out, body=[each for each in body if entries or each.key != "references"])
-
-
-def _report(subject: Subject) -> Document:
     dossier, short, title = subject.dossier, subject.short, subject.title
     name = unparted(printable(named(dossier.spec.name) or say("Adaptive friction clutch")))
     kind = say("Calculation report")
     paper = "report" if title.form == "report" and not short else form().paper
     verdict = blocks.Paragraph(said(dossier.check.verdict.sentence), f"sum {dossier.check.grade}", "verdict")
+    body, numbers = cited(_Parts(subject).sections())
+    sources = references()
+    entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
     return Document(
         language=spoken(),
         program=_PROGRAM,
         kind=kind,
         name=name,
         cover=[_entries(subject), _signatures(title), verdict, *_trip(dossier.check)],
-        body=_Parts(subject).sections(),
+        body=[
+            replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
+            for each in body
+            if entries or each.key != "references"
+        ],
         running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
         date=_day(title),
-        contents=not short,
         paper=paper,
         short=short,
         author=title.author or "",
@@ -192,27 +171,29 @@ class _Parts:
         self.labels = {name: str(number) for number, name in enumerate(sections, 1)}
         lettered = zip(appendices, set_so.letters, strict=False)
         self.labels |= {name: say("Appendix {letter}", letter=letter) for name, letter in lettered}
+        titles = {name: told("next" if self.short and name == "conclusion" else name) for name in self.labels}
         return [
-            blocks.Section(
-                name,
-                label,
-                text(told("next" if self.short and name == "conclusion" else name)),
-                [*getattr(self, f"_{name}")()],
-                name in appendices,
-            )
+            blocks.Section(name, label, text(titles[name]), [*getattr(self, f"_{name}")()], name in appendices)
             for name, label in self.labels.items()
         ]
 
-    def _requirements(self) -> Iterator[Block]:
+    def _numbered(self, table: blocks.Table) -> blocks.Table:
+        return replace(table, number=next(self._tables))
+
+    def _shown(self, name: str) -> list[blocks.Figure]:
+        """Draw the figures of a section."""
+        return [figure_of(next(self._figures), sheet) for sheet in self.drawn.get(name, ())]
+
+    def _led(self, lead: str | Text, table: blocks.Table, *more: Block) -> list[Block]:
+        """A paragraph that leads to a table, and the table with its number."""
+        table = self._numbered(table)
+        return [blocks.Paragraph(text(lead, " ", see("table", table.number), ".")), table, *more]
+
+    def _requirements(self) -> Iterable[Block]:
         if not self.required:
-            yield blocks.Paragraph(
-                text(say("The spec states no requirements; the clutch is calculated as it is given."))
-            )
-            return
-        number = next(self._tables)
+            return [_paragraph(say("The spec states no requirements; the clutch is calculated as it is given."))]
         lead = say("What the clutch is to hold, and what it uses of each limit:")
-        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
-        yield from judged(self.required, number, say("Requirements"))
+        return self._led(lead, *judged(self.required, say("Requirements")))
 
     def _checks(self) -> Iterator[Block]:
         held, many = self.held, len(self.held)
@@ -225,9 +206,7 @@ class _Parts:
                 "The {shown} limits of which the clutch uses most, of {count}; utilisation 1 is the limit:",
                 shown=len(held), count=many,
             )  # fmt: skip
-        number = next(self._tables)
-        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
-        yield from judged(held, number, say("Limits and their utilisation"))
+        yield from self._led(lead, *judged(held, say("Limits and their utilisation")))
         if self.findings and not self.short:
             yield blocks.Heading(3, text(say("Findings")))
             yield findings_of(self.findings)
@@ -237,22 +216,19 @@ class _Parts:
             yield blocks.Paragraph(text(lead, " ", at, "."), "note")
 
     def _spec(self) -> Iterator[Block]:
-        figures = self._shown("spec")
-        drawing = say("The clutch in section:")
-        lead = text(drawing, " ", see("figure", *(each.number for each in figures)), ". ") if figures else text()
-        lead = text(lead, say("The values calculated with:"), " ")
+        figures, lead, groups = self._shown("spec"), text(say("The values calculated with:")), self._groups()
+        if figures:
+            drawing = say("The clutch in section:")
+            lead = text(drawing, " ", see("figure", *(each.number for each in figures)), ". ", lead)
         if self.short:
-            yield blocks.Paragraph(text(lead, *map(_in_a_line, self._groups().items())))
+            yield blocks.Paragraph(text(lead, " ", *map(_in_a_line, groups.items())))
         else:
-            number = next(self._tables)
-            yield blocks.Paragraph(text(lead, see("table", number), "."))
             rows: list[list[Text]] = []
             changed = _changed(self.subject.overrides)
-            for group, lines in self._groups().items():
+            for group, lines in groups.items():
                 rows += [[text(group)], *(line.cells(changed) for line in lines)]
-            heads = map(text, (say("Symbol"), say("Quantity"), say("Value"), say("Unit")))
-            title = text(say("Values calculated with"))
-            yield blocks.Table("keys", title, [*heads], rows, [False, False, True, False], number)
+            keys = table("keys", ("Symbol", "Quantity", "Value", "Unit"), rows, say("Values calculated with"))
+            yield from self._led(lead, replace(keys, numeric=[False, False, True, False]))
         yield from figures
 
     def _groups(self) -> dict[str, list[_SpecLine]]:
@@ -261,14 +237,8 @@ class _Parts:
             groups.setdefault(line.group, []).append(line)
         return groups
 
-    def _shown(self, name: str) -> list[blocks.Figure]:
-        """Draw the figures of a section."""
-        return [figure_of(next(self._figures), sheet) for sheet in self.drawn.get(name, ())]
-
-    def _peaks(self) -> Iterator[Block]:
-        number = next(self._tables)
-        yield blocks.Paragraph(text(say("What a trip loads and heats:"), " ", see("table", number), "."))
-        yield quantities(self.peaks[0]._replace(title=told("peaks")), number)
+    def _peaks(self) -> Iterable[Block]:
+        return self._led(say("What a trip loads and heats:"), quantities(self.peaks[0]._replace(title=told("peaks"))))
 
     def _calculation(self) -> Iterator[Block]:
         if not self.short:
@@ -285,7 +255,7 @@ class _Parts:
             yield blocks.Section(topic.name, label, text(translate(topic.title)), [*self._chapter(chapter)])
 
     def _chapter(self, chapter: Chapter) -> Iterator[Block]:
-        topic, tables = chapter.topic, [quantities(table, next(self._tables)) for table in chapter.tables]
+        topic, tables = chapter.topic, [self._numbered(quantities(table)) for table in chapter.tables]
         figures = self._shown(topic.name)
         results = [see("table", *(each.number for each in tables))] if tables else []
         results += [see("figure", *(each.number for each in figures))] if figures else []
@@ -306,26 +276,16 @@ class _Parts:
             yield blocks.Heading(3, text(told("next")))
         yield blocks.Bullets([*map(said, _next(self.dossier))], "next")
 
-    def _references(self) -> Iterator[Block]:
-        yield from ()  # the cited sources are known only after everything else is laid out
+    def _references(self) -> Iterable[Block]:
+        return ()  # the cited sources are known only after everything else is laid out
 
     def _symbols(self) -> Iterator[Block]:
         if spoken() == "en":
-            yield blocks.Paragraph(text(say("In brackets: as the papers write a symbol.")))
-        rows = _symbols(self.chapters, self.lines)
-        yield blocks.Definitions(
-            "symbols",
-            [
-                (text(said(symbol, False), when(papers, " (", said(papers, False), ")")), said(words))
-                for symbol, papers, words in rows
-            ],
-        )
+            yield _paragraph(say("In brackets: as the papers write a symbol."))
+        yield blocks.Definitions("symbols", _symbols(self.chapters, self.lines))
 
     def _misprints(self) -> Iterator[Block]:
-        number = next(self._tables)
         lead = say("Where this calculation departs from the print of its sources, by the number that stands there:")
-        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
-        heads = map(text, (say("No."), say("Where"), say("Printed"), say("Should be")))
         rows = [
             [
                 text(each.id),
@@ -335,7 +295,8 @@ class _Parts:
             ]
             for each in self.mended
         ]
-        yield blocks.Table("misprints", text(told("misprints")), [*heads], rows, number=number, named=True)
+        heads = "No.", "Where", "Printed", "Should be"
+        yield from self._led(lead, table("misprints", heads, rows, told("misprints"), named=True))
         if self.remarks:
             yield findings_of(self.remarks)
 
@@ -343,18 +304,21 @@ class _Parts:
         if overrides := self.subject.overrides:
             lead = say("Overridden on the command line")
             yield blocks.Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
-        yield blocks.Code(printable(self.subject.given, lines=True))
+        yield blocks.Code(printable(text_as_given(self.dossier.spec.label), lines=True))
+
+
+def _paragraph(words: str) -> blocks.Paragraph:
+    return blocks.Paragraph(text(words))
 
 
 def see(what: Literal["table", "figure"], *numbers: int) -> Text:
     """Text that names tables or figures, each with a link."""
-    name = {"table": "table {number}", "figure": "figure {number}"}[what]
-    shown = ((number, filled(name, {"number": number}).replace(" ", "\xa0")) for number in numbers)
-    return listed([piece("link", name, f"{what}-{number}") for number, name in shown])
+    names = ((number, filled(f"{what} {{number}}", {"number": number})) for number in numbers)
+    return listed([piece("link", name.replace(" ", "\xa0"), f"{what}-{number}") for number, name in names])
 
 
-def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterator[Block]:
-    """Lay out the checks in ``rows``, each with limit and utilisation."""
+def judged(rows: Sequence[CheckRow], title: str = "") -> tuple[blocks.Table, *tuple[Block, ...]]:
+    """Lay out the checks in ``rows``, each with limit and utilisation; a note may follow the table."""
     heads = "Verdict", "Check", "Condition", "Value", "Limit", "Unit", "Utilisation"
     cells = [
         [
@@ -369,17 +333,18 @@ def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterat
         for row in rows
     ]
     numeric = [False, False, False, True, True, False, True]
-    yield blocks.Table("judged", text(title), [text(translate(head)) for head in heads], cells, numeric, number)
-    if any(row.shown_unit == "K abs" for row in rows):
-        note = say("The share of a temperature is that of the rise which its limit allows.")
-        yield blocks.Paragraph(text(note), "note")
+    laid_out = replace(table("judged", heads, cells, title), numeric=numeric)
+    if not any(row.shown_unit == "K abs" for row in rows):
+        return (laid_out,)
+    note = say("The share of a temperature is that of the rise which its limit allows.")
+    return laid_out, blocks.Paragraph(text(note), "note")
 
 
-def quantities(block: TextTable, number: int = 0) -> blocks.Table:
+def quantities(block: TextTable) -> blocks.Table:
     """Lay out a table of numbers."""
     role = "quantities" if block.header[-1] == translate("Unit") else ""
     rows = [[*map(cell, row)] for row in block.rows]
-    return blocks.Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric, number)
+    return blocks.Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric)
 
 
 def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Findings:
@@ -433,12 +398,8 @@ def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterab
 
 def _next(dossier: Dossier) -> list[str]:
     """Sentences on the next steps for the designer, the most important first."""
-    lines = [*map(in_words, dossier.steps)]
-    lines += [
-        say("Give what it takes to judge “{name}”.", name=worded(row.name))
-        for row in dossier.check.checks
-        if row.passed is None
-    ]
+    not_judged = (worded(row.name) for row in dossier.check.checks if row.passed is None)
+    lines = [*map(in_words, dossier.steps), *(say("Give what it takes to judge “{name}”.", name=n) for n in not_judged)]
     return lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
 
 
@@ -452,88 +413,75 @@ def _entries(subject: Subject) -> blocks.Entries:
         title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
     entries = [name for name in form().entries if title[name] or name in form().signed]
     changed = "; ".join(name_of(path) if path in keys() else path for path in _changed(subject.overrides))
-    long = {
-        say("Spec"): subject.source,
-        say("SHA-256 of the spec as given"): subject.digest,
-        **({say("Overridden on the command line"): changed} if changed else {}),
-    }
-    return blocks.Entries(
-        [
-            *((told(name), printable(title[name] or ""), False) for name in entries),
-            *((name, printable(value), True) for name, value in long.items()),
-        ]
-    )
+    given = [*((told(name), printable(title[name] or ""), False) for name in entries)]
+    given += [(say("Spec"), printable(subject.dossier.spec.label), True)]
+    given += [(say("SHA-256 of the spec as given"), subject.digest, True)]
+    given += [(say("Overridden on the command line"), printable(changed), True)] if changed else []
+    return blocks.Entries(given)
 
 
 def _signatures(title: TitleBlock) -> blocks.Table:
     """Table of signatures: all roles that sign in this language, and other roles for which a name is given."""
-    heads = map(text, (say("Responsible"), say("Name"), say("Signature"), say("Date")))
     names = {who: getattr(title, who) for who in PEOPLE}
     rows = [
         [text(told(who)), text(printable(name or "")), text(), text()]
         for who, name in names.items()
         if name or who in form().signed
     ]
-    return blocks.Table("signatures", text(), [*heads], rows)
+    return table("signatures", ("Responsible", "Name", "Signature", "Date"), rows)
 
 
-def _frame(title: TitleBlock, headline: str) -> blocks.Frame:
+def _frame(title: TitleBlock, headline: str) -> dict[str, Any]:
     roles = ("Drawn", title.author), ("Checked", title.checked), ("", ""), ("Standards", title.norm_control)
     margin = "Signature and date", "No. of copy", "Instead of no.", "Signature and date", "No. of original"
-    return blocks.Frame(
-        headline=headline,
-        drawing=printable(title.drawing or ""),
-        organisation=printable(title.organisation or ""),
-        revision=printable(title.revision or ""),
-        people=[(translate(role), printable(who or "")) for role, who in (*roles, ("Approved", title.approved))],
-        changes=[*map(translate, ("Chg.", "Sheet", "Document no.", "Sign.", "Date"))],
-        stage=[*map(translate, ("Stage", "Sheet", "Sheets"))],
-        margin=[*map(translate, margin)],
-    )
+    own = {name: printable(getattr(title, name) or "") for name in ("drawing", "organisation", "revision")}
+    return own | {
+        "headline": headline,
+        "people": [(translate(role), printable(who or "")) for role, who in (*roles, ("Approved", title.approved))],
+        "changes": [*map(translate, ("Chg.", "Sheet", "Document no.", "Sign.", "Date"))],
+        "stage": [*map(translate, ("Stage", "Sheet", "Sheets"))],
+        "margin": [*map(translate, margin)],
+    }
 
 
-def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine]) -> list[tuple[str, str, str]]:
+def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine]) -> list[tuple[Text, Text]]:
     """Symbols, each with the papers' symbol if it differs, and with the meaning at its first occurrence."""
-    meanings: dict[str, str] = {}
+    shown: list[tuple[str, str]] = []
     for step in (step for chapter in parts for step in chapter.topic.derivations):
-        for part in step.where:
-            if part.text:
-                meanings.setdefault(native(part.symbol), explained(part))
+        shown += [(part.symbol, explained(part)) for part in step.where if part.text]
         # the name is the heading of the step and therefore begins with a capital
         name = explained(Meaning(step.symbol, step.name, step.unit))
-        first = name[:1].lower() if name[1:2].islower() else name[:1]
-        meanings.setdefault(native(step.symbol), first + name[1:])
+        shown.append((step.symbol, (name[:1].lower() if name[1:2].islower() else name[:1]) + name[1:]))
     tables = [table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol")]
-    named = (
-        (row[0], row[1], row[-1] if table.header[-1] == translate("Unit") else "–")
-        for table in tables
-        for row in table.rows
-    )
-    for shown, words, unit in chain(named, ((native(line.symbol), line.about, line.unit) for line in lines)):
-        if shown:
-            meanings.setdefault(shown, f"{words}, {unit}" if unit not in ("", "–") else words)
-    of_papers = (
-        *(key.symbol or "" for key in keys().values()),
-        *(column.symbol for table in tables if table.source for column in table.source.columns),
-        *(step.symbol for chapter in parts for step in chapter.topic.derivations),
-        *(part.symbol for chapter in parts for step in chapter.topic.derivations for part in step.where),
-    )
-    printed = {shown: symbol for symbol in of_papers if (shown := native(symbol)) != symbol and spoken() == "en"}
-    rows = ((each, printed.get(each, ""), words) for each, words in meanings.items())
-    return sorted(rows, key=lambda row: row[0].casefold())
+    unit = translate("Unit")
+    rows = [(*row[:2], row[-1] if table.header[-1] == unit else "") for table in tables for row in table.rows]
+    rows += [(line.symbol, line.about, line.unit) for line in lines]
+    shown += [(symbol, ", ".join(each for each in told if each not in ("", "–"))) for symbol, *told in rows if symbol]
+    meanings: dict[str, str] = {}
+    for symbol, words in shown:
+        meanings.setdefault(native(symbol), words)
+    of_papers = [key.symbol or "" for key in keys().values()]
+    of_papers += [column.symbol for table in tables if table.source for column in table.source.columns]
+    of_papers += [symbol for symbol, _ in shown]
+    printed = {own: symbol for symbol in of_papers if (own := native(symbol)) != symbol and spoken() == "en"}
+    return [
+        (
+            text(said(symbol, False), when(symbol in printed, " (", said(printed.get(symbol, ""), False), ")")),
+            said(words),
+        )
+        for symbol, words in sorted(meanings.items(), key=lambda each: each[0].casefold())
+    ]
 
 
 def _with_frictions(spec: Spec) -> dict[str, Any]:
     """Return the data of a spec with its friction ranges in full, even if they follow from materials."""
     data: dict[str, Any] = resolved(spec)
-    friction = spec.friction
+    own, friction = data["friction"], spec.friction
     if friction.unlike:
-        groups = {"driving": friction.driving, "driven": friction.driven}
-        data["friction"] |= {
-            name: block.range._asdict() | data["friction"][name] for name, block in groups.items() if block
-        }
+        for name, block in (("driving", friction.driving), ("driven", friction.driven)):
+            own |= {name: block.range._asdict() | own[name]} if block else {}
     else:
-        data["friction"] = friction.range._asdict() | data["friction"]
+        data["friction"] = friction.range._asdict() | own
     return data
 
 

@@ -10,7 +10,7 @@ from ...messages import filled, printable, translate
 from ...papers.register import citations
 from ...spec.keys import keys
 from ..symbols import split
-from .blocks import Drawing, Piece, Text, piece, text
+from .blocks import Drawing, Piece, Table, Text, piece, text
 from .formulas import Formula
 
 
@@ -51,6 +51,13 @@ def cell(words: str) -> Text:
     if words in keys():
         return text(piece("code", words))
     return text(*(part for each in said(words) for part in (_powers(each) if isinstance(each, str) else (each,))))
+
+
+def table(
+    role: str, heads: Iterable[str], rows: Sequence[Sequence[Text]], title: str = "", *, named: bool = False
+) -> Table:
+    """Table under English headings, which are translated."""
+    return Table(role, text(title), [text(translate(head)) for head in heads], rows, named=named)
 
 
 def _powers(words: str) -> Iterable[str | Piece]:
