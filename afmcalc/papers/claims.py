@@ -62,23 +62,29 @@ class PaperFigure(NamedTuple):
 class Recomputed(NamedTuple):
     """Result of recomputing one claim."""
 
+    verdict: Verdict
+    deviation: Any
+    """Relative deviation, computed/printed − 1; None without a printed number."""
     values: Mapping[str, Any]
     """Values for the fields in the text ``computed`` of the claim in ``claims.toml``."""
-    as_printed: Any
-    """True if the claim follows from the formulas and inputs as printed."""
-    corrected: Any = False
-    """True if the claim follows once a misprint is corrected."""
-    deviation: Any = None
-    """Relative deviation, computed/printed − 1; None without a printed number."""
-    undecided: bool = False
-    """True if the paper leaves open the inputs that decide whether the claim is true."""
 
-    @property
-    def verdict(self) -> Verdict:
-        """Verdict on the claim."""
-        if self.as_printed:
-            return "reproduced"
-        return "reproduced with correction" if self.corrected else "undecided" if self.undecided else "not reproduced"
+
+def judged(
+    as_printed: Any, corrected: Any = False, /, *, deviation: Any = None, undecided: bool = False, **values: Any
+) -> Recomputed:
+    """Verdict on a claim, and ``values`` for its text.
+
+    Args:
+        as_printed: True if the claim follows from the formulas and inputs as printed.
+        corrected: True if the claim follows once a misprint is corrected.
+        deviation: relative deviation, computed/printed − 1.
+        undecided: True if the paper leaves open the inputs that decide whether the claim is true.
+        values: numbers, arrays and texts by name.
+    """
+    verdict: Verdict = "undecided" if undecided else "not reproduced"
+    if as_printed or corrected:
+        verdict = "reproduced" if as_printed else "reproduced with correction"
+    return Recomputed(verdict, deviation, {name: np.asarray(each).tolist() for name, each in values.items()})
 
 
 def paper_figure(name: str) -> PaperFigure:
@@ -107,13 +113,6 @@ def paper_figure(name: str) -> PaperFigure:
     axes = {"x": PaperAxis(**entry["x"]), "y": [PaperAxis(**axis) for axis in entry["y"]]}
     panels = [[curve(*about) for about in panel] for panel in entry["panels"]]
     return PaperFigure(wanted.replace("-", " fig. "), **entry | axes | {"panels": panels})
-
-
-def _plain(value: Any) -> Any:
-    """Value with arrays and tuples replaced by lists."""
-    if isinstance(value, list | tuple):
-        return [_plain(each) for each in value]
-    return value.tolist() if isinstance(value, np.ndarray | np.generic) else value
 
 
 def near(computed: Any, printed: float, digits: float) -> Any:
@@ -197,7 +196,7 @@ def claims(papers: list[str], figures: list[str] | None = None) -> tuple[Reprodu
                 module, entry["id"].lower(), None
             ):  # p1 of a paper's module recomputes its claim P1
                 found = recompute()
-                text = filled(entry["computed"], {name: _plain(each) for name, each in found.values.items()})
+                text = filled(entry["computed"], found.values)
                 own = {"computed": text, "deviation": found.deviation, "verdict": found.verdict}
                 rows.append(Row(**{"correction": None, **entry, **own}))
                 if found.verdict != entry["verdict"]:
