@@ -156,8 +156,7 @@ class Angle(NamedTuple):
 
 
 Simple: TypeAlias = Region | Stroke | Circle | Inscription
-Dimension: TypeAlias = Length | Diameter | Angle
-Shape: TypeAlias = Simple | Dimension
+Shape: TypeAlias = Simple | Length | Diameter | Angle
 
 WIDTH = 175.0
 """Width of a drawing that fills the text width of a page, mm on paper."""
@@ -298,6 +297,11 @@ def corners(box: Rectangle) -> tuple[Point, ...]:
     """Corners of a rectangle, anticlockwise from the lower left."""
     left, right, low, high = box
     return (left, low), (right, low), (right, high), (left, high)
+
+
+def rectangle(layer: str, box: Rectangle, part: str = "", hatch: float = 0.0) -> Region:
+    """Area of a rectangle."""
+    return Region(layer, (corners(box),), part, hatch)
 
 
 def outlines(boxes: Sequence[Rectangle]) -> tuple[tuple[Point, ...], ...]:

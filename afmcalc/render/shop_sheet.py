@@ -26,8 +26,8 @@ from .drawing import (
     Region,
     Shape,
     Stroke,
-    corners,
     leader,
+    rectangle,
 )
 from .plot import pocket_drawing as pockets
 from .plot.section_drawing import section as laid_out
@@ -121,7 +121,7 @@ class ShopSheet:
 
     def _box(self, layer: str, left: float, low: float, width: float, height: float) -> Region:
         corner, (right, top) = self.at(left, low), self.at(left + width, low + height)
-        return Region(layer, (corners((corner[0], right, corner[1], top)),))
+        return rectangle(layer, (corner[0], right, corner[1], top))
 
 
 def largest_scale(size: Point, free: Point) -> float:
@@ -200,10 +200,9 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     sheet.origin = (left + _WIDE - 18) / 2, middle
 
     shapes: list[Shape] = [Circle("ball", (0.0, 0.0), unit.ball_diameter * 500)]
-    for each in drawing.contours[2:]:  # the sleeves are drawn with their hatches
-        points = tuple((along * 1e3, around * 1e3) for along, around in each.points)
-        layer = each.layer.lower()
-        shapes.append(Region(layer, (points,)) if each.closed else Stroke(layer, points))
+    *closed, path = pockets.contours(drawing).items()
+    shapes += [Region(name.lower(), (points,)) for name, points in closed[2:]]  # sleeves are drawn with their hatches
+    shapes.append(Stroke("path", path[1]))
     for name, hand in (("SLEEVE_1", 1), ("SLEEVE_2", -1)):
         shapes += pockets.sleeve(drawing, name)
         place = hand * back / 2, -side - 9 * sheet.unit
@@ -228,7 +227,7 @@ def _roughness(sheet: ShopSheet, drawing: ShopDrawing) -> Iterator[Shape]:
     unit, k, groove = drawing.synthesis, sheet.unit, drawing.sleeve.groove * 500
     floor, (back, side) = 1e3 * (unit.face_gap / 2 + unit.pocket_depth_cut), (1e3 * end for end in drawing.extent)
     if rough := (drawing.spec.drawing or ShopNotes()).roughness:
-        wall = [(1e3 * x, 1e3 * y) for x, y in drawing.contours[2].points]
+        wall = pockets.contours(drawing)["POCKET_1"]
         x, y = next(point for point in wall[1:] if -point[1] > groove + 1e-9)
         tip, knee = ((x + floor) / 2, (y - groove) / 2), (back + 4 * k, -side - 12 * k)
         yield from leader("", tip, knee, sheet.text)

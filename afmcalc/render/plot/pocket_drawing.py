@@ -16,6 +16,7 @@ from ..drawing import (
     Drawing,
     Inscription,
     Length,
+    Point,
     Region,
     Shape,
     Stroke,
@@ -40,43 +41,44 @@ def pocket(drawing: ShopDrawing) -> Sheet:
     size, high, right = TEXT * unit, 2 * side + _BETWEEN * unit, WIDTH / 2 * unit
     shapes = list[Shape]()
     for number, (travel, title) in enumerate(titles):
-        shapes += [*_moved(drawing, travel, -number * high), *_ball(drawing, -number * high)]
+        up = -number * high
+        shapes += [*_moved(drawing, travel, up), *_ball(drawing, up)]
         if title:
-            shapes.append(Inscription(title, (size - right, side + 26 * unit - number * high), size))
+            shapes.append(Inscription(title, (size - right, side + 26 * unit + up), size))
         if travel:
-            gap = found.face_gap + travel
-            ends = (-_faces(drawing, travel)[1], -side - high), (_faces(drawing, travel)[0], -side - high)
-            shapes.append(Length(f"s + x = {tenths(gap)}", size, *ends, -side - high - 8 * unit))
+            (first, second), low = _faces(found, travel), up - side
+            label = f"s + x = {tenths(found.face_gap + travel)}"
+            shapes.append(Length(label, size, (-second, low), (first, low), low - 8 * unit))
     shapes += dimensions(drawing, unit, size, lambda symbol, length: f"{symbol} = {tenths(length)}")
     frame = -right, high - side - 14 * unit - len(titles) * high, right, side + 30 * unit
     return Sheet(translate("Ball and pockets, section A–A"), [Drawing(shapes, frame)], _caption(found), drawing.name)
 
 
-def _faces(drawing: ShopDrawing, travel: float) -> tuple[float, float]:
+def _faces(found: SynthesisResult, travel: float) -> tuple[float, float]:
     """Distances of both sleeves' faces from the ball's centre, mm; with a curved wall one sleeve seats the ball."""
-    found = drawing.synthesis
-    share = 1.0 if found.wall is not None else 0.5
-    return 1e3 * (found.face_gap / 2 + share * travel), 1e3 * (found.face_gap / 2 + (1 - share) * travel)
+    first, gap = travel if found.wall is not None else travel / 2, found.face_gap / 2
+    return 1e3 * (gap + first), 1e3 * (gap + travel - first)
 
 
 def _moved(drawing: ShopDrawing, travel: float, up: float) -> Iterator[Shape]:
     """Draw both sleeves off their stop; a sleeve in which the ball moves is turned until a wall touches the ball."""
     found = drawing.synthesis
     steepness = (math.tan(found.wall_angle) + math.tan(found.wall_angle_max or found.wall_angle)) / 2
-    for name, hand, face in zip(("SLEEVE_1", "SLEEVE_2"), (1, -1), _faces(drawing, travel), strict=True):
+    for name, hand, face in zip(("SLEEVE_1", "SLEEVE_2"), (1, -1), _faces(found, travel), strict=True):
         off = face - 500 * found.face_gap
         yield from sleeve(drawing, name, hand * off, up + hand * off * steepness)
 
 
 def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> Iterator[Shape]:
     """Draw one of the sleeves with its pocket, displaced by ``x`` and ``y`` (mm) from its place at the stop."""
-    (contour,) = (
-        tuple((along * 1e3 + x, around * 1e3 + y) for along, around in each.points)
-        for each in drawing.contours
-        if each.layer == name
-    )
+    contour = tuple((along + x, around + y) for along, around in contours(drawing)[name])
     yield Region("hatch", (contour,), hatch=45.0 if name == "SLEEVE_1" else 135.0)
     yield Region(name.lower(), (contour,))
+
+
+def contours(drawing: ShopDrawing) -> dict[str, tuple[Point, ...]]:
+    """Points of every contour by its layer, mm."""
+    return {each.layer: tuple((1e3 * x, 1e3 * y) for x, y in each.points) for each in drawing.contours}
 
 
 def _ball(drawing: ShopDrawing, up: float) -> Iterator[Shape]:
@@ -89,7 +91,7 @@ def _ball(drawing: ShopDrawing, up: float) -> Iterator[Shape]:
 def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Iterator[Shape]:
     """Draw dimensions of pockets and sleeves at the stop; ``k``: millimetres of the drawing for one on paper."""
     unit, shop = drawing.synthesis, drawing.sleeve
-    points = {each.layer: [(along * 1e3, around * 1e3) for along, around in each.points] for each in drawing.contours}
+    points = contours(drawing)
     (face, half), (back, side) = points["POCKET_1"][-1], points["SLEEVE_1"][-1]
     other, groove = points["POCKET_2"][0], shop.groove * 500
     floor = face + unit.pocket_depth_cut * 1e3

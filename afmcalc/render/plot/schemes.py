@@ -18,7 +18,7 @@ from ..drawing import (
     Region,
     Shape,
     Stroke,
-    corners,
+    rectangle,
 )
 from .chart import Sheet
 
@@ -65,10 +65,10 @@ def _shapes(kind: str, box: Rectangle) -> Iterator[Shape]:
         points = ((left + step * turn, low if turn % 2 else high) for turn in range(2 * _TURNS + 1))
         yield Stroke("springs", tuple(points))
     elif kind in _FILLED:
-        yield Region(_FILLED[kind], (corners(box),))
+        yield rectangle(_FILLED[kind], box)
     else:
-        yield from (Region("hatch", (corners(box),), hatch=angle) for angle in _HATCH[kind])
-        yield Region("outline", (corners(box),))
+        yield from (rectangle("hatch", box, hatch=angle) for angle in _HATCH[kind])
+        yield rectangle("outline", box)
 
 
 def _discs(first: float, count: int, inner: float, outer: float) -> tuple[Rectangle, ...]:

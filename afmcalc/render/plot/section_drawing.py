@@ -27,8 +27,10 @@ _COLUMNS = (0.0, 9.5, 55.0, 67.0, 126.0, 146.0)
 
 def section(section: ClutchSection) -> Sheet:
     """Draw a clutch at rest; parts that move are also drawn in their place at f_max."""
-    title = translate("Clutch in section, at rest and at f_max")
-    return Sheet(title, [_drawing(section)], _caption(section), section.name, _assumed(section))
+    title, assumed = translate("Clutch in section, at rest and at f_max"), ""
+    if sizes := [f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items()]:
+        assumed = say("Defaults: {keys}.", keys="; ".join(sizes))
+    return Sheet(title, [_drawing(section)], _caption(section), section.name, assumed)
 
 
 def _drawing(section: ClutchSection) -> draw.Drawing:
@@ -89,11 +91,11 @@ def _along(section: ClutchSection, length: float) -> Iterator[draw.Shape]:
         for part in section.parts.values():
             yield from _part(section, part, hand)
             for box in _rectangles(part.moved, hand):
-                yield _ball(box, "ghost") if part.name == "balls" else draw.Region("ghost", (draw.corners(box),))
+                yield _ball(box, "ghost") if part.name == "balls" else draw.rectangle("ghost", box)
         for one, other, _ in section.overlaps:
             boxes = (same for box in section.parts[one].boxes for same in box.common(section.parts[other].boxes))
             for box in _rectangles(boxes, hand):
-                yield draw.Region("overlap", (draw.corners(box),), f"{one}/{other}")
+                yield draw.rectangle("overlap", box, f"{one}/{other}")
 
 
 def _part(section: ClutchSection, part: DrawnPart, hand: int) -> Iterator[draw.Shape]:
@@ -107,19 +109,19 @@ def _part(section: ClutchSection, part: DrawnPart, hand: int) -> Iterator[draw.S
         yield from _spring(part, boxes[0])
     elif part.name == "pack":
         # a disc for each friction pair, the bypass pairs farthest from the spring, and the carrier of the inner discs
-        face = hand * section.measures["inner_diameter"].high * _MM
-        yield from _cut(part, [(left, right, low, face) if hand > 0 else (left, right, face, high)], [])
-        low, high, step = (face, high, right - left) if hand > 0 else (low, face, right - left)
+        face, wide = hand * section.measures["inner_diameter"].high * _MM, right - left
+        carrier, discs = ((low, face), (face, high)) if hand > 0 else ((face, high), (low, face))
+        yield from _cut(part, [(left, right, *carrier)], [])
         for number in range(part.pieces):
-            disc = left + number * step / part.pieces, left + (number + 1) * step / part.pieces, low, high
-            yield draw.Region("bypass" if number < section.bypass_pairs else "discs", (draw.corners(disc),), part.name)
+            disc = left + number * wide / part.pieces, left + (number + 1) * wide / part.pieces, *discs
+            yield draw.rectangle("bypass" if number < section.bypass_pairs else "discs", disc, part.name)
     else:
         yield from _cut(part, boxes, _rectangles(part.pockets, hand))
 
 
 def _cut(part: DrawnPart, boxes: list[draw.Rectangle], pockets: list[draw.Rectangle]) -> Iterator[draw.Shape]:
     outline, holes = draw.outlines(boxes), draw.outlines(pockets)
-    inside_out = tuple(hole[::-1] for hole in holes)
+    inside_out = (hole[::-1] for hole in holes)
     yield draw.Region("hatch", (*outline, *inside_out), hatch=_HATCH.get(part.name, 135.0))
     yield draw.Region("outline", outline, part.name)
     yield from (draw.Region("outline", (hole,)) for hole in holes)
@@ -133,7 +135,7 @@ def _spring(part: DrawnPart, box: draw.Rectangle) -> Iterator[draw.Shape]:
     """Draw a spring: the wire of a single coil spring, or a zigzag for disc springs and coil springs on a circle."""
     (left, right, low, high), layer = box, "assumed" if part.assumed else "springs"
     wire, long = high - low, right - left
-    yield draw.Region(layer, (draw.corners(box),), part.name)
+    yield draw.rectangle(layer, box, part.name)
     if part.pieces == 1 and wire < 0.4 * long:
         count = min(round(part.turns) + 2, int(long / wire))
         places = (left + wire / 2 + (long - wire) * number / (count - 1) for number in range(count))
@@ -155,9 +157,7 @@ def _from_the_end(section: ClutchSection, middle: float, size: float) -> Iterato
     yield draw.Stroke("centre", ((middle - far, 0.0), (middle + far, 0.0)))
     yield draw.Stroke("centre", ((middle, -far), (middle, far)))
     if bore := 2 * radii.get("bore", 0.0):  # the shaft key: 0.3 by 0.2 of the bore, about as in ISO 773
-        yield draw.Region(
-            "assumed", (draw.corners((middle - 0.15 * bore, middle + 0.15 * bore, 0.38 * bore, 0.58 * bore)),)
-        )
+        yield draw.rectangle("assumed", (middle - 0.15 * bore, middle + 0.15 * bore, 0.38 * bore, 0.58 * bore))
     if balls := section.parts.get("balls"):
         circle, ball = radii["ball_circle"], (balls.row.right - balls.row.left) / 2 * _MM
         yield draw.Circle("centre", (middle, 0.0), circle)
@@ -195,15 +195,10 @@ def _part_list(section: ClutchSection) -> list[list[str]]:
         size = f"Ø {draw.tenths(row.outer_diameter)}{inner} × {long}"
         if part.name == "balls":
             size = translate(ball_designation(row.right - row.left) or f"Ø {display(row.right - row.left, 'm')}")
-        origin = translate("default *") if part.assumed else translate("given")
-        mass = display(row.mass, "kg") if row.mass else "–"
+        origin = translate("default *" if part.assumed else "given")
+        mass = display(row.mass or None, "kg")
         rows.append([str(part.number), translate(part.name, "value"), str(part.pieces), size, mass, origin])
     return [*rows, ["", "", "", "", "Σ " + display(sum(part.row.mass for part in section.parts.values()), "kg"), ""]]
-
-
-def _assumed(section: ClutchSection) -> str:
-    sizes = (f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items())
-    return say("Defaults: {keys}.", keys="; ".join(sizes)) if section.assumed else ""
 
 
 def _caption(section: ClutchSection) -> str:
