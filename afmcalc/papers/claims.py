@@ -70,7 +70,7 @@ class Recomputed(NamedTuple):
 
 
 def judged(
-    as_printed: Any, corrected: Any = False, /, *, deviation: Any = None, undecided: bool = False, **values: Any
+    as_printed: Any, corrected: Any = False, /, *, deviation: Any = None, undecided: Any = False, **values: Any
 ) -> Recomputed:
     """Verdict on a claim, and ``values`` for its text.
 
