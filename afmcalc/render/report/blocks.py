@@ -97,16 +97,13 @@ class Figure:
     """Drawings, one below the other."""
 
     number: int
-    drawings: "Sequence[Drawing]"
+    drawings: "Sequence[Svg]"
     title: Text
     caption: Text
 
 
-@dataclass(frozen=True)
-class Drawing:
+class Svg(str):
     """A drawing as SVG."""
-
-    svg: str
 
 
 @dataclass(frozen=True)

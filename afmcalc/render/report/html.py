@@ -97,7 +97,7 @@ def _block(block: Block, level: int) -> str:
             return table(block)
         case blocks.Figure():
             svg = "\n".join(
-                drawing(each.svg, str(block.title), f"{block.number}-{n}") for n, each in enumerate(block.drawings, 1)
+                drawing(each, str(block.title), f"{block.number}-{n}") for n, each in enumerate(block.drawings, 1)
             )
             caption = _caption(say("Figure {number}", number=block.number), block.title)
             caption = f"{caption}. {inline(block.caption)}"

@@ -6,7 +6,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
 from itertools import chain, count
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 from ... import __version__
 from ...analysis.check import CheckResult, CheckRow
@@ -24,7 +24,7 @@ from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..text_tables import TextTable, ranked
 from . import blocks
-from .blocks import Block, Document, Piece, Text, listed, piece, text, when
+from .blocks import Block, Document, Text, listed, piece, text, when
 from .chapters import Chapter, chapters, explained, peaks
 from .html import page
 from .pieces import MISPRINT, cell, cited, name_of, plain, said, table, unparted
@@ -187,7 +187,7 @@ class _Parts:
     def _led(self, lead: str | Text, table: blocks.Table, *more: Block) -> list[Block]:
         """A paragraph that leads to a table, and the table with its number."""
         table = self._numbered(table)
-        return [blocks.Paragraph(text(lead, " ", see("table", table.number), ".")), table, *more]
+        return [blocks.Paragraph(text(lead, " ", see(table), ".")), table, *more]
 
     def _requirements(self) -> Iterable[Block]:
         if not self.required:
@@ -207,19 +207,19 @@ class _Parts:
                 shown=len(held), count=many,
             )  # fmt: skip
         yield from self._led(lead, *judged(held, say("Limits and their utilisation")))
-        if self.findings and not self.short:
+        if self.short:
+            return
+        if self.findings:
             yield blocks.Heading(3, text(say("Findings")))
             yield findings_of(self.findings)
-        if self.remarks and not self.short:
-            at = piece("link", self.labels["misprints"], "misprints")
-            lead = say("Remarks that concern misprints of the papers:")
-            yield blocks.Paragraph(text(lead, " ", at, "."), "note")
+        if self.remarks:
+            lead, at = say("Remarks that concern misprints of the papers:"), self.labels["misprints"]
+            yield blocks.Paragraph(text(lead, " ", piece("link", at, "misprints"), "."), "note")
 
     def _spec(self) -> Iterator[Block]:
         figures, lead, groups = self._shown("spec"), text(say("The values calculated with:")), self._groups()
         if figures:
-            drawing = say("The clutch in section:")
-            lead = text(drawing, " ", see("figure", *(each.number for each in figures)), ". ", lead)
+            lead = text(say("The clutch in section:"), " ", see(*figures), ". ", lead)
         if self.short:
             yield blocks.Paragraph(text(lead, " ", *map(_in_a_line, groups.items())))
         else:
@@ -241,26 +241,22 @@ class _Parts:
         return self._led(say("What a trip loads and heats:"), quantities(self.peaks[0]._replace(title=told("peaks"))))
 
     def _calculation(self) -> Iterator[Block]:
-        if not self.short:
-            lead = say(
-                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what "
-                "comes out, in the units of the tables."
-            )
-            notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
-            notes += [] if self.dossier.spec.friction.unlike else [say("All pairs are alike: f_1 = f_2 = f.")]
-            yield blocks.Paragraph(listed([text(lead), *map(said, notes)], " "))
+        lead = say(
+            "Each formula stands once, with its source; below it the numbers put in, in SI units, and what comes out, "
+            "in the units of the tables."
+        )
+        notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
+        notes += [] if self.dossier.spec.friction.unlike else [say("All pairs are alike: f_1 = f_2 = f.")]
+        yield blocks.Paragraph(listed([text(lead), *map(said, notes)], " "))
         for place, chapter in enumerate(self.chapters, 1):
-            label = f"{self.labels['calculation']}.{place}"
-            topic = chapter.topic
-            yield blocks.Section(topic.name, label, text(translate(topic.title)), [*self._chapter(chapter)])
+            label, title = f"{self.labels['calculation']}.{place}", text(translate(chapter.topic.title))
+            yield blocks.Section(chapter.topic.name, label, title, [*self._chapter(chapter)])
 
     def _chapter(self, chapter: Chapter) -> Iterator[Block]:
         topic, tables = chapter.topic, [self._numbered(quantities(table)) for table in chapter.tables]
         figures = self._shown(topic.name)
-        results = [see("table", *(each.number for each in tables))] if tables else []
-        results += [see("figure", *(each.number for each in figures))] if figures else []
-        parts: list[Text | Piece | str] = [said(topic.about), say("Results:"), listed(results)]
-        parts[1:1] = [piece("sources", f"[{', '.join(topic.sources)}]")] if topic.sources else []
+        sources = when(topic.sources, piece("sources", f"[{', '.join(topic.sources)}]"))
+        parts: list[Text | str] = [said(topic.about), sources, say("Results:"), listed([see(*tables), see(*figures)])]
         yield blocks.Paragraph(text(listed(parts, " "), "."))
         yield from tables
         yield from figures
@@ -311,10 +307,11 @@ def _paragraph(words: str) -> blocks.Paragraph:
     return blocks.Paragraph(text(words))
 
 
-def see(what: Literal["table", "figure"], *numbers: int) -> Text:
+def see(*shown: blocks.Table | blocks.Figure) -> Text:
     """Text that names tables or figures, each with a link."""
-    names = ((number, filled(f"{what} {{number}}", {"number": number})) for number in numbers)
-    return listed([piece("link", name.replace(" ", "\xa0"), f"{what}-{number}") for number, name in names])
+    whats = ((type(each).__name__.lower(), each.number) for each in shown)
+    names = ((what, number, filled(f"{what} {{number}}", {"number": number})) for what, number in whats)
+    return listed([piece("link", name.replace(" ", "\xa0"), f"{what}-{number}") for what, number, name in names])
 
 
 def judged(rows: Sequence[CheckRow], title: str = "") -> tuple[blocks.Table, *tuple[Block, ...]]:
@@ -360,7 +357,7 @@ def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Fi
 
 def figure_of(number: int, sheet: Sheet) -> blocks.Figure:
     """Draw a sheet, each panel by itself, because a page may end between two panels."""
-    drawings = [blocks.Drawing(inline_svg(panel)) for panel in sheet.panels]
+    drawings = [blocks.Svg(inline_svg(panel)) for panel in sheet.panels]
     return blocks.Figure(number, drawings, said(sheet.title), said(in_words(sheet.caption)))
 
 
@@ -405,17 +402,14 @@ def _next(dossier: Dossier) -> list[str]:
 
 def _entries(subject: Subject) -> blocks.Entries:
     """Entries of the title block: given entries and those of every report; ISO dates become dates of the language."""
-    title = dict(subject.title) | {
-        "variant": translate(subject.dossier.spec.variant, "value"),
-        "program": _PROGRAM,
-    }
+    spec = subject.dossier.spec
+    title = dict(subject.title) | {"variant": translate(spec.variant, "value"), "program": _PROGRAM}
     with suppress(ValueError):
         title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
     entries = [name for name in form().entries if title[name] or name in form().signed]
     changed = "; ".join(name_of(path) if path in keys() else path for path in _changed(subject.overrides))
     given = [*((told(name), printable(title[name] or ""), False) for name in entries)]
-    given += [(say("Spec"), printable(subject.dossier.spec.label), True)]
-    given += [(say("SHA-256 of the spec as given"), subject.digest, True)]
+    given += [(say("Spec"), printable(spec.label), True), (say("SHA-256 of the spec as given"), subject.digest, True)]
     given += [(say("Overridden on the command line"), printable(changed), True)] if changed else []
     return blocks.Entries(given)
 

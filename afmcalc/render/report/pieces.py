@@ -10,7 +10,7 @@ from ...messages import filled, printable, translate
 from ...papers.register import citations
 from ...spec.keys import keys
 from ..symbols import split
-from .blocks import Drawing, Piece, Table, Text, piece, text
+from .blocks import Piece, Svg, Table, Text, piece, text
 from .formulas import Formula
 
 
@@ -116,8 +116,8 @@ def _changed(node: Any, change: Callable[[str], str]) -> Any:
     """Change every text of a block, in the order in which it is read."""
     if isinstance(node, Piece) and node.kind == "sources":
         return piece("sources", _bracketed(_changed(node.body, change)))
-    if isinstance(node, Drawing):
-        return Drawing(_LETTERING.sub(lambda found: change(found[0]), node.svg))
+    if isinstance(node, Svg):
+        return Svg(_LETTERING.sub(lambda found: change(found[0]), node))
     if isinstance(node, Text):
         return text(*(change(each) if isinstance(each, str) else _changed(each, change) for each in node))
     if isinstance(node, list | tuple):
