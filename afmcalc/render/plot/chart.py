@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from ...messages import RAISED, filled, localized, translate
@@ -73,8 +73,8 @@ class Chart:
     y: ChartAxis
     lines: list[Line]
     title: str = ""
-    guides: list[Guide] = field(default_factory=list)
-    areas: list[Area] = field(default_factory=list)
+    guides: Sequence[Guide] = ()
+    areas: Sequence[Area] = ()
     log: bool = False
     """True if the y axis is logarithmic."""
     from_zero: bool = False
@@ -87,8 +87,7 @@ class Chart:
     @property
     def labels(self) -> list[str]:
         """Entries of the legend."""
-        entries: list[Area | Line | Guide] = [*self.areas, *self.lines, *self.guides]
-        return [entry.label for entry in entries if entry.label]
+        return [entry.label for entries in (self.areas, self.lines, self.guides) for entry in entries if entry.label]
 
 
 @dataclass(frozen=True)
