@@ -210,7 +210,13 @@ def claims(papers: list[str], figures: list[str] | None = None) -> tuple[Reprodu
         rows=rows, reproduced=verdicts.count("reproduced"), corrected=verdicts.count("reproduced with correction"),
         not_reproduced=verdicts.count("not reproduced"), undecided=verdicts.count("undecided"),
         as_expected=not findings, curves=[row for figure in shown for row in _curves(figure)],
-        points=[point for figure in shown for point in _points(figure)] if figures else None,
+        points=[
+            CurvePoint(figure=figure.name, curve=curve.number or curve.label, x=x, y=y)
+            for figure in shown
+            for panel in figure.panels
+            for curve in panel
+            for x, y in zip(curve.x, curve.y, strict=True)
+        ] if figures else None,
     )  # fmt: skip
     return result, findings
 
@@ -228,12 +234,3 @@ def _curves(figure: PaperFigure) -> list[CurveRow]:
         for y in [axis.symbol or translate(axis.name)]
         for curve in panel
     ]  # fmt: skip
-
-
-def _points(figure: PaperFigure) -> list[CurvePoint]:
-    return [
-        CurvePoint(figure=figure.name, curve=curve.number or curve.label, x=x, y=y)
-        for panel in figure.panels
-        for curve in panel
-        for x, y in zip(curve.x, curve.y, strict=True)
-    ]

@@ -106,16 +106,13 @@ def p12() -> Recomputed:
 def p18() -> Recomputed:
     """Judge the claim, by curves 4 and 6 of fig. 2, that the right end of the interval (17) falls as zC grows."""
     reduced = np.linspace(HIGH_GAIN / 4, HIGH_GAIN, 61)
-    ends = [_right_end(reduced, low) for low in (0.1, 0.2)]
+    ends = []
+    for low in (0.1, 0.2):  # right end of the interval (17) as printed, from its discriminant
+        u = overload.loop_gain(reduced, 1, low)
+        weight = MARGIN * (1 + u)
+        ends.append((weight + overload.discriminant(MARGIN, u) ** 0.5) / (2 * reduced * (weight - u)))
     first, second = (end[[0, 20, 60]] for end in ends)
     return judged(np.all(np.diff(ends) < 0), first=first, second=second)
-
-
-def _right_end(reduced: Values, low: float) -> Any:
-    """Right end of the interval (17) as printed, from its discriminant."""
-    u = overload.loop_gain(reduced, 1, low)
-    weight = MARGIN * (1 + u)
-    return (weight + overload.discriminant(MARGIN, u) ** 0.5) / (2 * reduced * (weight - u))
 
 
 def p19() -> Recomputed:

@@ -67,6 +67,8 @@ def dxf(drawing: Drawing) -> bytes:
 
 
 def _add(space: "Modelspace", shape: Shape, unit: float) -> None:
+    from ezdxf.enums import TextEntityAlignment
+
     on: dict[str, Any] = {"layer": shape.layer.upper()}
     match shape:
         case Region("hatch", contours, hatch=angle):
@@ -84,8 +86,11 @@ def _add(space: "Modelspace", shape: Shape, unit: float) -> None:
         case Circle(_, centre, radius, hole=hole):
             for each in filter(None, (radius, hole)):
                 space.add_circle(centre, each, dxfattribs=on)
-        case Inscription():
-            _write(space, shape)
+        case Inscription(words, at, height, anchor, upright, ours):
+            shown = _plain(words) if ours else printable(words)
+            on |= {"style": _STYLE, "rotation": 90.0 * upright}
+            placed = space.add_text(shown, height=_CAPITAL * height, dxfattribs=on)
+            placed.set_placement(at, align=TextEntityAlignment[_ALIGNED[anchor]])
         case Length(label, height, start, end, line, upright, shrunk=shrunk):
             base, turn = ((line, 0.0), 90) if upright else ((0.0, line), 0)
             space.add_linear_dim(base, start, end, angle=turn, **_style(label, height, shrunk)).render()
@@ -104,16 +109,6 @@ def _style(label: str, height: float, shrunk: float = 1.0, **more: float) -> dic
     override = {"dimscale": _CAPITAL * height / _TEXT, "dimlfac": 1 / shrunk} | more
     on = {"layer": "DIMENSIONS"}
     return {"dimstyle": "SHOP", "override": override, "text": _plain(label), "dxfattribs": on}
-
-
-def _write(space: "Modelspace", text: Inscription) -> None:
-    from ezdxf.enums import TextEntityAlignment
-
-    shown = _plain(text.text) if text.ours else printable(text.text)
-    on = {"layer": text.layer.upper(), "style": _STYLE, "rotation": 90.0 * text.upright}
-    space.add_text(shown, height=_CAPITAL * text.height, dxfattribs=on).set_placement(
-        text.at, align=TextEntityAlignment[_ALIGNED[text.anchor]]
-    )
 
 
 def _plain(text: str) -> str:

@@ -37,7 +37,8 @@ def render(output: Output, terminal: bool) -> str:
     for block in unfolded(blocks(laid_out)):
         _print(console, ("", ""))
         _print(console, (block.title, "italic"), (block.legend, "dim"), (block.meanings, "dim"), filled=True)
-        for number, part in enumerate(_parts(_aligned(block), width)):
+        numeric = [right and most <= _SENTENCE for right, most in zip(block.numeric, _widths(block), strict=True)]
+        for number, part in enumerate(_parts(padded(block._replace(numeric=numeric)), width)):
             _print(console, *[("", "")] * bool(number))
             console.print(_table(part, width, ruled=terminal and is_unicode(sys.stdout)))
     _print(console, *((line, "" if line.startswith(" ") else "bold") for line in step_lines(laid_out)))
@@ -61,12 +62,6 @@ def columns(terminal: bool) -> int:
     if asked.isdecimal() and (wanted := int(asked[:9])):  # nine digits exceed any real width
         return min(max(wanted, _NARROWEST), _UNBOUND)
     return shutil.get_terminal_size().columns if terminal else _UNBOUND
-
-
-def _aligned(block: TextTable) -> TextTable:
-    """Table with its numbers aligned at the decimal point."""
-    numeric = [right and width <= _SENTENCE for right, width in zip(block.numeric, _widths(block), strict=True)]
-    return padded(block._replace(numeric=numeric))
 
 
 def _widths(block: TextTable) -> list[int]:

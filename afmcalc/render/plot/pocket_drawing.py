@@ -42,7 +42,9 @@ def pocket(drawing: ShopDrawing) -> Sheet:
     shapes = list[Shape]()
     for number, (travel, title) in enumerate(titles):
         up = -number * high
-        shapes += [*_moved(drawing, travel, up), *_ball(drawing, up)]
+        shapes += [*_moved(drawing, travel, up), Circle("balls", (0.0, up), found.ball_diameter * 500)]
+        for x, y in ((1.04 * back, 0.0), (0.0, 1.04 * side)):
+            shapes.append(Stroke("centre", ((-x, up - y), (x, up + y))))
         if title:
             shapes.append(Inscription(title, (size - right, side + 26 * unit + up), size))
         if travel:
@@ -81,13 +83,6 @@ def contours(drawing: ShopDrawing) -> dict[str, tuple[Point, ...]]:
     return {each.layer: tuple((1e3 * x, 1e3 * y) for x, y in each.points) for each in drawing.contours}
 
 
-def _ball(drawing: ShopDrawing, up: float) -> Iterator[Shape]:
-    back, side = (1.04 * 1e3 * end for end in drawing.extent)
-    yield Circle("balls", (0.0, up), drawing.synthesis.ball_diameter * 500)
-    for end in ((back, 0.0), (0.0, side)):
-        yield Stroke("centre", ((-end[0], up - end[1]), (end[0], up + end[1])))
-
-
 def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Iterator[Shape]:
     """Draw dimensions of pockets and sleeves at the stop; ``k``: millimetres of the drawing for one on paper."""
     unit, shop = drawing.synthesis, drawing.sleeve
@@ -116,13 +111,22 @@ def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Ite
 
 
 def _caption(found: SynthesisResult) -> str:
+    ball, near = stated("d_ш", found.ball_diameter, "m"), found.edge_clearance_standard
+    if found.ball_diameter_standard is None:
+        drawn = say("Drawn with {ball}, for no standard ball is that large.", ball=ball)
+    elif near is None:
+        drawn = say("Drawn with {ball}.", ball=ball)
+    else:
+        drawn = say(
+            "Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=stated("y", near, "m")
+        )
     sentences = [
         say(
             "To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch "
             "horizontal. S21 (20), (23), (24): smallest ball {smallest}.",
             circle=stated("r", found.ball_circle_radius, "m"), smallest=stated("r_ш", found.ball_radius, "m"),
         ),
-        _drawn_with(found),
+        drawn,
         translate("Cut to h_c, where the ball ends; below it a groove keeps the ball off the floor."),
     ]  # fmt: skip
     if found.contact_force is not None:
@@ -133,13 +137,3 @@ def _caption(found: SynthesisResult) -> str:
         angle = found.wall_angle_max
         sentences.append(say("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=angle))
     return " ".join(sentences)
-
-
-def _drawn_with(found: SynthesisResult) -> str:
-    ball = stated("d_ш", found.ball_diameter, "m")
-    if found.ball_diameter_standard is None:
-        return say("Drawn with {ball}, for no standard ball is that large.", ball=ball)
-    if found.edge_clearance_standard is None:
-        return say("Drawn with {ball}.", ball=ball)
-    clearance = stated("y", found.edge_clearance_standard, "m")
-    return say("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)

@@ -96,7 +96,11 @@ class _Book:
             self.figures += 1
             sheet = SCHEMES[name]() if kind == "figure" else sheet_of(name.split()[0], self.handbook.plots[name])
             return figure_of(self.figures, sheet)
-        return _mended_by(name) if kind == "mend" else getattr(self, f"_{name}")()
+        if kind == "mend":  # the keys whose change clears a finding, each with its direction: larger, smaller or either
+            about, pairs = ways_in(name)
+            ways = listed([text(_ARROWS[way], "\xa0", piece("code", path)) for path, way in pairs])
+            return blocks.Paragraph(text(when(about, piece("code", about), ": "), ways))
+        return getattr(self, f"_{name}")()
 
     def _formula(self, entry: Entry) -> blocks.Step:
         """Lay out a formula: meanings of its symbols, example, sources, proofs, and the commands that calculate it."""
@@ -246,13 +250,6 @@ def _directives(node: SyntaxTreeNode) -> list[tuple[str, str]]:
     lines = node.children[0].content.splitlines() if node.type == "paragraph" else []
     found = [_BLOCK.fullmatch(line.strip()) for line in lines]
     return [(line[1], line[2]) for line in found if line] if all(found) else []
-
-
-def _mended_by(ways: str) -> blocks.Paragraph:
-    """Lay out the spec keys whose change clears a finding, each with its direction: larger, smaller or either."""
-    about, pairs = ways_in(ways)
-    own = when(about, piece("code", about), ": ")
-    return blocks.Paragraph(text(own, listed([text(_ARROWS[way], "\xa0", piece("code", path)) for path, way in pairs])))
 
 
 _ARROWS = {"+": "↑", "-": "↓", "±": "↕"}

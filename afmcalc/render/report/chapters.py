@@ -197,16 +197,12 @@ def _explained(meanings: Sequence[Meaning]) -> list[Text]:
         words = explained(each)
         same = (key for key in origins if key[0] == each.symbol and words in ("", key[1]))
         known = origins.setdefault(next(same, (each.symbol, words)), [])
-        known += [] if each.number is None else [_origin(each.source, each.number)]
+        if each.number is not None:  # a link to the formula, after the quantity's own symbol if the two differ
+            by = say("by ({number})", number=each.number)
+            if each.source:
+                by = say("{source} by ({number})", source=each.source, number=each.number)
+            known.append(piece("link", said(by), f"formula-{each.number}"))
     return [
         text(piece("b", said(symbol)), when(words or links, " – "), listed([said(words), *links]))
         for (symbol, words), links in origins.items()
     ]
-
-
-def _origin(source: str, number: int) -> Piece:
-    """Link to the formula that gives a symbol; before the link the quantity's own symbol, if the two differ."""
-    words = say("by ({number})", number=number)
-    if source:
-        words = say("{source} by ({number})", source=source, number=number)
-    return piece("link", said(words), f"formula-{number}")

@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
-from itertools import chain, count
+from itertools import count
 from typing import Any, NamedTuple
 
 from ... import __version__
@@ -14,7 +14,7 @@ from ...analysis.dossier import Dossier
 from ...analysis.explain.explain import Meaning
 from ...findings import Finding
 from ...messages import filled, localized, named, native, printable, say, spoken, translate, with_unit
-from ...papers.register import Misprint, misprints, references
+from ...papers.register import misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
@@ -73,15 +73,11 @@ class _SpecLine(NamedTuple):
         set_so = cell if self.numeric or self.path == "adjustment.method" else plain
         return [said(self.symbol), text(said(self.about), mark), set_so(self.value), text(self.unit)]
 
-
-def _in_a_line(group: tuple[str, Iterable[_SpecLine]]) -> Text:
-    """Write the numbers in a group of the spec in one line."""
-    title, lines = group
-    shown = [line for line in lines if line.symbol and line.numeric]
-    each = [
-        text(said(line.symbol), " = ", cell(line.value), f" {line.unit}" if line.unit != "–" else "") for line in shown
-    ]
-    return text(f"{title}: ", listed(each, "; "), ". ") if shown else text()
+    @property
+    def in_short(self) -> Text:
+        """Symbol, number and unit; empty for a value that is no number or has no symbol."""
+        unit = when(self.unit != "–", " ", self.unit)
+        return when(self.symbol and self.numeric, said(self.symbol), " = ", cell(self.value), unit)
 
 
 def render(subject: Subject) -> str:
@@ -93,7 +89,9 @@ def report(subject: Subject) -> Document:
     """Lay a report out; the same subject gives the same document."""
     dossier, short, title = subject.dossier, subject.short, subject.title
     name = unparted(printable(named(dossier.spec.name) or say("Adaptive friction clutch")))
-    kind = say("Calculation report")
+    kind, day = say("Calculation report"), today()
+    with suppress(ValueError):
+        day = date.fromisoformat(title.date or "").isoformat()
     paper = "report" if title.form == "report" and not short else form().paper
     verdict = blocks.Paragraph(said(dossier.check.verdict.sentence), f"sum {dossier.check.grade}", "verdict")
     body, numbers = cited(_Parts(subject).sections())
@@ -111,7 +109,7 @@ def report(subject: Subject) -> Document:
             if entries or each.key != "references"
         ],
         running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
-        date=_day(title),
+        date=day,
         paper=paper,
         short=short,
         author=title.author or "",
@@ -133,13 +131,6 @@ def _trip(check: CheckResult) -> list[Block]:
     return [blocks.Paragraph(said(words))]
 
 
-def _day(title: TitleBlock) -> str:
-    """Date in the title block; today's date if that is no date of ISO 8601."""
-    with suppress(ValueError):
-        return date.fromisoformat(title.date or "").isoformat()
-    return today()
-
-
 class _Parts:
     """The sections of a report: the content of each, and the numbers of its tables and figures."""
 
@@ -152,8 +143,18 @@ class _Parts:
         self.required, self.held = ([row for row in rows if row.is_requirement is asked] for asked in (True, False))
         self.remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
         self.findings = [finding for finding in findings if finding not in self.remarks]
-        self.drawn = _section(dossier, short) | {chapter.topic.name: chapter.sheets for chapter in self.chapters}
-        self.mended = _mended(self.chapters, self.remarks, chain(*self.drawn.values()))
+        self.steps = [step for chapter in self.chapters for step in chapter.topic.derivations]
+        self.drawn = {chapter.topic.name: chapter.sheets for chapter in self.chapters}
+        if dossier.section is not None:
+            sheet = sheet_of("section", dossier.section)
+            panels = [panel.without_table() for panel in sheet.panels] if short else sheet.panels
+            self.drawn["spec"] = [replace(sheet, panels=panels)]
+        texts = [str([table.title, table.rows]) for chapter in self.chapters for table in chapter.tables]
+        texts += [text for step in self.steps for text in (step.source, step.differs)]
+        texts += [*(finding.message for finding in self.remarks)]
+        texts += [sheet.caption for sheets in self.drawn.values() for sheet in sheets]
+        named = {mark for text in texts for mark in MISPRINT.findall(text)}
+        self.mended = [each for each in misprints() if each.id in named]
         self.lines = [*_spec_lines(_with_frictions(dossier.spec))]
         self._tables, self._figures = count(1), count(1)
 
@@ -217,11 +218,16 @@ class _Parts:
             yield blocks.Paragraph(text(lead, " ", piece("link", at, "misprints"), "."), "note")
 
     def _spec(self) -> Iterator[Block]:
-        figures, lead, groups = self._shown("spec"), text(say("The values calculated with:")), self._groups()
+        figures, lead = self._shown("spec"), text(say("The values calculated with:"))
+        groups: dict[str, list[_SpecLine]] = {}
+        for line in self.lines:
+            groups.setdefault(line.group, []).append(line)
         if figures:
             lead = text(say("The clutch in section:"), " ", see(*figures), ". ", lead)
         if self.short:
-            yield blocks.Paragraph(text(lead, " ", *map(_in_a_line, groups.items())))
+            numbers = {group: [line.in_short for line in lines] for group, lines in groups.items()}
+            shown = (text(f"{group}: ", listed(each, "; "), ". ") for group, each in numbers.items() if any(each))
+            yield blocks.Paragraph(text(lead, " ", *shown))
         else:
             rows: list[list[Text]] = []
             changed = _changed(self.subject.overrides)
@@ -230,12 +236,6 @@ class _Parts:
             keys = table("keys", ("Symbol", "Quantity", "Value", "Unit"), rows, say("Values calculated with"))
             yield from self._led(lead, replace(keys, numeric=[False, False, True, False]))
         yield from figures
-
-    def _groups(self) -> dict[str, list[_SpecLine]]:
-        groups: dict[str, list[_SpecLine]] = {}
-        for line in self.lines:
-            groups.setdefault(line.group, []).append(line)
-        return groups
 
     def _peaks(self) -> Iterable[Block]:
         return self._led(say("What a trip loads and heats:"), quantities(self.peaks[0]._replace(title=told("peaks"))))
@@ -270,7 +270,11 @@ class _Parts:
             yield blocks.Paragraph(said(check.verdict.sentence), f"sum {check.grade}")
             yield blocks.Bullets([said(topic.conclusion) for topic in self.dossier.topics if topic.conclusion])
             yield blocks.Heading(3, text(told("next")))
-        yield blocks.Bullets([*map(said, _next(self.dossier))], "next")
+        not_judged = [worded(row.name) for row in check.checks if row.passed is None]
+        lines = [*map(in_words, self.dossier.steps)]
+        lines += [say("Give what it takes to judge “{name}”.", name=name) for name in not_judged]
+        lines = lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
+        yield blocks.Bullets([*map(said, lines)], "next")
 
     def _references(self) -> Iterable[Block]:
         return ()  # the cited sources are known only after everything else is laid out
@@ -278,7 +282,30 @@ class _Parts:
     def _symbols(self) -> Iterator[Block]:
         if spoken() == "en":
             yield _paragraph(say("In brackets: as the papers write a symbol."))
-        yield blocks.Definitions("symbols", _symbols(self.chapters, self.lines))
+        shown: list[tuple[str, str]] = []
+        for step in self.steps:
+            shown += [(part.symbol, explained(part)) for part in step.where if part.text]
+            # the name is the heading of the step and therefore begins with a capital
+            name = explained(Meaning(step.symbol, step.name, step.unit))
+            shown.append((step.symbol, (name[:1].lower() if name[1:2].islower() else name[:1]) + name[1:]))
+        tables = [each for chapter in self.chapters for each in chapter.tables if each.header[0] == translate("Symbol")]
+        unit = translate("Unit")
+        rows = [(*row[:2], row[-1] if each.header[-1] == unit else "") for each in tables for row in each.rows]
+        rows += [(line.symbol, line.about, line.unit) for line in self.lines]
+        shown += [(symbol, ", ".join(part for part in parts if part not in ("", "–"))) for symbol, *parts in rows]
+        meanings: dict[str, str] = {}
+        for symbol, words in shown:
+            if symbol:
+                meanings.setdefault(native(symbol), words)
+        of_papers = [key.symbol or "" for key in keys().values()]
+        of_papers += [column.symbol for each in tables if each.source for column in each.source.columns]
+        of_papers += [symbol for symbol, _ in shown]
+        printed = {own: symbol for symbol in of_papers if (own := native(symbol)) != symbol and spoken() == "en"}
+        items = [
+            (text(said(own, False), when(own in printed, " (", said(printed.get(own, ""), False), ")")), said(words))
+            for own, words in sorted(meanings.items(), key=lambda each: each[0].casefold())
+        ]
+        yield blocks.Definitions("symbols", items)
 
     def _misprints(self) -> Iterator[Block]:
         lead = say("Where this calculation departs from the print of its sources, by the number that stands there:")
@@ -370,34 +397,10 @@ _MOST, _LEAST = 12, 4
 """Largest number of requirements and limits together in a short report, and smallest number of limits."""
 
 
-def _section(dossier: Dossier, short: bool) -> dict[str, Sequence[Sheet]]:
-    """The clutch in section, shown with the initial data; in a short report without its part list."""
-    if dossier.section is None:
-        return {}
-    sheet = sheet_of("section", dossier.section)
-    return {"spec": [replace(sheet, panels=[panel.without_table() for panel in sheet.panels]) if short else sheet]}
-
-
 def _changed(overrides: Iterable[str]) -> list[str]:
     """Paths of the keys, or tables, that overrides change."""
     given = (override.partition("=")[0].strip() for override in overrides)
     return [path_of(name) or name for name in given]
-
-
-def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterable[Sheet]) -> list[Misprint]:
-    """Return the misprints that a report names."""
-    texts = [part for chapter in parts for step in chapter.topic.derivations for part in (step.source, step.differs)]
-    texts += [str([table.title, table.rows]) for chapter in parts for table in chapter.tables]
-    texts += [*(finding.message for finding in remarks), *(sheet.caption for sheet in sheets)]
-    named = {mark for text in texts for mark in MISPRINT.findall(text)}
-    return [each for each in misprints() if each.id in named]
-
-
-def _next(dossier: Dossier) -> list[str]:
-    """Sentences on the next steps for the designer, the most important first."""
-    not_judged = (worded(row.name) for row in dossier.check.checks if row.passed is None)
-    lines = [*map(in_words, dossier.steps), *(say("Give what it takes to judge “{name}”.", name=n) for n in not_judged)]
-    return lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
 
 
 def _entries(subject: Subject) -> blocks.Entries:
@@ -436,35 +439,6 @@ def _frame(title: TitleBlock, headline: str) -> dict[str, Any]:
         "stage": [*map(translate, ("Stage", "Sheet", "Sheets"))],
         "margin": [*map(translate, margin)],
     }
-
-
-def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine]) -> list[tuple[Text, Text]]:
-    """Symbols, each with the papers' symbol if it differs, and with the meaning at its first occurrence."""
-    shown: list[tuple[str, str]] = []
-    for step in (step for chapter in parts for step in chapter.topic.derivations):
-        shown += [(part.symbol, explained(part)) for part in step.where if part.text]
-        # the name is the heading of the step and therefore begins with a capital
-        name = explained(Meaning(step.symbol, step.name, step.unit))
-        shown.append((step.symbol, (name[:1].lower() if name[1:2].islower() else name[:1]) + name[1:]))
-    tables = [table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol")]
-    unit = translate("Unit")
-    rows = [(*row[:2], row[-1] if table.header[-1] == unit else "") for table in tables for row in table.rows]
-    rows += [(line.symbol, line.about, line.unit) for line in lines]
-    shown += [(symbol, ", ".join(each for each in told if each not in ("", "–"))) for symbol, *told in rows if symbol]
-    meanings: dict[str, str] = {}
-    for symbol, words in shown:
-        meanings.setdefault(native(symbol), words)
-    of_papers = [key.symbol or "" for key in keys().values()]
-    of_papers += [column.symbol for table in tables if table.source for column in table.source.columns]
-    of_papers += [symbol for symbol, _ in shown]
-    printed = {own: symbol for symbol in of_papers if (own := native(symbol)) != symbol and spoken() == "en"}
-    return [
-        (
-            text(said(symbol, False), when(symbol in printed, " (", said(printed.get(symbol, ""), False), ")")),
-            said(words),
-        )
-        for symbol, words in sorted(meanings.items(), key=lambda each: each[0].casefold())
-    ]
 
 
 def _with_frictions(spec: Spec) -> dict[str, Any]:

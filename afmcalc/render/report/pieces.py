@@ -115,7 +115,10 @@ def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
 def _changed(node: Any, change: Callable[[str], str]) -> Any:
     """Change every text of a block, in the order in which it is read."""
     if isinstance(node, Piece) and node.kind == "sources":
-        return piece("sources", _bracketed(_changed(node.body, change)))
+        parts: list[Any] = [*_changed(node.body, change)]
+        parts[0], parts[-1] = parts[0][1:], parts[-1][:-1] if parts[1:] else parts[0][1:-1]
+        inside = text(*parts)  # round brackets in place of the square ones, or none before a number in square brackets
+        return piece("sources", inside if str(inside).startswith("[") else text("(", inside, ")"))
     if isinstance(node, Svg):
         return Svg(_LETTERING.sub(lambda found: change(found[0]), node))
     if isinstance(node, Text):
@@ -128,14 +131,6 @@ def _changed(node: Any, change: Callable[[str], str]) -> Any:
 
 
 _LETTERING = re.compile("(?<=>)[^<]+")
-
-
-def _bracketed(note: Text) -> Text:
-    """Note on sources in round brackets, or without brackets if it begins with a number in square brackets."""
-    parts: list[Any] = [*note]
-    parts[0], parts[-1] = parts[0][1:], parts[-1][:-1] if parts[1:] else parts[0][1:-1]
-    inside = text(*parts)
-    return inside if str(inside).startswith("[") else text("(", inside, ")")
 
 
 _WHERE = (
