@@ -148,16 +148,17 @@ def _pointed(column: Sequence[str]) -> list[str]:
     heading, *texts = column
     numbers = [_NUMBER.fullmatch(text) for text in texts]
     tail = max((len(number[2]) for number in numbers if number), default=0)
-    filled = [
-        number[1] + number[2].ljust(tail) if number else text for text, number in zip(texts, numbers, strict=True)
+    aligned = [
+        heading,
+        *(number[1] + number[2].ljust(tail) if number else text for text, number in zip(texts, numbers, strict=True)),
     ]
-    width = max(map(len, (heading, *filled)))
-    return [text.rjust(width) for text in (heading, *filled)]
+    width = max(map(len, aligned))
+    return [text.rjust(width) for text in aligned]
 
 
-def unfolded(tables: Iterable[TextTable]) -> list[TextTable]:
-    """Return the tables; a table marked ``across`` is turned: its records become columns."""
-    return [_turned(block) if block.source is not None and block.source.shown.across else block for block in tables]
+def unfolded(laid_out: Document) -> list[TextTable]:
+    """Tables of a layout; a table marked ``across`` is turned: its records become columns."""
+    return [_turned(block) if block.source and block.source.shown.across else block for block in blocks(laid_out)]
 
 
 def _turned(block: TextTable) -> TextTable:
@@ -165,7 +166,7 @@ def _turned(block: TextTable) -> TextTable:
 
     Text that is the same in all records goes into the title; the first column whose text differs is the new header.
     """
-    assert block.source is not None
+    assert block.source
     shared: list[str] = []
     others: list[tuple[Column, list[str]]] = []
     for head, column, right, *texts in zip(block.header, block.source.columns, block.numeric, *block.rows, strict=True):

@@ -14,7 +14,7 @@ from rich.text import Text
 from ...messages import is_unicode, translate
 from ...result import Output
 from ..document import document
-from ..text_tables import TextTable, blocks, findings_lines, lead, padded, step_lines, title, unfolded
+from ..text_tables import TextTable, findings_lines, lead, padded, step_lines, title, unfolded
 
 _NARROWEST, _UNBOUND = 20, 100_000
 """Smallest width of an output, and width without a limit, characters."""
@@ -34,7 +34,7 @@ def render(output: Output, terminal: bool) -> str:
     verdict = [(line, "") for line in lead(output).splitlines()]
     last = output.command == "check"  # the verdict of a check is printed last, where it stays on the screen
     _print(console, (title(output), "bold"), *([] if last else verdict))
-    for block in unfolded(blocks(laid_out)):
+    for block in unfolded(laid_out):
         _print(console, ("", ""))
         _print(console, (block.title, "italic"), (block.legend, "dim"), (block.meanings, "dim"), filled=True)
         numeric = [right and most <= _SENTENCE for right, most in zip(block.numeric, _widths(block), strict=True)]

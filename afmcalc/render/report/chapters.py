@@ -1,8 +1,8 @@
 """The chapters of a report, one for each topic of the dossier: numbers, calculation and drawing of the topic."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
@@ -20,7 +20,7 @@ from ..plot.chart import Sheet
 from ..plot.curve_sheets import SPRINGS
 from ..text_tables import TextTable, blocks, cells, quantities
 from .blocks import Piece, Step, Text, listed, piece, text, when
-from .formulas import SHORT, Formula, broken, formula, size
+from .formulas import SHORT, broken, formula, size
 from .pieces import marks, said
 from .words import form, told
 
@@ -36,26 +36,31 @@ class Chapter(NamedTuple):
 
 def chapters(dossier: Dossier) -> list[Chapter]:
     """Lay out every topic of a dossier."""
-    return [
-        Chapter(
-            topic,
-            [_captioned(topic, table) for table in _TABLES.get(topic.name, _laid_out)(topic.result)],
-            [step_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations],
-            [] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
-        )
-        for topic in dossier.topics
-    ]
+    laid_out = []
+    for topic in dossier.topics:
+        title, tables = translate(topic.title), []
+        for table in _tables(topic.result):
+            # a table without title has the name of the topic and, if it has several columns, the names of its columns
+            heads = table.header[2:-1]
+            own = f"{title}: {', '.join(heads)}" if heads[1:] else title
+            tables.append(table._replace(title=table.title or own))
+        steps = [step_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations]
+        sheets = [] if topic.figure is None else [sheet_of(topic.plot, topic.figure)]
+        laid_out.append(Chapter(topic, tables, steps, sheets))
+    return laid_out
 
 
-def _captioned(topic: Topic, table: TextTable) -> TextTable:
-    """Give a table without title the name of its topic and, if it has several columns, the names of its columns."""
-    title, heads = translate(topic.title), table.header[2:-1]
-    return table if table.title else table._replace(title=f"{title}: {', '.join(heads)}" if heads[1:] else title)
-
-
-def _laid_out(result: Any) -> list[TextTable]:
+def _tables(result: Result) -> list[TextTable]:
     """Tables of a result, in which symbols and names replace keys of the spec."""
     laid_out = document(result)
+    if isinstance(result, SpringsResult):  # only the springs in the spec, not the others that would fit
+        springs = {translate(SPRINGS[option.spring]): option for option in result.named or [] if option.spring}
+        return [_side_by_side([*springs], [*springs.values()], without=("number", "spring", "kind"))]
+    if isinstance(result, AdjustResult):
+        others = [row for row in laid_out.singles if not row.path.startswith(("min_friction.", "mean_friction."))]
+        heads = [translate("set at f_min"), translate("set at mean f")]
+        methods = _side_by_side(heads, [result.min_friction, result.mean_friction])
+        return [methods, *blocks(laid_out._replace(singles=others, triples=[], tables=[]))]
     tables = [table._replace(columns=[*chain(*map(_named, table.columns))]) for table in laid_out.tables]
     return blocks(laid_out._replace(tables=tables))
 
@@ -74,26 +79,12 @@ _PEAKS = (
 )  # fmt: skip
 
 
-def _both_settings(result: AdjustResult) -> list[TextTable]:
-    laid_out = document(result)
-    others = [row for row in laid_out.singles if not row.path.startswith(("min_friction.", "mean_friction."))]
-    heads = [translate("set at f_min"), translate("set at mean f")]
-    methods = _side_by_side(heads, [result.min_friction, result.mean_friction])
-    return [methods, *blocks(laid_out._replace(singles=others, triples=[], tables=[]))]
-
-
-def _named_springs(result: SpringsResult) -> list[TextTable]:
-    """Table of the springs in the spec; a report leaves out other springs that would fit."""
-    springs = {translate(SPRINGS[option.spring]): option for option in result.named or [] if option.spring}
-    return [_side_by_side([*springs], [*springs.values()], without=("number", "spring", "kind"))]
-
-
 def _side_by_side(heads: Sequence[str], results: Sequence[Result], without: Sequence[str] = ()) -> TextTable:
     """Table with a column for each result of the same type; rows without values are left out, a triple has three."""
     columns = []
     for column in fields_of(results):
         if isinstance(column.values[0], Triple):
-            for end, at in zip(ENDS, ("at f_min", "at mean f", "at f_max"), strict=True):
+            for end, at in ENDS.items():
                 values = [getattr(triple, end) for triple in column.values]
                 columns.append(column._replace(name=f"{column.name} {translate(at)}", values=values))
         elif column.path not in without and any(value is not None for value in column.values):
@@ -118,9 +109,6 @@ _FRICTION = {
     "friction.driven": ("f_2", deferred("friction of the driven pairs in service")),
 }
 
-_TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {"adjust": _both_settings, "springs": _named_springs}
-"""Topic → function that makes its tables, for topics whose tables ``_laid_out`` does not make."""
-
 
 def step_of(step: Derivation, method: str) -> Step:
     """Lay out a derivation; lines that all have the spring setting of the spec, ``method``, do not name it."""
@@ -133,10 +121,12 @@ def step_of(step: Derivation, method: str) -> Step:
         parts += dict.fromkeys((first.numbers, *_values(first.value, step.unit)))
     # a label takes the room of a dozen signs
     room = SHORT - 12 * max(0, len(columns) - 1)
-    lines = [
-        ([*map(said, labels)], _worked(symbol, broken(row.numbers, room), _values(row.value, step.unit)))
-        for row, *labels in zip(step.rows, *columns.values(), strict=True)
-    ]
+    lines = []
+    for row, *labels in zip(step.rows, *columns.values(), strict=True):
+        # a line may end between the formula with numbers and the values
+        own, *rest = dict.fromkeys((symbol, broken(row.numbers, room), *_values(row.value, step.unit)))
+        worked = [formula(own, *rest[:1]), *(formula((), value) for value in rest[1:])]
+        lines.append(([*map(said, labels)], worked))
     heads = [*map(told, columns), say("Numbers put in")]
     return Step(
         what=_what(step),
@@ -164,12 +154,6 @@ def _values(value: float, unit: str) -> list[Tree]:
     """Value in the unit of the tables, after the value in the SI unit if the two units differ."""
     in_si = [with_unit(significant(value), "" if unit == "1" else translate(typeset(unit), "unit"))] if value else []
     return [*map(value_tree, dict.fromkeys([*in_si, measured(value, unit)]))]
-
-
-def _worked(symbol: Tree, numbers: Tree, values: Sequence[Tree]) -> list[Formula]:
-    """A symbol, the formula with numbers, and the values; a line may end between these formulas."""
-    first, *rest = dict.fromkeys((symbol, numbers, *values))
-    return [formula(first, *rest[:1]), *(formula((), result) for result in rest[1:])]
 
 
 def _labels(cases: Sequence[Circumstance], method: str) -> dict[str, list[str]]:

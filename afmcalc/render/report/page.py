@@ -25,7 +25,7 @@ from ..plot.figure import inline_svg
 from ..text_tables import TextTable, ranked
 from . import blocks
 from .blocks import Block, Document, Text, listed, piece, text, when
-from .chapters import Chapter, chapters, explained, peaks
+from .chapters import chapters, explained, peaks
 from .html import page
 from .pieces import MISPRINT, cell, cited, name_of, plain, said, table, unparted
 from .title import text_as_given, today
@@ -226,15 +226,15 @@ class _Parts:
             lead = text(say("The clutch in section:"), " ", see(*figures), ". ", lead)
         if self.short:
             numbers = {group: [line.in_short for line in lines] for group, lines in groups.items()}
-            shown = (text(f"{group}: ", listed(each, "; "), ". ") for group, each in numbers.items() if any(each))
-            yield blocks.Paragraph(text(lead, " ", *shown))
+            each = (text(f"{group}: ", listed(own, "; "), ". ") for group, own in numbers.items() if any(own))
+            yield blocks.Paragraph(text(lead, " ", *each))
         else:
             rows: list[list[Text]] = []
             changed = _changed(self.subject.overrides)
             for group, lines in groups.items():
                 rows += [[text(group)], *(line.cells(changed) for line in lines)]
-            keys = table("keys", ("Symbol", "Quantity", "Value", "Unit"), rows, say("Values calculated with"))
-            yield from self._led(lead, replace(keys, numeric=[False, False, True, False]))
+            shown = table("keys", ("Symbol", "Quantity", "Value", "Unit"), rows, say("Values calculated with"))
+            yield from self._led(lead, replace(shown, numeric=[False, False, True, False]))
         yield from figures
 
     def _peaks(self) -> Iterable[Block]:
@@ -248,21 +248,15 @@ class _Parts:
         notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
         notes += [] if self.dossier.spec.friction.unlike else [say("All pairs are alike: f_1 = f_2 = f.")]
         yield blocks.Paragraph(listed([text(lead), *map(said, notes)], " "))
-        for place, chapter in enumerate(self.chapters, 1):
-            label, title = f"{self.labels['calculation']}.{place}", text(translate(chapter.topic.title))
-            yield blocks.Section(chapter.topic.name, label, title, [*self._chapter(chapter)])
-
-    def _chapter(self, chapter: Chapter) -> Iterator[Block]:
-        topic, tables = chapter.topic, [self._numbered(quantities(table)) for table in chapter.tables]
-        figures = self._shown(topic.name)
-        sources = when(topic.sources, piece("sources", f"[{', '.join(topic.sources)}]"))
-        parts: list[Text | str] = [said(topic.about), sources, say("Results:"), listed([see(*tables), see(*figures)])]
-        yield blocks.Paragraph(text(listed(parts, " "), "."))
-        yield from tables
-        yield from figures
-        if chapter.steps:
-            yield blocks.Heading(4, text(say("Derivation")))
-            yield from chapter.steps
+        for place, (topic, tables, steps, _) in enumerate(self.chapters, 1):
+            label = f"{self.labels['calculation']}.{place}"
+            results, figures = [self._numbered(quantities(table)) for table in tables], self._shown(topic.name)
+            sources = when(topic.sources, piece("sources", f"[{', '.join(topic.sources)}]"))
+            parts: list[Text | str] = [said(topic.about), sources, say("Results:")]
+            parts.append(listed([see(*results), see(*figures)]))
+            body: list[Block] = [blocks.Paragraph(text(listed(parts, " "), ".")), *results, *figures]
+            body += [blocks.Heading(4, text(say("Derivation"))), *steps] if steps else []
+            yield blocks.Section(topic.name, label, text(translate(topic.title)), body)
 
     def _conclusion(self) -> Iterator[Block]:
         check = self.dossier.check
