@@ -8,6 +8,7 @@ import math
 import re
 import textwrap
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from ..analysis.assembly import ClutchSection
 from ..analysis.pocket_contours import ShopDrawing
@@ -48,19 +49,22 @@ class ShopSheet:
     """Place of the drawing's origin on paper, mm."""
 
     def __init__(
-        self, spec: Spec, title: str, said: Sequence[str], *below: str, mass: str = "", material: str | None = ""
+        self, spec: Spec, title: str, said: Sequence[Any], *below: str, mass: str = "", material: str | None = ""
     ) -> None:
-        """Reserve the space of title block and notes: the numbered notes of the spec and ``said``, then ``below``."""
-        shop = spec.drawing or ShopNotes()
-        first = [shop.hardness and say("hardness of the pocket walls {hardness}", hardness=shop.hardness)]
-        if shop.tolerance:
-            first.append(
-                say(
-                    "limit deviations of dimensions that show none: {tolerance}; the same for the division, along the "
-                    "ball circle, and for wall angles, across the wall",
-                    tolerance=shop.tolerance,
-                )
-            )
+        """Reserve the space of title block and notes: the numbered notes of the spec and ``said``, then ``below``.
+
+        Empty notes are left out.
+        """
+        shop = _notes(spec)
+        first = (
+            shop.hardness and say("hardness of the pocket walls {hardness}", hardness=shop.hardness),
+            shop.tolerance
+            and say(
+                "limit deviations of dimensions that show none: {tolerance}; the same for the division, along the ball "
+                "circle, and for wall angles, across the wall",
+                tolerance=shop.tolerance,
+            ),
+        )
         numbered = enumerate(filter(None, (*first, *said)), 1)
         texts = [*(f"{number}. {text[0].upper()}{text[1:].rstrip('.')}." for number, text in numbered), *below]
         letters = int((_WIDE - _LEFT - _EDGE - _TITLE[0] - 6) / (_SMALL * _LETTER))
@@ -135,12 +139,17 @@ def _stated(scale: float) -> str:
     return f"{number}:1" if scale >= 1 else f"1:{number}"
 
 
-def notes(drawing: ShopDrawing) -> list[str]:
-    """Notes of a pocket drawing."""
-    ball = drawing.synthesis
-    if ball.wall_angle_max is None:
-        wall = say("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
-    else:
+def _notes(spec: Spec) -> ShopNotes:
+    """The [drawing] block of a spec."""
+    return spec.drawing or ShopNotes()
+
+
+def _said(drawing: ShopDrawing) -> list[Any]:
+    """Notes of a pocket drawing; a note that does not apply is empty."""
+    ball, sleeve = drawing.synthesis, drawing.sleeve
+    near = ball.edge_clearance_standard or 0.0
+    wall = say("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
+    if ball.wall_angle_max is not None:
         wall = say(
             "curved wall, angle to the axis {angle:.4f deg} at the stop, {most:.4f deg} at x = {travel:.4f mm}",
             angle=ball.wall_angle, most=ball.wall_angle_max, travel=ball.travel_max,
@@ -152,14 +161,28 @@ def notes(drawing: ShopDrawing) -> list[str]:
             "pocket {width:.1f mm} wide at the face, cut to {depth:.1f mm}; ball {ball:.5g mm}, gap {gap:g mm}",
             width=ball.pocket_width, depth=ball.pocket_depth_cut, ball=ball.ball_diameter, gap=ball.face_gap,
         ),
-        *([say("drawn with the pack worn: as new the sleeves are {apart:.4g mm} apart, with {play:.4g mm} of play",
-               apart=ball.face_gap + ball.wear_play, play=ball.wear_play)] if ball.wear_play else []),
-        *([say("{ball}, of a grade for the designer to set", ball=ball.ball_designation)]
-            if ball.ball_designation else []),
+        ball.wear_play and say(
+            "drawn with the pack worn: as new the sleeves are {apart:.4g mm} apart, with {play:.4g mm} of play",
+            apart=ball.face_gap + ball.wear_play, play=ball.wear_play,
+        ),
+        ball.ball_designation and say("{ball}, of a grade for the designer to set", ball=ball.ball_designation),
         wall,
         say("relief under the ball {groove:.4g mm} wide and {relief:g mm} deep, corners R {corner:g mm} at most: "
-            "the ball touches the walls only", groove=drawing.sleeve.groove, relief=drawing.sleeve.relief,
-            corner=drawing.sleeve.relief / 2),
+            "the ball touches the walls only", groove=sleeve.groove, relief=sleeve.relief, corner=sleeve.relief / 2),
+        say(
+            "1 mm around the ball circle is {turn:.5g deg} of a turn: walls and grooves run towards the axis, from "
+            "the rim to R {end:.5g mm}",
+            turn=1e-3 / ball.ball_circle_radius, end=sleeve.pocket_end,
+        ),
+        translate(
+            "contours to cut in true millimetres on layers POCKET_1 and POCKET_2; "
+            "the view of sleeve 1 is to its own scale"
+        ),
+        near > 0 and say(
+            "edges of the pockets at the face broken by {most:.2g mm} at most: the ball touches as near as "
+            "{near:.3g mm}",
+            most=near / 5, near=near,
+        ),
     ]  # fmt: skip
 
 
@@ -168,30 +191,10 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     unit, sleeve = drawing.synthesis, drawing.sleeve
     back, side = (1e3 * end for end in drawing.extent)
     outer = sleeve.outer_diameter * 1e3
-    said, near = notes(drawing), unit.edge_clearance_standard
-    said += [
-        say(
-            "1 mm around the ball circle is {turn:.5g deg} of a turn: walls and grooves run towards the axis, from "
-            "the rim to R {end:.5g mm}",
-            turn=1e-3 / unit.ball_circle_radius, end=sleeve.pocket_end,
-        ),
-        translate(
-            "contours to cut in true millimetres on layers POCKET_1 and POCKET_2; "
-            "the view of sleeve 1 is to its own scale"
-        ),
-    ]  # fmt: skip
-    if near is not None and near > 0:
-        said.append(
-            say(
-                "edges of the pockets at the face broken by {most:.2g mm} at most: the ball touches as near as "
-                "{near:.3g mm}",
-                most=near / 5, near=near,
-            )
-        )  # fmt: skip
     below = [translate("* not in the spec: drawn at a default, for the designer to set")] if sleeve.assumed else []
     mass = "; ".join(localized(f"{each:.3g}") for each in drawing.masses)
-    shop, title = drawing.spec.drawing or ShopNotes(), translate("Sleeves with ball pockets")
-    sheet = ShopSheet(drawing.spec, title, said, *below, mass=mass, material=shop.material)
+    title, material = translate("Sleeves with ball pockets"), _notes(drawing.spec).material
+    sheet = ShopSheet(drawing.spec, title, _said(drawing), *below, mass=mass, material=material)
     wide, high = sheet.free
     own = largest_scale((outer, outer), (_WIDE / 2 - 33, high - 36))
     left = own * outer + 74
@@ -215,9 +218,7 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     shapes += _end_view(sheet, drawing, sheet.at(x, middle), own / sheet.scale)
     title = say("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
     shapes.append(Inscription(title, (0.0, side + 30 * sheet.unit), _TITLE_TEXT * sheet.unit, "middle"))
-    title = say("Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
-    if unit.wall is not None:
-        title = say("Sleeve 1 ({scale})", scale=_stated(own))
+    title = say("Sleeve 1 ({scale})" if unit.wall else "Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
     shapes.append(Inscription(title, sheet.at(_LEFT + 8, _HIGH - 15), _TITLE_TEXT * sheet.unit))
     return sheet.drawing(shapes)
 
@@ -226,7 +227,7 @@ def _roughness(sheet: ShopSheet, drawing: ShopDrawing) -> Iterator[Shape]:
     """Draw the roughness symbol of the pocket walls, if the spec gives their roughness."""
     unit, k, groove = drawing.synthesis, sheet.unit, drawing.sleeve.groove * 500
     floor, (back, side) = 1e3 * (unit.face_gap / 2 + unit.pocket_depth_cut), (1e3 * end for end in drawing.extent)
-    if rough := (drawing.spec.drawing or ShopNotes()).roughness:
+    if rough := _notes(drawing.spec).roughness:
         wall = pockets.contours(drawing)["POCKET_1"]
         x, y = next(point for point in wall[1:] if -point[1] > groove + 1e-9)
         tip, knee = ((x + floor) / 2, (y - groove) / 2), (back + 4 * k, -side - 12 * k)
@@ -282,13 +283,13 @@ def section(clutch: ClutchSection, spec: Spec) -> Drawing:
     """Draw the whole clutch, laid out by ``plot.section_drawing``."""
     page = laid_out(clutch)
     drawing = page.panels[0]
-    shop = spec.drawing or ShopNotes()
+    shop = _notes(spec)
     mass = localized(f"{sum(part.row.mass for part in clutch.parts.values()):.3g}")
     of_sleeves = (
         shop.material and say("material of the sleeves with pockets {material}", material=shop.material),
         shop.roughness and say("roughness of the pocket walls {roughness}", roughness=shop.roughness),
     )
-    sheet = ShopSheet(spec, page.title, [*filter(None, of_sleeves), page.caption], mass=mass)
+    sheet = ShopSheet(spec, page.title, [*of_sleeves, page.caption], mass=mass)
     left, low, right, high = drawing.frame
     size = right - left, high - low
     sheet.scale = largest_scale(size, sheet.free)

@@ -103,8 +103,7 @@ def steps_to_take(spec: Spec, findings: list[Finding]) -> Iterator[str]:
 
 def direction(path: str, way: Way) -> str:
     """Sentence on the direction in which to change a key so that it clears a finding."""
-    change = {"+": say("Increase {path}", path=path), "-": say("Decrease {path}", path=path)}
-    return change.get(way, say("Change {path}", path=path))
+    return say("Increase {path}" if way == "+" else "Decrease {path}" if way == "-" else "Change {path}", path=path)
 
 
 def _first_choice(cures: Iterable[Remedy]) -> Remedy | None:
@@ -122,10 +121,10 @@ def _first_choice(cures: Iterable[Remedy]) -> Remedy | None:
 def _change(cure: Remedy) -> str:
     """Return a sentence on how far a key must be changed."""
     now, value = (measured(each or 0.0, ENGINEER.get(cure.unit, cure.unit), 5) for each in (cure.value, cure.clears))
-    if cure.way == "+":
-        change = say("Increase {path} from {now} to {value}", path=cure.path, now=now, value=value)
-    else:
-        change = say("Decrease {path} from {now} to {value}", path=cure.path, now=now, value=value)
+    change = say(
+        "Increase {path} from {now} to {value}" if cure.way == "+" else "Decrease {path} from {now} to {value}",
+        path=cure.path, now=now, value=value,
+    )  # fmt: skip
     along = ", ".join(each.partition("=")[0] for each in (cure.along or "").split(", "))
     return say("{change}, and {along} to match", change=change, along=along) if along else change
 
@@ -207,11 +206,10 @@ def _nearest(now: float, way: Way, clears: Callable[[float], bool | None], *, wh
                 [now * each if up else now / each for each in _FACTORS[every - 1 :: every]] if now else [_FROM_ZERO]
             )
         for value in values:
-            good = clears(value)
+            if good := clears(value):
+                return value if whole or not held else _drawn_in(held, value, clears, _HALVINGS // every)
             if good is None:
                 break
-            if good:
-                return value if whole or not held else _drawn_in(held, value, clears, _HALVINGS // every)
             held = value
     return None
 
