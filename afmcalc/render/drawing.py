@@ -6,7 +6,6 @@ The x axis runs to the right, the y axis upwards.
 import math
 import textwrap
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from itertools import product
 from typing import NamedTuple, TypeAlias
 
@@ -31,13 +30,8 @@ class Layer(NamedTuple):
     """Line type, one of ``DASHES`` or continuous."""
     fill: float = 0.0
     """Opacity of areas on the layer."""
-    hides: bool = False
-    """True if areas on the layer hide what was painted before: their fill is the colour of the paper."""
-
-    @property
-    def face(self) -> str:
-        """Fill colour of areas on the layer."""
-        return PAPER if self.hides else self.colour
+    face: str = ""
+    """Colour of areas on the layer, if it is not ``colour``; that of the paper hides what was painted before."""
 
 
 HIDDEN, CENTRE, GHOST = "HIDDEN2", "CENTER2", "DIVIDE2"
@@ -54,9 +48,9 @@ LAYERS: dict[str, Layer] = {
     "pocket_1": Layer("pocket of the profiled wall: to cut", INK, 7, 0.5),
     "pocket_2": Layer("pocket of the other sleeve: to cut", INK, 7, 0.5),
     "end_view": Layer("a sleeve seen from its pockets", INK, 7, 0.5),
-    "assumed": Layer("edges of what is drawn at a default", INK, 7, 0.25, HIDDEN, fill=1.0, hides=True),
+    "assumed": Layer("edges of what is drawn at a default", INK, 7, 0.25, HIDDEN, fill=1.0, face=PAPER),
     "springs": Layer("springs", COLOURS[2], 3, 0.35),
-    "balls": Layer("balls of the control unit", COLOURS[0], 5, 0.5, fill=1.0, hides=True),
+    "balls": Layer("balls of the control unit", COLOURS[0], 5, 0.5, fill=1.0, face=PAPER),
     "ball": Layer("the ball at the stop", COLOURS[0], 5, 0.25, GHOST),
     "contact": Layer("where the ball touches", COLOURS[1], 30, 0.25, fill=1.0),
     "path": Layer("path of the ball's centre in the profiled sleeve", COLOURS[2], 3, 0.25, CENTRE),
@@ -168,8 +162,7 @@ _LONG, _HALF = 0.55, 0.14
 """Length and half width of an arrowhead, relative to the font size."""
 
 
-@dataclass(frozen=True)
-class Drawing:
+class Drawing(NamedTuple):
     """Shapes, and the rectangle that encloses them: left, bottom, right, top, mm."""
 
     shapes: Sequence[Shape]
@@ -194,14 +187,14 @@ class Drawing:
         above = Inscription(title, (inset, top + 1.6 * row), size)
         below = Inscription(name, (inset, top + 0.6 * row), size, ours=False)
         frame = left, bottom - row * (len(lines) + 0.5), right, top + 2.7 * row
-        return replace(self, shapes=[*self.shapes, *texts, above, below], frame=frame)
+        return self._replace(shapes=[*self.shapes, *texts, above, below], frame=frame)
 
     def without_table(self) -> "Drawing":
         """Drawing without its part list."""
         *shapes, first = self.shapes[: len(self.shapes) - self.cells + 1]
         assert isinstance(first, Inscription)
         left, _, right, top = self.frame
-        return replace(self, shapes=shapes, frame=(left, first.at[1] + first.height, right, top), cells=0)
+        return self._replace(shapes=shapes, frame=(left, first.at[1] + first.height, right, top), cells=0)
 
     def by_layer(self) -> Iterator[tuple[str, list[Shape]]]:
         """Yield each layer that has shapes, in the order they are painted."""

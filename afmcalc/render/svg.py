@@ -27,7 +27,7 @@ def svg(drawing: Drawing, title: str = "") -> str:
         parts.append(
             f'<g class="{name}" stroke="{look.colour}" stroke-width="{_n(look.width * unit)}" '
             f'stroke-dasharray="{dashes}" stroke-linejoin="round" '
-            f'fill="{look.face}" fill-opacity="{look.fill:g}" fill-rule="evenodd">'
+            f'fill="{look.face or look.colour}" fill-opacity="{look.fill:g}" fill-rule="evenodd">'
         )
         for shape in shapes:
             simple = "\n".join(map(_simple, exploded(shape)))

@@ -99,24 +99,15 @@ def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
     shown = [column for column in table.columns if not (column.hidden or (long and column.shown.detail))]
     shown, legend = _folded(shown) if table.shown.folds else (shown, "")
-    meanings = [
-        f"{native(translate(column.symbol))}: {column.name}"
+    named = (column for column in shown if column.symbol and column.name != table.title)
+    meanings = (f"{native(translate(column.symbol))}: {column.name}" for column in named)
+    heads = [headed(native(translate(column.symbol or column.name)), column.unit) for column in shown]
+    numeric = [
+        any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
         for column in shown
-        if column.symbol and column.name != table.title
     ]
-    texts = [cells(column) for column in shown]
-    return TextTable(
-        table.title[:1].upper() + table.title[1:],
-        [headed(native(translate(column.symbol or column.name)), column.unit) for column in shown],
-        [list(row) for row in zip(*texts, strict=True)],
-        [
-            any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
-            for column in shown
-        ],
-        table._replace(columns=shown),
-        legend,
-        "; ".join(meanings),
-    )
+    title, rows = table.title[:1].upper() + table.title[1:], [[*row] for row in zip(*map(cells, shown), strict=True)]
+    return TextTable(title, heads, rows, numeric, table._replace(columns=shown), legend, "; ".join(meanings))
 
 
 def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:

@@ -179,16 +179,11 @@ def _formula(step: NotedStep, *, special: bool = True) -> FormulaText:
 
 def _print_differs(function: str) -> str:
     """Text of the misprints of an equation in the papers; empty if there are none."""
-    said = [
-        say(
-            "{id} prints {printed} ({misprint})",
-            id=translate(one.id),
-            printed=translate(one.printed),
-            misprint=one.misprint,
-        )
-        for one in register()
-        if function in (one.function or "").split() and one.status == "mended" and one.printed
-    ]
+    said = []
+    for one in register():
+        if function in (one.function or "").split() and one.status == "mended" and one.printed:
+            what = {"id": translate(one.id), "printed": translate(one.printed)}
+            said.append(say("{id} prints {printed} ({misprint})", **what, misprint=one.misprint))
     return "; ".join(said)
 
 
@@ -238,8 +233,8 @@ class Derivation(NamedTuple):
     where: list[Meaning]
     """Meanings of symbols that no earlier formula has explained."""
     rows: list[CaseRow]
-    source: str
-    differs: str
+    source: str = ""
+    differs: str = ""
     """Text of the misprints in the papers; empty if there are none."""
 
 
@@ -277,24 +272,16 @@ class _Report:
         number = self.numbers.setdefault(equation.name, len(self.numbers) + 1)
         self.quantities[steps[0].name] = self.terms[result] = number
         formulas = [_formula(step, special=False) for step in steps]
-        return Derivation(
-            number=number,
-            symbol=result.symbol,
-            name=result.meaning or equation.about,
-            unit=result.unit,
-            formula=formulas[0].tree if is_new else (),
-            where=list(self.meanings_of(steps)),
-            rows=[
-                CaseRow(
-                    _circumstance(step.case),
-                    formula.with_numbers(units=False, line=len(steps) > _FEW),
-                    float(step.value),
-                )
-                for step, formula in zip(steps, formulas, strict=True)
-            ],
-            source=equation.source if is_new else "",
-            differs=_print_differs(equation.name) if is_new else "",
-        )
+        where, line = [*self.meanings_of(steps)], len(steps) > _FEW
+        rows = [
+            CaseRow(_circumstance(step.case), formula.with_numbers(units=False, line=line), float(step.value))
+            for step, formula in zip(steps, formulas, strict=True)
+        ]
+        own = Derivation(number, result.symbol, result.meaning or equation.about, result.unit, (), where, rows)
+        if not is_new:
+            return own
+        differs = _print_differs(equation.name)
+        return own._replace(formula=formulas[0].tree, source=equation.source, differs=differs)
 
     def meanings_of(self, steps: list[NotedStep]) -> Iterator[Meaning]:
         """Yield the meanings of the symbols of a formula, each once in a report."""

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from ...messages import RAISED, filled, localized, translate
@@ -65,8 +64,7 @@ class Area(NamedTuple):
     high: Sequence[float]
 
 
-@dataclass(frozen=True)
-class Chart:
+class Chart(NamedTuple):
     """One pair of axes."""
 
     x: ChartAxis
@@ -90,8 +88,7 @@ class Chart:
         return [entry.label for entries in (self.areas, self.lines, self.guides) for entry in entries if entry.label]
 
 
-@dataclass(frozen=True)
-class Sheet:
+class Sheet(NamedTuple):
     """Drawing of one plot command: panels one below the other, title above, caption below."""
 
     title: str

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import date
 from itertools import count
 from typing import Any, NamedTuple
@@ -32,8 +32,7 @@ from .title import text_as_given, today
 from .words import PEOPLE, SHORT, form, titled, told
 
 
-@dataclass(frozen=True)
-class Subject:
+class Subject(NamedTuple):
     """Subject of a report: the dossier of a clutch, and how the report shows it."""
 
     dossier: Dossier
@@ -148,7 +147,7 @@ class _Parts:
         if dossier.section is not None:
             sheet = sheet_of("section", dossier.section)
             panels = [panel.without_table() for panel in sheet.panels] if short else sheet.panels
-            self.drawn["spec"] = [replace(sheet, panels=panels)]
+            self.drawn["spec"] = [sheet._replace(panels=panels)]
         texts = [str([table.title, table.rows]) for chapter in self.chapters for table in chapter.tables]
         texts += [text for step in self.steps for text in (step.source, step.differs)]
         texts += [*(finding.message for finding in self.remarks)]
