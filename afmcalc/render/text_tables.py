@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ..findings import Finding
 from ..messages import deferred, named, native, printable, say, translate, with_unit
@@ -174,10 +174,12 @@ def step_lines(laid_out: Document) -> list[str]:
     """Lines of an explanation, for each step: name, formula, numbers, value with source, difference from the print."""
     lines = []
     for step in laid_out.steps:
-        at = say(" at {place}", place=step.at) if step.at else ""
-        at = ", ".join([at, *told_apart(step, laid_out.steps)])
+        at = [say(" at {place}", place=step.at) if step.at else ""]
+        for name, words in _APART.items():  # spring setting and side, if steps of the same quantity differ in them
+            if len({getattr(other, name) for other in laid_out.steps if other.symbol == step.symbol}) > 1:
+                at.append(translate(words[getattr(step, name)]))
         symbol = native(step.symbol)
-        lines += ["", f"{symbol}{at}: {translate(step.name)}", f"    {symbol} = {step.formula}"]
+        lines += ["", f"{symbol}{', '.join(at)}: {translate(step.name)}", f"    {symbol} = {step.formula}"]
         indent = " " * (5 + len(symbol))
         if step.substituted != step.formula:
             lines.append(f"{indent}= {step.substituted}")
@@ -185,13 +187,6 @@ def step_lines(laid_out: Document) -> list[str]:
         if step.print_differs:
             lines.append(say("    print differs: {what}", what=step.print_differs))
     return lines
-
-
-def told_apart(step: Any, steps: Sequence[Any]) -> list[str]:
-    """Spring setting and side of a step, if steps of the same quantity differ in them."""
-    alike = [other for other in steps if other.symbol == step.symbol]
-    names = [name for name in _APART if len({getattr(other, name) for other in alike}) > 1]
-    return [translate(_APART[name][getattr(step, name)]) for name in names]
 
 
 _APART: Mapping[str, Mapping[str | None, str]] = {

@@ -21,7 +21,7 @@ from ..plot.curve_sheets import SPRINGS
 from ..text_tables import TextTable, blocks, cells, quantities
 from .blocks import Piece, Step, Text, listed, piece, text, when
 from .formulas import SHORT, broken, formula, size
-from .pieces import marks, said
+from .pieces import MISPRINT, said
 from .words import form, told
 
 
@@ -144,9 +144,10 @@ def _what(step: Derivation) -> Text:
     parts: list[Text | Piece] = [piece("b", said(step.symbol)), said(translate(step.name))]
     if not step.formula:
         parts.append(piece("soft", say("By formula ({number}).", number=step.number)))
-    notes = [said(translate(step.source).rstrip(".")), *map(text, marks(step))]
-    if step.source or notes[1:]:
-        parts.append(piece("sources", text("[", listed(notes if step.source else notes[1:], "; "), "]")))
+    named = MISPRINT.findall(step.source)
+    notes = [said(translate(step.source).rstrip("."))] if step.source else []
+    notes += [text(mark) for mark in dict.fromkeys(MISPRINT.findall(step.differs)) if mark not in named]
+    parts += [piece("sources", text("[", listed(notes, "; "), "]"))] if notes else []
     return listed(parts, " ")
 
 

@@ -5,9 +5,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from ...analysis.explain.explain import Derivation
 from ...messages import filled, printable, translate
-from ...papers.register import citations
+from ...papers.register import sources
 from ...spec.keys import keys
 from ..symbols import split
 from .blocks import Piece, Svg, Table, Text, piece, text
@@ -81,23 +80,18 @@ def name_of(path: str) -> str:
 _REST = re.compile(r"; |: | \(")
 
 
-def marks(step: Derivation) -> list[str]:
-    """Numbers of the misprints that a formula corrects, except misprints that the source of the formula names."""
-    return [mark for mark in dict.fromkeys(MISPRINT.findall(step.differs)) if mark not in MISPRINT.findall(step.source)]
-
-
 MISPRINT = re.compile(r"\bM\d+\b")
 
 
 def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
     """Blocks with a number in place of each cited source, and source → number, in the order of first mention."""
     numbers: dict[str, int] = {}
-    sources = citations()
+    known = sources()
 
     def cite(found: re.Match[str]) -> str:
-        key = next(key for key in sources if found[key])
+        key = next(key for key in known if found[key])
         number = numbers.setdefault(key, len(numbers) + 1)
-        name = f"{found[key]} " if sources[key][1] and found[key] != key else ""
+        name = f"{found[key]} " if "name_stays" in known[key] and found[key] != key else ""
         if formulas := found["formulas"]:
             many = formulas.count("(") > 1
             mark = filled(
@@ -107,7 +101,7 @@ def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
             mark = f"[{number}, {found['place']}]" if found["place"] else f"[{number}]"
         return name + mark
 
-    named = "|".join(rf"(?P<{key}>(?<!\w)(?:{pattern})(?!\w))" for key, (pattern, _) in sources.items())
+    named = "|".join(rf"(?P<{key}>(?<!\w)(?:{entry['cited']})(?!\w))" for key, entry in known.items())
     pattern = re.compile(f"(?:{named}){_WHERE}")
     return [_changed(block, lambda words: pattern.sub(cite, words)) for block in blocks], numbers
 
