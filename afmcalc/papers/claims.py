@@ -3,13 +3,14 @@
 Figures are recomputed with corrected formulas where the paper has misprints.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from importlib import import_module
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
+from ..equations.arrays import Values
 from ..errors import AfmcalcError
 from ..findings import Finding, finding
 from ..messages import did_you_mean, filled, say, translate
@@ -17,6 +18,8 @@ from ..result import Answer, Result, described, quantity
 from . import FIGURES, PAPERS
 from .register import check_papers, data
 
+Curves: TypeAlias = Iterator[tuple[Values, Values]]
+"""Abscissas and ordinates of each curve of a figure."""
 Verdict = Literal["reproduced", "reproduced with correction", "not reproduced", "undecided"]
 
 

@@ -4,14 +4,14 @@ Ratios of friction: n = f_2max/f_1max, p = f_2min/f_1min, m = f_1max/f_1min (dri
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from ..equations import accuracy, unlike
 from ..equations.arrays import Values
-from .claims import Recomputed, judged
+from .claims import Curves, Recomputed, judged
 
 RANGES = ((0.10, 0.6), (0.14, 0.7), (0.16, 0.7), (0.16, 0.8))
 """Smallest and largest friction of the driving pairs, f_1min and f_1max, for curves 1–4."""
@@ -30,7 +30,7 @@ def line(low: float, high: float) -> float:
     return accuracy.accuracy_factor_of_path(0, CONTROLLED, GAIN, low, low, high, high)
 
 
-def figure_2() -> Iterator[tuple[Values, Values]]:
+def figure_2() -> Curves:
     """Accuracy factor K_т over n = f_2max/f_1max: curves 1–4 by (17), lines 5–7 for one material."""
     ratios = _meeting_lines()
     # curve 4 has no line to meet; it has the ratio p of curve 3, whose f_1min is the same

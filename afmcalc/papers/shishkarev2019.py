@@ -1,13 +1,13 @@
 """Шишкарёв 2019 (S19): curves of figure 2, and the claims P1–P4, P17, P24–P26, P38–P40 and P49."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
 
 from ..equations import accuracy, adjustment, direct, life
 from ..equations.arrays import Values
-from .claims import Recomputed, judged, near
+from .claims import Curves, Recomputed, judged, near
 
 _THRESHOLD: Any = adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"]
 _BAND: Any = adjustment.DIRECT_ONE_MATERIAL["scatter_of_one_material"]
@@ -29,7 +29,7 @@ def forecast(band: Values) -> Any:
     return cycles(band + LEAST - MEAN, MEAN)
 
 
-def figure_2() -> Iterator[tuple[Values, Values]]:
+def figure_2() -> Curves:
     """Life over the scatter band, formula (20)."""
     band = np.linspace(500, 1100, 121)
     yield band, cycles(band)

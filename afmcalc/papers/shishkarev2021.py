@@ -3,7 +3,7 @@
 All clutches are set at f_min, so friction is never below the friction at the setting.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..equations import accuracy, control_unit, indirect, pack
 from ..equations.arrays import Values
-from .claims import Recomputed, judged, near
+from .claims import Curves, Recomputed, judged, near
 
 _FACTOR: Any = indirect.STRAIGHT["accuracy_factor_as_set"]
 
@@ -57,7 +57,7 @@ def _gains(stop: float) -> NDArray[np.float64]:
     return np.linspace(_THRESHOLD, stop, 241)
 
 
-def figure_2() -> Iterator[tuple[Values, Values]]:
+def figure_2() -> Curves:
     """Curves over the gain: K_т of the indirect clutch by (15), ratio K_п of nominal torques, K_т of base clutch."""
     gain = _gains(12.0)
     for stiffness in _CLOSING:
@@ -66,7 +66,7 @@ def figure_2() -> Iterator[tuple[Values, Values]]:
     yield gain, base_factor(gain)
 
 
-def figure_4() -> Iterator[tuple[Values, Values]]:
+def figure_4() -> Curves:
     """Ball radius (23) and travel (16) over the gain."""
     gain = _gains(24.0)
     for curve in ball_and_travel(gain):

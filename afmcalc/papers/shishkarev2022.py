@@ -1,6 +1,5 @@
 """Шишкарев 2022 (S22), overload with a margin: curves of figures 1–4, claims P9–P12, P18–P22, P31–P37, P43–P46."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -8,7 +7,7 @@ import numpy as np
 from ..equations import accuracy, adjustment, direct, indirect, overload
 from ..equations.arrays import Values
 from ..messages import translate
-from .claims import Recomputed, judged, near
+from .claims import Curves, Recomputed, judged, near
 
 _THRESHOLD: Any = adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"]
 _GAIN_LIMIT: Any = direct.DIFFERENTIATED["gain_limit"]
@@ -37,7 +36,7 @@ def actual_factor(reduced: Values) -> Any:
     return expected_factor(reduced) * np.maximum(factor(reduced), 1.0)
 
 
-def figure_1() -> Iterator[tuple[Values, Values]]:
+def figure_1() -> Curves:
     """Bound (11) of the friction over the number of pairs, reconstructed."""
     pairs, smooth = np.arange(2.0, 11.0), np.linspace(2, 10, 161)
     yield smooth, overload.friction_bound(smooth, MARGIN, 5.0)
@@ -45,7 +44,7 @@ def figure_1() -> Iterator[tuple[Values, Values]]:
     yield smooth, HIGH
 
 
-def figure_2() -> Iterator[tuple[Values, Values]]:
+def figure_2() -> Curves:
     """Discriminant and roots of (17) over the reduced gain; the right root only up to a friction of 1."""
     reduced = np.linspace(0.02, 5, 250)
     gains = {low: overload.loop_gain(reduced, 1, low) for low in (0.1, 0.2)}
@@ -57,14 +56,14 @@ def figure_2() -> Iterator[tuple[Values, Values]]:
     yield shown, overload.friction_at_unit_loop_gain(shown)
 
 
-def figure_3() -> Iterator[tuple[Values, Values]]:
+def figure_3() -> Curves:
     """Actual and expected accuracy factor over the reduced gain."""
     reduced = np.linspace(0, 5, 501)
     yield reduced, actual_factor(reduced)
     yield reduced, expected_factor(reduced)
 
 
-def figure_4() -> Iterator[tuple[Values, Values]]:
+def figure_4() -> Curves:
     """Factor A over the number of driving pairs."""
     bypass = np.array([1.0, 2.0, 3.0])
     # gain C = 1/(z_1 f_max) for z_1 ≥ 2 bypass pairs; for z_1 = 1 the stated reduced gain

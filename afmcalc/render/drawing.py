@@ -14,6 +14,7 @@ from .plot.paint import COLOURS, INK, PAPER, SHADE, WRONG
 from .symbols import split
 
 Point: TypeAlias = tuple[float, float]
+Polyline: TypeAlias = tuple[Point, ...]
 Rectangle: TypeAlias = tuple[float, float, float, float]
 """Left, right, lower and upper coordinate of a rectangle."""
 
@@ -68,7 +69,7 @@ class Region(NamedTuple):
     """Area within closed contours; a contour inside another contour is a hole."""
 
     layer: str
-    contours: tuple[tuple[Point, ...], ...]
+    contours: tuple[Polyline, ...]
     part: str = ""
     hatch: float = 0.0
     """Angle of the hatch lines, degrees; 0: none."""
@@ -78,7 +79,7 @@ class Stroke(NamedTuple):
     """A line through points."""
 
     layer: str
-    points: tuple[Point, ...]
+    points: Polyline
 
 
 class Circle(NamedTuple):
@@ -234,7 +235,7 @@ def _length(shape: Length) -> list[Simple]:
     y, height = shape.line, shape.height
     long, gap = _LONG * height, 0.25 * height
 
-    def turned(*points: Point) -> tuple[Point, ...]:
+    def turned(*points: Point) -> Polyline:
         return tuple((y, x) for x, y in points) if shape.upright else points
 
     (low, low_at), (high, high_at) = sorted(turned(shape.start, shape.end))
@@ -286,7 +287,7 @@ def text_width(text: str, height: float) -> float:
     return sum((0.7 if low else 1.0) * len(piece) for piece, low in split(text)) * _LETTER * height
 
 
-def corners(box: Rectangle) -> tuple[Point, ...]:
+def corners(box: Rectangle) -> Polyline:
     """Corners of a rectangle, anticlockwise from the lower left."""
     left, right, low, high = box
     return (left, low), (right, low), (right, high), (left, high)
@@ -297,7 +298,7 @@ def rectangle(layer: str, box: Rectangle, part: str = "", hatch: float = 0.0) ->
     return Region(layer, (corners(box),), part, hatch)
 
 
-def outlines(boxes: Sequence[Rectangle]) -> tuple[tuple[Point, ...], ...]:
+def outlines(boxes: Sequence[Rectangle]) -> tuple[Polyline, ...]:
     """Closed contours of the union of rectangles, each with the covered area to its left."""
     xs, ys = (sorted({box[side + end] for box in boxes for end in (0, 1)}) for side in (0, 2))
     covered = {

@@ -16,7 +16,7 @@ from ..drawing import (
     Drawing,
     Inscription,
     Length,
-    Point,
+    Polyline,
     Region,
     Shape,
     Stroke,
@@ -78,7 +78,7 @@ def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> I
     yield Region(name.lower(), (contour,))
 
 
-def contours(drawing: ShopDrawing) -> dict[str, tuple[Point, ...]]:
+def contours(drawing: ShopDrawing) -> dict[str, Polyline]:
     """Points of every contour by its layer, mm."""
     return {each.layer: tuple((1e3 * x, 1e3 * y) for x, y in each.points) for each in drawing.contours}
 

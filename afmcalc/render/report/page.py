@@ -160,16 +160,15 @@ class _Parts:
     def sections(self) -> list[blocks.Section]:
         """Lay out the sections that have content, and the appendices with their letters, in order."""
         has: dict[str, object] = {
-            "requirements": self.required, "peaks": self.peaks, "misprints": self.mended,
-            "source": self.subject.with_source,
+            "requirements": self.required or (form().paper == "framed" and not self.short), "peaks": self.peaks,
+            "misprints": self.mended, "source": self.subject.with_source,
         }  # fmt: skip
-        set_so = form()._replace(sections=SHORT, appendices=(), always=()) if self.short else form()
         sections, appendices = (
-            [name for name in names if name in set_so.always or has.get(name, True)]
-            for names in (set_so.sections, set_so.appendices)
+            [name for name in names if has.get(name, True)]
+            for names in ((SHORT, ()) if self.short else (form().sections, form().appendices))
         )
         self.labels = {name: str(number) for number, name in enumerate(sections, 1)}
-        lettered = zip(appendices, set_so.letters, strict=False)
+        lettered = zip(appendices, form().letters, strict=False)
         self.labels |= {name: say("Appendix {letter}", letter=letter) for name, letter in lettered}
         titles = {name: told("next" if self.short and name == "conclusion" else name) for name in self.labels}
         return [
@@ -498,13 +497,13 @@ def _scatter(group: str, name: str, given: dict[str, Any]) -> _SpecLine:
     """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of the key that scatters."""
     quantity, key = scatter_at(name), keys().get(name)
     unit = quantity.unit if quantity else ""
-    parts = {part: value for part, value in given.items() if part != "distribution"}
-    numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in parts.items()]
+    kind = worded(given.pop("distribution"))
+    numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in given.items()]
     # a spread in percent has no further unit
-    shown_unit = "" if all(isinstance(value, str) for value in parts.values()) else display_unit(unit)
+    shown_unit = "" if all(isinstance(value, str) for value in given.values()) else display_unit(unit)
     symbol, about = "f", translate("scatter of the friction in service")
     if key:
         symbol = key.symbol or ""
         about = say("scatter: {about}", about=name_of(name))
-    value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
+    value = (", " if spoken() == "en" else "; ").join([kind, *numbers])
     return _SpecLine(group, f"tolerance.fields.{name}", symbol, about, value, shown_unit, False)
