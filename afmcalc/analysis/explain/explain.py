@@ -101,16 +101,18 @@ def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
 _LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
 
 
-def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
-    """Return each step once whose law is a formula and whose numbers are finite."""
-    found: dict[tuple[object, ...], NotedStep] = {}
+def shown(steps: Iterable[NotedStep], known: set[object] | None = None) -> list[NotedStep]:
+    """Return each step once whose law is a formula and whose numbers are finite, except steps that are ``known``."""
+    known, found = set() if known is None else known, list[NotedStep]()
     for step in steps:
         numbers = (*step.values.values(), step.value)
-        if all(isinstance(one, int | float) and math.isfinite(one) for one in numbers) and _equation(step).result.unit:
+        finite = all(isinstance(one, int | float) and math.isfinite(one) for one in numbers)
+        if finite and _equation(step).result.unit and (own := (step.name, step.case, *numbers)) not in known:
             with suppress(TypeError):  # a law that compares numbers, as in a search for a maximum, is no formula
                 _formula(step)
-                found.setdefault((step.name, step.case, *numbers), step)
-    return [*found.values()]
+                known.add(own)
+                found.append(step)
+    return found
 
 
 def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[NotedStep]]:
@@ -151,11 +153,11 @@ def _result(step: NotedStep) -> Term:
 class Circumstance(NamedTuple):
     """Circumstance in which a value was calculated."""
 
-    at: str | None = None
+    at: str | None
     """Friction, or another condition, in words, such as ``f_max``; None if there is none."""
-    setting: Method | None = None
+    setting: Method | None
     """Method by which the spring is set; None: as in the spec."""
-    side: str | None = None
+    side: str | None
     """``unprotected`` if the load is on that side of the clutch, else None."""
 
 
@@ -166,7 +168,7 @@ def _circumstance(cases: str) -> Circumstance:
     words = [case for case, word in CASES.items() if word and case in cases.split()]
     at = [translate(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
     setting = next((_SETTINGS[case] for case in words if case in _SETTINGS), None)
-    return Circumstance(", ".join(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
+    return Circumstance(", ".join(at) or None, setting, "unprotected" if "unprotected" in words else None)
 
 
 def _formula(step: NotedStep, *, special: bool = True) -> FormulaText:
@@ -244,14 +246,11 @@ _FEW = 4
 
 def derivations(sections: Mapping[str, Iterable[NotedStep]]) -> dict[str, list[Derivation]]:
     """Return the derivations of each section, from the steps noted in it; each formula is shown once."""
-    report, known = _Report(), dict[int, str]()
-    sections = {name: [*where_largest(steps)] for name, steps in sections.items()}
-    for name, steps in sections.items():
-        known |= {id(step): name for step in steps}
-    new: dict[str, list[NotedStep]] = {name: [] for name in sections}
-    for step in shown(step for steps in sections.values() for step in steps):
-        new[known[id(step)]].append(step)
-    return {name: [report.derivation(part) for part in by_law(sections[name], own)] for name, own in new.items()}
+    report, known, made = _Report(), set[object](), dict[str, list[Derivation]]()
+    for name, noted in sections.items():
+        steps = [*where_largest(noted)]
+        made[name] = [report.derivation(part) for part in by_law(steps, shown(steps, known))]
+    return made
 
 
 class _Report:

@@ -190,7 +190,8 @@ class _Parts:
 
     def _requirements(self) -> Iterable[Block]:
         if not self.required:
-            return [_paragraph(say("The spec states no requirements; the clutch is calculated as it is given."))]
+            words = say("The spec states no requirements; the clutch is calculated as it is given.")
+            return [blocks.Paragraph(text(words))]
         lead = say("What the clutch is to hold, and what it uses of each limit:")
         return self._led(lead, *judged(self.required, say("Requirements")))
 
@@ -273,7 +274,7 @@ class _Parts:
 
     def _symbols(self) -> Iterator[Block]:
         if spoken() == "en":
-            yield _paragraph(say("In brackets: as the papers write a symbol."))
+            yield blocks.Paragraph(text(say("In brackets: as the papers write a symbol.")))
         shown: list[tuple[str, str]] = []
         for step in self.steps:
             shown += [(part.symbol, explained(part)) for part in step.where if part.text]
@@ -320,10 +321,6 @@ class _Parts:
             lead = say("Overridden on the command line")
             yield blocks.Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
         yield blocks.Code(printable(text_as_given(self.dossier.spec.label), lines=True))
-
-
-def _paragraph(words: str) -> blocks.Paragraph:
-    return blocks.Paragraph(text(words))
 
 
 def see(*shown: blocks.Table | blocks.Figure) -> Text:
