@@ -18,6 +18,7 @@ from ..plot import sheet_of
 from ..plot.schemes import SCHEMES
 from . import blocks
 from .blocks import Block, Document, Piece, Text, listed, piece, text, when
+from .chapters import explained
 from .formulas import broken, equated, formula
 from .html import page
 from .page import figure_of
@@ -107,11 +108,8 @@ class _Book:
         equation = entry.equation
         symbol = symbol_tree(equation.result.symbol)
         source = self._linked(translate(equation.source).rstrip("."), equation.name)
-        what = [
-            text(_strong(said(equation.result.symbol))),
-            said(translate(equation.about)),
-            when(source, piece("sources", text("[", source, "]"))),
-        ]
+        what: list[Piece | Text] = [piece("b", said(equation.result.symbol)), said(translate(equation.about))]
+        what += [piece("sources", text("[", source, "]"))] if source else []
         lines = []
         if entry.worked:
             example = piece("soft", say("In numbers, example:{example}", example=entry.example))
@@ -119,20 +117,23 @@ class _Book:
             lines = [([text(example)], [formula(broken(equated(symbol, entry.worked, value)))])]
         notes = []
         if validity := translate(equation.validity):
-            notes.append(text(_strong(say("Validity:")), " ", self._linked(validity, equation.name)))
+            notes.append(_note(say("Validity:"), self._linked(validity, equation.name)))
         for place in entry.printed:
             if place.status == "mended":
                 print_of = said(worded(place.id)), ": ", said(worded(place.printed or ""), False)
-                notes.append(text(_strong(say("Printed:")), " ", *print_of, f" ({place.misprint})"))
-        proofs = when(entry.proofs, _strong(say("Proved by:")), " ", _codes(entry.proofs), "; ")
+                notes.append(_note(say("Printed:"), *print_of, f" ({place.misprint})"))
+        proofs = when(entry.proofs, _note(say("Proved by:"), _codes(entry.proofs), "; "))
         commands = _codes(entry.commands) if entry.commands else text(say("no command"))
-        by = text(_strong(say("Calculated by:")), " ", commands, "; ")
-        notes.append(text(proofs, by, _strong(say("Function:")), " ", piece("code", equation.name)))
+        by, function = _note(say("Calculated by:"), commands, "; "), piece("code", equation.name)
+        notes.append(text(proofs, by, _note(say("Function:"), function)))
         return blocks.Step(
             what=listed(what, " "),
             number=self.numbers[equation.name],
             formula=formula(broken(equated(symbol, entry.formula))),
-            where=[_term(term.symbol, term.meaning, typeset(term.unit)) for term in equation.arguments.values()],
+            where=[
+                _note(said(term.symbol), "– ", said(explained(term.meaning, term.unit)))
+                for term in equation.arguments.values()
+            ],
             lines=lines,
             notes=notes,
         )
@@ -174,10 +175,9 @@ class _Book:
     def _notation(self) -> blocks.Table:
         equations = (entry.equation for entry in self.handbook.formulas.values())
         terms = (term for each in equations for term in (*each.arguments.values(), each.result))
-        meant = [(term.symbol, translate(term.meaning), typeset(term.unit)) for term in terms if term.meaning]
-        rows = {(name, meaning, translate(unit, "unit")) for name, meaning, unit in meant}
-        rows_in_order = sorted(rows, key=lambda row: (row[0].casefold(), *row))
-        return table("", ("Symbol", "Quantity", "Unit"), [[*map(said, row)] for row in rows_in_order])
+        meant = {(each.symbol, translate(each.meaning), translate(typeset(each.unit), "unit")) for each in terms}
+        rows = sorted((row for row in meant if row[1]), key=lambda row: (row[0].casefold(), *row))
+        return table("", ("Symbol", "Quantity", "Unit"), [[*map(said, row)] for row in rows])
 
     def _claims(self) -> blocks.Table:
         rows = [
@@ -186,7 +186,7 @@ class _Book:
                 *(said(worded(each)) for each in (row.source, row.inputs)),
                 said(worded(row.printed), ours=False),
                 said(worded(row.computed)),
-                said(worded(row.verdict) + (f" ({worded(row.correction)})" if row.correction else "")),
+                said(f"{worded(row.verdict)} ({worded(row.correction)})" if row.correction else worded(row.verdict)),
                 said(worded(row.why)),
             ]
             for row in self.handbook.claims
@@ -195,14 +195,10 @@ class _Book:
         return table("claims", heads, rows, named=True)
 
     def _misprints(self) -> blocks.Table:
-        rows = [
-            [
-                text(piece("link", entry.id, entry.id)),
-                said(translate(entry.where)),
-                text(translate(entry.status, "value")),
-            ]
-            for entry in misprints()
-        ]
+        rows = []
+        for each in misprints():
+            link, status = text(piece("link", each.id, each.id)), text(translate(each.status, "value"))
+            rows.append([link, said(translate(each.where)), status])
         return table("", ("No.", "Where", "Kind"), rows)
 
     def _references(self) -> blocks.Table:
@@ -210,18 +206,13 @@ class _Book:
         return table("", ("Cited as", "Source"), rows, named=True)  # without the handbook, which does not cite itself
 
 
-def _strong(words: str | Text) -> Piece:
-    return piece("b", words)
+def _note(head: str | Text, *parts: str | Piece | Text) -> Text:
+    """Text after a head in bold."""
+    return text(piece("b", head), " ", *parts)
 
 
 def _codes(names: Sequence[str]) -> Text:
     return listed([piece("code", name) for name in names])
-
-
-def _term(symbol: str, meaning: str, unit: str) -> Text:
-    """Text with a symbol, its meaning and its unit."""
-    means = when(meaning, " – ", said(translate(meaning)))
-    return text(_strong(said(symbol)), means, f", {translate(unit, 'unit')}" if unit not in ("1", "") else "")
 
 
 def _misprint(entry: Misprint) -> blocks.Step:
@@ -229,14 +220,11 @@ def _misprint(entry: Misprint) -> blocks.Step:
     status = [translate(entry.status, "value") + (f" {entry.repeats}" if entry.repeats else "")]
     status += [translate(entry.certainty, "value")] if entry.certainty != entry.status else []
     quote = when(entry.quote, piece("q", said(entry.quote or "", False)))
-    printed = [text(_strong(say("Printed") + ":")), said(translate(entry.printed), False), quote]
-    reading = when(entry.reading, ". ", _strong(say("Right if read as:")), " ", said(translate(entry.reading or "")))
-    notes = [
-        listed(printed, " "),
-        *([text(_strong(say("Should be:")), " ", said(translate(entry.correct)))] if entry.correct != "–" else []),
-        text(_strong(say("Why") + ":"), " ", said(translate(entry.why)), reading),
-    ]
-    what = text(_strong(entry.id), " ", said(translate(entry.where)), " ", piece("sources", f"[{'; '.join(status)}]"))
+    reading = when(entry.reading, ". ", _note(say("Right if read as:"), said(translate(entry.reading or ""))))
+    notes = [listed([_note(say("Printed") + ":", said(translate(entry.printed), False)), quote], " ")]
+    notes += [_note(say("Should be:"), said(translate(entry.correct)))] if entry.correct != "–" else []
+    notes.append(_note(say("Why") + ":", said(translate(entry.why)), reading))
+    what = _note(entry.id, said(translate(entry.where)), " ", piece("sources", f"[{'; '.join(status)}]"))
     return blocks.Step(what, notes=notes, key=entry.id)
 
 

@@ -169,17 +169,16 @@ def _labels(cases: Sequence[Circumstance], method: str) -> dict[str, list[str]]:
     return columns
 
 
-def explained(meaning: Meaning) -> str:
+def explained(words: str, unit: str) -> str:
     """Meaning of a symbol, with its unit."""
-    unit = translate(typeset(meaning.unit), "unit")
-    return ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
+    return ", ".join(filter(None, (translate(words), translate(typeset(unit), "unit")))) if words else ""
 
 
 def _explained(meanings: Sequence[Meaning]) -> list[Text]:
     """Explain each symbol once, with every formula that gives the symbol."""
     origins: dict[tuple[str, str], list[Piece]] = {}
     for each in meanings:
-        words = explained(each)
+        words = explained(each.text, each.unit)
         same = (key for key in origins if key[0] == each.symbol and words in ("", key[1]))
         known = origins.setdefault(next(same, (each.symbol, words)), [])
         if each.number is not None:  # a link to the formula, after the quantity's own symbol if the two differ

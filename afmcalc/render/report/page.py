@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 from ... import __version__
 from ...analysis.check import CheckResult, CheckRow
 from ...analysis.dossier import Dossier
-from ...analysis.explain.explain import Meaning
 from ...findings import Finding
 from ...messages import filled, localized, named, native, printable, say, spoken, translate, with_unit
 from ...papers.register import misprints, references
@@ -277,9 +276,9 @@ class _Parts:
             yield blocks.Paragraph(text(say("In brackets: as the papers write a symbol.")))
         shown: list[tuple[str, str]] = []
         for step in self.steps:
-            shown += [(part.symbol, explained(part)) for part in step.where if part.text]
+            shown += [(part.symbol, explained(part.text, part.unit)) for part in step.where if part.text]
             # the name is the heading of the step and therefore begins with a capital
-            name = explained(Meaning(step.symbol, step.name, step.unit))
+            name = explained(step.name, step.unit)
             shown.append((step.symbol, (name[:1].lower() if name[1:2].islower() else name[:1]) + name[1:]))
         tables = [each for chapter in self.chapters for each in chapter.tables if each.header[0] == translate("Symbol")]
         unit = translate("Unit")
