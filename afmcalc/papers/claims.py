@@ -4,7 +4,6 @@ Figures are recomputed with corrected formulas where the paper has misprints.
 """
 
 from collections.abc import Iterator, Mapping
-from functools import cache
 from importlib import import_module
 from typing import Any, Literal, NamedTuple, TypeAlias
 
@@ -165,12 +164,6 @@ class ReproduceResult(Answer):
     points: list[CurvePoint] | None = described("points of the curves", optional=True, data=True)
 
 
-@cache
-def recorded_claims() -> list[dict[str, str]]:
-    """Claims of the papers with their recorded verdicts; if a verdict differs now, the formulas have changed."""
-    return data("claims.toml")["claim"]
-
-
 def claims(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
     """Recompute the claims of ``papers`` (keys; empty: all), in the order of their numbers, and the curves of figures.
 
@@ -181,7 +174,7 @@ def claims(papers: list[str], figures: list[str] | None = None) -> tuple[Reprodu
     modules = (import_module(f".{PAPERS[paper]}", __package__) for paper in papers or PAPERS)
     recomputing = {name: each for module in modules for name, each in vars(module).items()}
     rows, findings = list[Row](), list[Finding]()
-    for entry in recorded_claims():
+    for entry in data("claims.toml")["claim"]:  # if a verdict differs from the record, the formulas have changed
         if recompute := recomputing.get(entry["id"].lower()):  # p1 recomputes the claim P1
             verdict, deviation, values = recompute()
             own = {"computed": filled(entry["computed"], values), "deviation": deviation, "verdict": verdict}

@@ -93,7 +93,7 @@ def _walk(
         if value is None and not type(result).model_fields[field.path.removeprefix(prefix)].is_required():
             continue
         label = f"{heading}: {field.name}" if heading else field.name
-        column = field._replace(symbol=indexed(field.symbol, index), name=label, hidden=_is_left_out(field))
+        column = field._replace(symbol=indexed(field.symbol, index), name=label)
         if isinstance(value, Triple | OpenTriple):
             into.triples.append(column._replace(values=[getattr(value, end) for end in ENDS], words=()))
         elif isinstance(value, Result):
@@ -116,10 +116,6 @@ def _walk(
             into.singles.append(column._replace(hidden=out))
 
 
-def _is_left_out(column: Column) -> bool:
-    return column.shown.details and not _with_details.get()
-
-
 def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
     """Return a column, with standard errors, for every field of records of one type; a triple takes one column."""
     fields = type(records[0]).model_fields
@@ -135,7 +131,8 @@ def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
         errors = [getattr(record, error_fields[name]) for record in records] if name in error_fields else []
         label = translate(fields[name].description or name)
         column = Column(prefix + name, shown.symbol or "", label, shown.unit, values, shown, units, words)
-        columns.append(column._replace(errors=[] if None in errors else errors))
+        hidden = shown.details and not _with_details.get()
+        columns.append(column._replace(errors=[] if None in errors else errors, hidden=hidden))
     return columns
 
 
@@ -164,7 +161,7 @@ def _records(records: Sequence[Result]) -> Table:
                 name = f"{column.name} {translate(column.shown.in_words(key) if column.shown.in_words else key)}"
                 columns.append(column._replace(path=f"{column.path}.{key}", name=name, values=values))
         elif any(value is not None for value in column.values) or any(column.words):
-            columns.append(column._replace(hidden=_is_left_out(column)))
+            columns.append(column)
     return Table("", columns)
 
 

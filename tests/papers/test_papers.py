@@ -14,7 +14,7 @@ from sources import table
 
 from afmcalc.equations.catalogue import equations
 from afmcalc.papers import FIGURES
-from afmcalc.papers.claims import claims, paper_figure, recorded_claims
+from afmcalc.papers.claims import claims, paper_figure
 from afmcalc.papers.register import data, misprints, papers, register
 
 
@@ -27,7 +27,7 @@ def test_every_row_and_its_verdict(rows):
     result, findings = claims([])
     assert list(rows) == [f"P{k}" for k in range(1, 50)]
     assert {key: row.verdict for key, row in rows.items()} == {
-        entry["id"]: entry["verdict"] for entry in recorded_claims()
+        entry["id"]: entry["verdict"] for entry in data("claims.toml")["claim"]
     }
     assert result.as_expected
     assert findings == []
@@ -52,7 +52,7 @@ def test_the_command(afmcalc, monkeypatch):
     assert curves == set(FIGURES)
     assert len(afmcalc("papers", "--claims", "--paper", "S19", "--json").json["result"]["rows"]) == 12
     assert [afmcalc("papers", "--claims", *wrong).code for wrong in (["--paper", "X"], ["--figure", "X-1"])] == [2, 2]
-    entry = next(entry for entry in recorded_claims() if entry["id"] == "P9")
+    entry = next(entry for entry in data("claims.toml")["claim"] if entry["id"] == "P9")
     monkeypatch.setitem(entry, "verdict", "not reproduced")
     run = afmcalc("papers", "--claims", "--paper", "S22", "--json")
     assert (run.code, [each["code"] for each in run.json["findings"]]) == (0, ["unexpected-verdict"])

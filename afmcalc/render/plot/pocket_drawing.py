@@ -39,36 +39,26 @@ def pocket(drawing: ShopDrawing) -> Sheet:
     back, side = (1e3 * end for end in drawing.extent)
     unit = max(2 * back / (WIDTH - _BESIDE), 2 * side / (_HIGH / len(titles) - _BETWEEN))
     size, high, right = TEXT * unit, 2 * side + _BETWEEN * unit, WIDTH / 2 * unit
+    steepness = (math.tan(found.wall_angle) + math.tan(found.wall_angle_max or found.wall_angle)) / 2
     shapes = list[Shape]()
     for number, (travel, title) in enumerate(titles):
-        up = -number * high
-        shapes += [*_moved(drawing, travel, up), Circle("balls", (0.0, up), found.ball_diameter * 500)]
+        # the sleeves off their stop; with a curved wall one sleeve seats the ball, the other is turned to touch it
+        up, first = -number * high, travel if found.wall is not None else travel / 2
+        faces = 1e3 * (found.face_gap / 2 + first), 1e3 * (found.face_gap / 2 + travel - first)
+        for name, hand, face in zip(("SLEEVE_1", "SLEEVE_2"), (1, -1), faces, strict=True):
+            off = face - 500 * found.face_gap
+            shapes += sleeve(drawing, name, hand * off, up + hand * off * steepness)
+        shapes.append(Circle("balls", (0.0, up), found.ball_diameter * 500))
         for x, y in ((1.04 * back, 0.0), (0.0, 1.04 * side)):
             shapes.append(Stroke("centre", ((-x, up - y), (x, up + y))))
         if title:
             shapes.append(Inscription(title, (size - right, side + 26 * unit + up), size))
         if travel:
-            (first, second), low = _faces(found, travel), up - side
-            label = f"s + x = {tenths(found.face_gap + travel)}"
-            shapes.append(Length(label, size, (-second, low), (first, low), low - 8 * unit))
+            label, low = f"s + x = {tenths(found.face_gap + travel)}", up - side
+            shapes.append(Length(label, size, (-faces[1], low), (faces[0], low), low - 8 * unit))
     shapes += dimensions(drawing, unit, size, lambda symbol, length: f"{symbol} = {tenths(length)}")
     frame = -right, high - side - 14 * unit - len(titles) * high, right, side + 30 * unit
     return Sheet(translate("Ball and pockets, section A–A"), [Drawing(shapes, frame)], _caption(found), drawing.name)
-
-
-def _faces(found: SynthesisResult, travel: float) -> tuple[float, float]:
-    """Distances of both sleeves' faces from the ball's centre, mm; with a curved wall one sleeve seats the ball."""
-    first, gap = travel if found.wall is not None else travel / 2, found.face_gap / 2
-    return 1e3 * (gap + first), 1e3 * (gap + travel - first)
-
-
-def _moved(drawing: ShopDrawing, travel: float, up: float) -> Iterator[Shape]:
-    """Draw both sleeves off their stop; a sleeve in which the ball moves is turned until a wall touches the ball."""
-    found = drawing.synthesis
-    steepness = (math.tan(found.wall_angle) + math.tan(found.wall_angle_max or found.wall_angle)) / 2
-    for name, hand, face in zip(("SLEEVE_1", "SLEEVE_2"), (1, -1), _faces(found, travel), strict=True):
-        off = face - 500 * found.face_gap
-        yield from sleeve(drawing, name, hand * off, up + hand * off * steepness)
 
 
 def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> Iterator[Shape]:

@@ -49,7 +49,14 @@ def cell(words: str) -> Text:
     """
     if words in keys():
         return text(piece("code", words))
-    return text(*(part for each in said(words) for part in (_powers(each) if isinstance(each, str) else (each,))))
+    parts: list[str | Piece] = []
+    for each in said(words):
+        before, *powers = _POWER.split(each) if isinstance(each, str) else (each,)
+        parts.append(before)
+        for mantissa, power, after in zip(powers[::3], powers[1::3], powers[2::3], strict=True):
+            ten = "10" if mantissa == "1" else f"{mantissa}·10".replace("-", "−")
+            parts += [ten, piece("sup", str(int(power)).replace("-", "−")), after]
+    return text(*parts)
 
 
 def table(
@@ -57,15 +64,6 @@ def table(
 ) -> Table:
     """Table under English headings, which are translated."""
     return Table(role, text(title), [text(translate(head)) for head in heads], rows, named=named)
-
-
-def _powers(words: str) -> Iterable[str | Piece]:
-    before, *powers = _POWER.split(words)
-    yield before
-    for mantissa, power, after in zip(powers[::3], powers[1::3], powers[2::3], strict=True):
-        yield "10" if mantissa == "1" else f"{mantissa}·10".replace("-", "−")
-        yield piece("sup", str(int(power)).replace("-", "−"))
-        yield after
 
 
 _POWER = re.compile(r"([\d.]+|\(.* ± .*\))e([+-]\d+)")
