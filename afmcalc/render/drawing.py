@@ -293,6 +293,12 @@ def corners(box: Rectangle) -> Polyline:
     return (left, low), (right, low), (right, high), (left, high)
 
 
+def middle(box: Rectangle) -> Point:
+    """Centre of a rectangle."""
+    left, right, low, high = box
+    return (left + right) / 2, (low + high) / 2
+
+
 def rectangle(layer: str, box: Rectangle, part: str = "", hatch: float = 0.0) -> Region:
     """Area of a rectangle."""
     return Region(layer, (corners(box),), part, hatch)

@@ -18,6 +18,7 @@ from ..drawing import (
     Region,
     Shape,
     Stroke,
+    middle,
     rectangle,
 )
 from .chart import Sheet
@@ -48,10 +49,9 @@ def _half_section(parts: tuple[Part, ...], length: float, top: float) -> Drawing
     for part in parts:
         shapes += (shape for box in part.boxes for shape in _shapes(part.kind, box))
         if part.number:
-            left, right, low, high = part.boxes[0]
-            middle, (x, y) = ((left + right) / 2, (low + high) / 2), part.at
-            below = y - 0.5 * size if y > middle[1] else y + size
-            shapes += [Stroke("dimensions", (middle, (x, below))), Circle("dimensions", middle, 0.15 * size)]
+            tip, (x, y) = middle(part.boxes[0]), part.at
+            below = y - 0.5 * size if y > tip[1] else y + size
+            shapes += [Stroke("dimensions", (tip, (x, below))), Circle("dimensions", tip, 0.15 * size)]
             shapes.append(Inscription(part.number, (x, y - 0.35 * size), size, "middle"))
     return Drawing(shapes, (0.0, -0.5, length, top))
 
@@ -59,7 +59,7 @@ def _half_section(parts: tuple[Part, ...], length: float, top: float) -> Drawing
 def _shapes(kind: str, box: Rectangle) -> Iterator[Shape]:
     left, right, low, high = box
     if kind == "ball":
-        yield Circle("balls", ((left + right) / 2, (low + high) / 2), (high - low) / 2)
+        yield Circle("balls", middle(box), (high - low) / 2)
     elif kind == "spring":
         step = (right - left) / (2 * _TURNS)
         points = ((left + step * turn, low if turn % 2 else high) for turn in range(2 * _TURNS + 1))

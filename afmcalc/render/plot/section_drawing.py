@@ -44,11 +44,12 @@ def _drawing(section: ClutchSection) -> draw.Drawing:
     starts: list[float] = []
     lengths = [each for each in measures.values() if each.low >= 0 and each.key != "length"]
     for each in sorted(lengths, key=lambda each: -each.low):
-        text = draw.text_width(_label(each), size)
+        drawn = _dimension(each, size)
+        text = draw.text_width(drawn.label, size)
         end = each.high * _MM + (0.0 if text < (each.high - each.low) * _MM else text + row)
         level = next((level for level, start in enumerate(starts) if end < start), len(starts))
         starts[level : level + 1] = [each.low * _MM - row]
-        shapes.append(_dimension(each, size, radius + (level + 1) * row))
+        shapes.append(drawn._replace(line=radius + (level + 1) * row))
     for side, step, names in ((0.0, -1.15 * row, _INSIDE), (length, 1.15 * row, _OUTSIDE)):
         diameters = sorted((measures[name] for name in names if name in measures), key=lambda each: each.high)
         shapes += [_dimension(each, size, side + place * step) for place, each in enumerate(diameters, 1)]
@@ -57,25 +58,22 @@ def _drawing(section: ClutchSection) -> draw.Drawing:
     table, top = _part_list(section), -radius - 4.8 * row
     cells = [
         draw.Inscription(cell, (left + (1.4 + column) * unit, top - number * row), size)
-        for number, row_cells in enumerate(table)
-        for cell, column in zip(row_cells, _COLUMNS, strict=True)
+        for number, texts in enumerate(table)
+        for cell, column in zip(texts, _COLUMNS, strict=True)
         if cell
     ]
     frame = left, top - (len(table) - 0.4) * row, left + draw.WIDTH * unit, radius + (len(starts) + 1) * row
     return draw.Drawing([*shapes, *cells], frame, cells=len(cells))
 
 
-def _dimension(measure: MainDimension, size: float, line: float, hand: int = 1) -> draw.Length:
+def _dimension(measure: MainDimension, size: float, line: float = 0.0, hand: int = 1) -> draw.Length:
     low, high, at, upright = measure.low * _MM, measure.high * _MM, hand * measure.at * _MM, measure.low < 0
     ends = ((at, low), (at, high)) if upright else ((low, at), (high, at))
-    return draw.Length(_label(measure), size, *ends, line, upright, measure.key, measure.about)
-
-
-def _label(measure: MainDimension) -> str:
     given = measure.key in _GIVEN and not measure.assumed
     length = display(measure.high - measure.low, "m") if given else draw.tenths(measure.high - measure.low)
-    number = f"{'Ø ' if measure.low < 0 else ''}{length}{' *' if measure.assumed else ''}"
-    return f"{measure.symbol} = {number}" if measure.symbol else number
+    number = f"{'Ø ' if upright else ''}{length}{' *' if measure.assumed else ''}"
+    label = f"{measure.symbol} = {number}" if measure.symbol else number
+    return draw.Length(label, size, *ends, line, upright, measure.key, measure.about)
 
 
 def _rectangles(boxes: Iterable[Box], hand: int = 1) -> list[draw.Rectangle]:
@@ -128,7 +126,7 @@ def _cut(part: DrawnPart, boxes: list[draw.Rectangle], pockets: list[draw.Rectan
 
 
 def _ball(box: draw.Rectangle, layer: str, part: str = "") -> draw.Circle:
-    return draw.Circle(layer, ((box[0] + box[1]) / 2, (box[2] + box[3]) / 2), (box[1] - box[0]) / 2, part)
+    return draw.Circle(layer, draw.middle(box), (box[1] - box[0]) / 2, part)
 
 
 def _spring(part: DrawnPart, box: draw.Rectangle) -> Iterator[draw.Shape]:
@@ -176,8 +174,8 @@ def _numbers(section: ClutchSection, length: float, y: float, size: float) -> It
     places = []
     for part in section.parts.values():
         boxes = _rectangles(part.boxes, -1)
-        left, right, low, high = max(boxes, key=lambda box: (box[1] - box[0]) * (box[3] - box[2]))
-        places.append(((left + right) / 2, (low + high) / 2, part.number))
+        largest = max(boxes, key=lambda box: (box[1] - box[0]) * (box[3] - box[2]))
+        places.append((*draw.middle(largest), part.number))
     # in the middle of equal steps along the length and beyond it, so that no number is on a line of its dimension
     within = max(1, min(len(places), int(length / (2 * size))))
     for place, (x, middle, number) in enumerate(sorted(places), (within - len(places)) // 2):
