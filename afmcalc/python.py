@@ -239,13 +239,13 @@ class Clutch:
         from hashlib import sha256
 
         from .analysis.dossier import dossier
-        from .render.report import render, subject_of
+        from .render.report import Subject, render
 
         need("report")
-        source = self.spec.label
-        told, digest = dossier(self.spec, explained=not short), sha256(source.text.encode()).hexdigest()
+        told = dossier(self.spec, explained=not short)
+        digest = sha256(self.spec.label.text.encode()).hexdigest()
         with open(path, "w", encoding="utf-8") as file:
-            file.write(render(subject_of(told, source, digest, short=short)))
+            file.write(render(Subject(told, digest, short=short)))
 
     def _summary(self) -> list[tuple[str, str]]:
         """Rows (name, text) of a summary: torques, accuracy, and the verdict of the quick checks."""

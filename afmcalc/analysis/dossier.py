@@ -5,6 +5,7 @@ from contextlib import suppress
 from typing import Any, NamedTuple
 
 from ..engines import build
+from ..engines.quantities import NotedStep
 from ..errors import CalculationError, given
 from ..findings import Finding
 from ..messages import filled, translate
@@ -49,10 +50,15 @@ class Dossier(NamedTuple):
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
     """Run every analysis that applies to a clutch, once; ``explained`` adds the derivations."""
-    if explained:
-        answers, derived = _explained(spec, model)
-    else:
-        answers, derived = Answers(build(spec), model=model), {}
+    answers, derived = Answers(noting(spec) if explained else build(spec), model=model), dict[str, list[NotedStep]]()
+    for analysis in (
+        ANALYSES.values() if explained else ()
+    ):  # which note their steps; a formula is shown where first used
+        if analysis.section and analysis.explained and analysis.applies(answers.clutch):
+            before = len(steps_of(answers.clutch))
+            answers.ask(analysis.name)
+            derived[analysis.name] = steps_of(answers.clutch)[before:]
+    shown = derivations(derived)
     applying = [
         analysis
         for analysis in ANALYSES.values()
@@ -63,21 +69,9 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     findings = list(dict.fromkeys(findings))
     return Dossier(
         spec=spec, check=verdict, findings=findings, steps=[*steps_to_take(spec, findings)],
-        topics=[_topic(analysis, answers, derived.get(analysis.name, [])) for analysis in applying],
+        topics=[_topic(analysis, answers, shown.get(analysis.name, [])) for analysis in applying],
         section=_drawn("section", answers),
     )  # fmt: skip
-
-
-def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
-    """Answers of a clutch that notes its steps, and analysis → derivations; a formula is shown where first used."""
-    wanted = [each for each in ANALYSES.values() if each.section and each.explained]
-    answers, sections = Answers(noting(spec), model=model), {}
-    for each in wanted:
-        if each.applies(answers.clutch):
-            before = len(steps_of(answers.clutch))
-            answers.ask(each.name)
-            sections[each.name] = steps_of(answers.clutch)[before:]
-    return answers, derivations(sections)
 
 
 def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> Topic:

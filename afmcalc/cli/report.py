@@ -48,8 +48,8 @@ def report(
     """  # noqa: D301
     need_drawing("report")
     from ..analysis.dossier import dossier
+    from ..render.report import Subject
     from ..render.report import report as laid_out
-    from ..render.report import subject_of
     from ..spec.read import spec_of
 
     given = {"form": form, "revision": revision}
@@ -58,8 +58,7 @@ def report(
     def document() -> "Document":
         source, digest = common.text(spec)
         told = dossier(spec_of(source, common.overrides), model, explained=not short)
-        shown = {"with_source": with_source, "short": short}
-        return laid_out(subject_of(told, source, digest, common.overrides, **shown))
+        return laid_out(Subject(told, digest, common.overrides, with_source, short))
 
     _write(common, document, spec=spec, pdf=pdf)
 

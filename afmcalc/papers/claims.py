@@ -3,13 +3,13 @@
 Figures are recomputed with corrected formulas where the paper has misprints.
 """
 
-from collections.abc import Mapping
-from functools import cache
+from collections.abc import Iterator, Mapping
 from importlib import import_module
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
+from ..equations.arrays import Values
 from ..errors import AfmcalcError
 from ..findings import Finding, finding
 from ..messages import did_you_mean, filled, say, translate
@@ -17,6 +17,8 @@ from ..result import Answer, Result, described, quantity
 from . import FIGURES, PAPERS
 from .register import check_papers, data
 
+Curves: TypeAlias = Iterator[tuple[Values, Values]]
+"""Abscissas and ordinates of each curve of a figure."""
 Verdict = Literal["reproduced", "reproduced with correction", "not reproduced", "undecided"]
 
 
@@ -62,33 +64,31 @@ class PaperFigure(NamedTuple):
 class Recomputed(NamedTuple):
     """Result of recomputing one claim."""
 
+    verdict: Verdict
+    deviation: Any
+    """Relative deviation, computed/printed − 1; None without a printed number."""
     values: Mapping[str, Any]
     """Values for the fields in the text ``computed`` of the claim in ``claims.toml``."""
-    as_printed: Any
-    """True if the claim follows from the formulas and inputs as printed."""
-    corrected: Any = False
-    """True if the claim follows once a misprint is corrected."""
-    deviation: Any = None
-    """Relative deviation, computed/printed − 1; None without a printed number."""
-    undecided: bool = False
-    """True if the paper leaves open the inputs that decide whether the claim is true."""
 
-    @property
-    def verdict(self) -> Verdict:
-        """Verdict on the claim."""
-        if self.as_printed:
-            return "reproduced"
-        return "reproduced with correction" if self.corrected else "undecided" if self.undecided else "not reproduced"
+
+def judged(
+    as_printed: Any, corrected: Any = False, /, *, deviation: Any = None, undecided: Any = False, **values: Any
+) -> Recomputed:
+    """Verdict on a claim, and ``values`` for its text.
+
+    It follows from the formulas and inputs as printed, or once a misprint is corrected, or the paper leaves open the
+    inputs that decide. ``deviation``: relative deviation, computed/printed − 1.
+    """
+    verdict: Verdict = "undecided" if undecided else "not reproduced"
+    if as_printed or corrected:
+        verdict = "reproduced" if as_printed else "reproduced with correction"
+    return Recomputed(verdict, deviation, {name: np.asarray(each).tolist() for name, each in values.items()})
 
 
 def paper_figure(name: str) -> PaperFigure:
-    """Figure of a paper, recomputed.
+    """Figure of a paper by paper and number such as ``S22-3``, recomputed.
 
-    Args:
-        name: paper and number, such as ``"S22-3"``.
-
-    Raises:
-        AfmcalcError: there is no such figure, or the figure is a scheme without formula.
+    Raises AfmcalcError if there is no such figure, or if the figure is a scheme without formula.
     """
     wanted = name.upper().replace(" ", "-")
     if wanted not in FIGURES:
@@ -107,13 +107,6 @@ def paper_figure(name: str) -> PaperFigure:
     axes = {"x": PaperAxis(**entry["x"]), "y": [PaperAxis(**axis) for axis in entry["y"]]}
     panels = [[curve(*about) for about in panel] for panel in entry["panels"]]
     return PaperFigure(wanted.replace("-", " fig. "), **entry | axes | {"panels": panels})
-
-
-def _plain(value: Any) -> Any:
-    """Value with arrays and tuples replaced by lists."""
-    if isinstance(value, list | tuple):
-        return [_plain(each) for each in value]
-    return value.tolist() if isinstance(value, np.ndarray | np.generic) else value
 
 
 def near(computed: Any, printed: float, digits: float) -> Any:
@@ -171,70 +164,40 @@ class ReproduceResult(Answer):
     points: list[CurvePoint] | None = described("points of the curves", optional=True, data=True)
 
 
-@cache
-def recorded_claims() -> list[dict[str, str]]:
-    """Claims of the papers with their recorded verdicts; if a verdict differs now, the formulas have changed."""
-    return data("claims.toml")["claim"]
-
-
 def claims(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
-    """Recompute the claims of the papers, in the order of their numbers, and the curves of their figures.
+    """Recompute the claims of ``papers`` (keys; empty: all), in the order of their numbers, and the curves of figures.
 
-    Args:
-        papers: keys of the papers; empty for all papers.
-        figures: figures, such as ``S22-3``, whose curves are returned with points; None for the curves of all figures
-            of ``papers``, without points.
-
-    Raises:
-        AfmcalcError: there is no such paper or figure.
+    The curves are those of ``figures``, with points, or None: of all figures of ``papers``, without points. Raises
+    AfmcalcError if there is no such paper or figure.
     """
     check_papers(papers)
-    modules = [import_module(f".{PAPERS[paper]}", __package__) for paper in papers or PAPERS]
+    modules = (import_module(f".{PAPERS[paper]}", __package__) for paper in papers or PAPERS)
+    recomputing = {name: each for module in modules for name, each in vars(module).items()}
     rows, findings = list[Row](), list[Finding]()
-    for entry in recorded_claims():
-        for module in modules:
-            if recompute := getattr(
-                module, entry["id"].lower(), None
-            ):  # p1 of a paper's module recomputes its claim P1
-                found = recompute()
-                text = filled(entry["computed"], {name: _plain(each) for name, each in found.values.items()})
-                own = {"computed": text, "deviation": found.deviation, "verdict": found.verdict}
-                rows.append(Row(**{"correction": None, **entry, **own}))
-                if found.verdict != entry["verdict"]:
-                    record = entry["verdict"]
-                    findings.append(
-                        finding("unexpected-verdict", "error", row=entry["id"], verdict=found.verdict, record=record)
-                    )
+    for entry in data("claims.toml")["claim"]:  # if a verdict differs from the record, the formulas have changed
+        if recompute := recomputing.get(entry["id"].lower()):  # p1 recomputes the claim P1
+            verdict, deviation, values = recompute()
+            own = {"computed": filled(entry["computed"], values), "deviation": deviation, "verdict": verdict}
+            rows.append(Row(**{"correction": None, **entry, **own}))
+            if verdict != entry["verdict"]:
+                told = {"row": entry["id"], "verdict": verdict, "record": entry["verdict"]}
+                findings.append(finding("unexpected-verdict", "error", **told))
     verdicts = [row.verdict for row in rows]
     shown = [paper_figure(name) for name in figures or FIGURES if figures or not papers or name.split("-")[0] in papers]
+    curves, points = list[CurveRow](), list[CurvePoint]()
+    for figure in shown:
+        mended = "; ".join(map(translate, figure.corrections))
+        for axis, panel in zip(figure.y, figure.panels, strict=True):
+            y, x = (each.symbol or translate(each.name) for each in (axis, figure.x))
+            for number, label, xs, ys, _ in panel:
+                name, ends = {"figure": figure.name, "curve": number or label}, {"first": ys[0], "last": ys[-1]}
+                ends |= {"least": min(ys), "largest": max(ys)}
+                axes = say("{y} over {x}", y=y, x=x)
+                curves.append(CurveRow(**name, **ends, label=label, axes=axes, corrections=mended))
+                points += [CurvePoint(**name, x=x, y=y) for x, y in zip(xs, ys, strict=True)] if figures else []
     result = ReproduceResult(
         rows=rows, reproduced=verdicts.count("reproduced"), corrected=verdicts.count("reproduced with correction"),
         not_reproduced=verdicts.count("not reproduced"), undecided=verdicts.count("undecided"),
-        as_expected=not findings, curves=[row for figure in shown for row in _curves(figure)],
-        points=[point for figure in shown for point in _points(figure)] if figures else None,
+        as_expected=not findings, curves=curves, points=points if figures else None,
     )  # fmt: skip
     return result, findings
-
-
-def _curves(figure: PaperFigure) -> list[CurveRow]:
-    """Rows that summarise the curves of a figure: first, smallest, largest and last value of each curve."""
-    x = figure.x.symbol or translate(figure.x.name)
-    return [
-        CurveRow(
-            figure=figure.name, curve=curve.number or curve.label, label=curve.label,
-            axes=say("{y} over {x}", y=y, x=x), first=curve.y[0], least=min(curve.y), largest=max(curve.y),
-            last=curve.y[-1], corrections="; ".join(map(translate, figure.corrections)),
-        )
-        for axis, panel in zip(figure.y, figure.panels, strict=True)
-        for y in [axis.symbol or translate(axis.name)]
-        for curve in panel
-    ]  # fmt: skip
-
-
-def _points(figure: PaperFigure) -> list[CurvePoint]:
-    return [
-        CurvePoint(figure=figure.name, curve=curve.number or curve.label, x=x, y=y)
-        for panel in figure.panels
-        for curve in panel
-        for x, y in zip(curve.x, curve.y, strict=True)
-    ]

@@ -4,14 +4,14 @@ Ratios of friction: n = f_2max/f_1max, p = f_2min/f_1min, m = f_1max/f_1min (dri
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from ..equations import accuracy, unlike
 from ..equations.arrays import Values
-from .claims import Recomputed
+from .claims import Curves, Recomputed, judged
 
 RANGES = ((0.10, 0.6), (0.14, 0.7), (0.16, 0.7), (0.16, 0.8))
 """Smallest and largest friction of the driving pairs, f_1min and f_1max, for curves 1–4."""
@@ -30,7 +30,7 @@ def line(low: float, high: float) -> float:
     return accuracy.accuracy_factor_of_path(0, CONTROLLED, GAIN, low, low, high, high)
 
 
-def figure_2() -> Iterator[tuple[Values, Values]]:
+def figure_2() -> Curves:
     """Accuracy factor K_т over n = f_2max/f_1max: curves 1–4 by (17), lines 5–7 for one material."""
     ratios = _meeting_lines()
     # curve 4 has no line to meet; it has the ratio p of curve 3, whose f_1min is the same
@@ -44,7 +44,7 @@ def p13() -> Recomputed:
     """Judge the claim that curves 1–3 rise with the ratio n and that curve 4 is level."""
     two, one = ([factor(1.5, 1, *own, z1) - factor(0.5, 1, *own, z1) for own in RANGES] for z1 in (2, 1))
     as_described = [min(rises[:3]) > 0 and abs(rises[3]) < 1e-12 for rises in (two, one)]
-    return Recomputed({"two": two, "one": one}, *as_described)
+    return judged(*as_described, two=two, one=one)
 
 
 def p14() -> Recomputed:
@@ -56,15 +56,16 @@ def p14() -> Recomputed:
         curves = [factor(_ALONG, p, *limits, bypass) - line(*limits) for p, limits in zip(meet, ranges, strict=True)]
         return all(np.all(curve[:-1] < 0) and abs(curve[-1]) < 1e-6 for curve in map(np.asarray, curves))
 
-    values = {
-        "meet": meet,
-        "lines": lines,
-        "early": [np.interp(line(*limits), factor(_ALONG, 1.01, *limits), _ALONG) for limits in ranges],
-        "at": [factor(1.5, 1.2, *limits) for limits in ranges],
+    return judged(
+        as_described(2),
+        as_described(1),
+        meet=meet,
+        lines=lines,
+        early=[np.interp(line(*limits), factor(_ALONG, 1.01, *limits), _ALONG) for limits in ranges],
+        at=[factor(1.5, 1.2, *limits) for limits in ranges],
         # K_т tends to a limit as n grows; if p is larger than at this limit, no n gives the K_т of the line
-        "last": [_break_even(1e12, *limits) for limits in ranges],
-    }
-    return Recomputed(values, as_described(2), as_described(1))
+        last=[_break_even(1e12, *limits) for limits in ranges],
+    )
 
 
 def _meeting_lines() -> list[Any]:
@@ -93,7 +94,7 @@ def p15() -> Recomputed:
         "by_min": _elasticity(lambda t: factor(1, 1, low / t, high)),
     }
     in_n, *others = map(abs, values.values())
-    return Recomputed({**values}, in_n > max(others))
+    return judged(in_n > max(others), **values)
 
 
 def p16() -> Recomputed:
@@ -106,13 +107,14 @@ def p16() -> Recomputed:
         others = max(max(levels) for limits in curves[1:] for levels in limits)
         return min(small[2:]) > max(*small[:2], *large, others)
 
-    values = {
-        "at": at,
-        "small": [factor(n, 0.8, *RANGES[0]) for n in at],
-        "level": [factor(n, 1, *RANGES[0]) for n in at],
-        "slopes": [unlike.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0]) for n in at],
-    }
-    return Recomputed(values, as_described(2), as_described(1))
+    return judged(
+        as_described(2),
+        as_described(1),
+        at=at,
+        small=[factor(n, 0.8, *RANGES[0]) for n in at],
+        level=[factor(n, 1, *RANGES[0]) for n in at],
+        slopes=[unlike.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0]) for n in at],
+    )
 
 
 def p23() -> Recomputed:
@@ -123,7 +125,7 @@ def p23() -> Recomputed:
 
     n, p = np.meshgrid(np.linspace(0.5, 1.5, 21), np.linspace(0.5, 2, 31))
     falls = [all(np.all(slope < 0) for slope in slopes(bypass, n, p)) for bypass in (2, 1)]
-    return Recomputed({"two": slopes(2), "one": slopes(1)}, *falls)
+    return judged(*falls, two=slopes(2), one=slopes(1))
 
 
 def p47() -> Recomputed:
@@ -133,10 +135,10 @@ def p47() -> Recomputed:
         return [factor(n, p, *limits, bypass) for limits in RANGES[:3]]
 
     better: list[Any] = [np.all(np.less(factors(1.0, 1.2, z1), factors(1.0, 1.0, z1))) for z1 in (2, 1)]
-    return Recomputed({"alike": factors(1.0, 1.0), "p": factors(1.0, 1.2), "n": factors(0.8, 1.0)}, *better)
+    return judged(*better, alike=factors(1.0, 1.0), p=factors(1.0, 1.2), n=factors(0.8, 1.0))
 
 
 def p48() -> Recomputed:
     """Judge the claim that a ratio n above 1 raises the accuracy and a ratio n below 1 lowers it."""
     curves = [[factor(n, 1, *limits) for n in (0.8, 1.0, 1.2)] for limits in RANGES]
-    return Recomputed({"first": curves[0], "last": curves[-1]}, all(curve[0] > curve[1] > curve[2] for curve in curves))
+    return judged(all(curve[0] > curve[1] > curve[2] for curve in curves), first=curves[0], last=curves[-1])

@@ -41,13 +41,11 @@ class Section(NamedTuple):
 def sections(language: str) -> dict[str, Section]:
     """Return the sections on errors and warnings by their codes."""
     _, *parts = re.split(r"^## `([\w-]+)`\n", chapter_texts(language)[_FINDINGS], flags=re.MULTILINE)
-    return dict(zip(parts[::2], map(_section, parts[1::2]), strict=True))
-
-
-def _section(body: str) -> Section:
-    lines = re.findall(r"\{mend ([^{}]+)\}", body)
-    meaning = " ".join(re.sub(r"\{mend [^{}]+\}|`", "", body).split())
-    return Section(meaning, dict(map(ways_in, lines)))
+    found = {}
+    for code, body in zip(parts[::2], parts[1::2], strict=True):
+        meaning = " ".join(re.sub(r"\{mend [^{}]+\}|`", "", body).split())
+        found[code] = Section(meaning, dict(map(ways_in, re.findall(r"\{mend ([^{}]+)\}", body))))
+    return found
 
 
 def ways_in(line: str) -> tuple[str, list[tuple[str, Way]]]:

@@ -74,16 +74,12 @@ def data(name: str) -> dict[str, Any]:
 
 def references() -> dict[str, str]:
     """Key of a source → reference in the user's language, in the order of the list."""
-    return {key: entry[spoken()] for key, entry in _sources().items()}
-
-
-def citations() -> dict[str, tuple[str, bool]]:
-    """Key of a source → (pattern of its citations, True if the name of the source stays beside a formula's number)."""
-    return {key: (entry["cited"], entry.get("name_stays", False)) for key, entry in _sources().items()}
+    return {key: entry[spoken()] for key, entry in sources().items()}
 
 
 @cache
-def _sources() -> dict[str, Any]:
+def sources() -> dict[str, Any]:
+    """Key of a source → its references by language, and the pattern of its citations."""
     return data("references.toml")
 
 
@@ -95,16 +91,6 @@ def check_papers(papers: list[str]) -> None:
                 "--paper {paper}: no such paper{hint}; papers: {papers}",
                 paper=paper, hint=did_you_mean(paper, PAPERS), papers=", ".join(PAPERS),
             )  # fmt: skip
-
-
-def is_numbered(formula: Formula) -> bool:
-    """True if the paper numbers the formula."""
-    return "unnumbered" not in formula.id
-
-
-def is_accounted(formula: Formula) -> bool:
-    """True if a function implements the formula, other formulas cover it, or a proof backs it."""
-    return formula.function is not None or formula.covered_by is not None or formula.proof is not None
 
 
 def papers(papers: list[str], ids: list[str], *, show_misprints: bool = False) -> tuple[EquationsResult, list[Finding]]:
@@ -124,10 +110,11 @@ def papers(papers: list[str], ids: list[str], *, show_misprints: bool = False) -
             hint = where.get(name[:1]) if name[1:].isdecimal() else None
             raise AfmcalcError("--id {name}: no such formula{hint}", name=name, hint=hint or did_you_mean(name, known))
     chosen = [entry for entry in chosen if not ids or entry.id in ids]
-    numbered = [entry for entry in chosen if is_numbered(entry)]
+    numbered = [entry for entry in chosen if "unnumbered" not in entry.id]
+    accounted = [entry for entry in numbered if entry.function or entry.covered_by or entry.proof]
     slips = [m for m in misprints() if not papers or m.where.split()[0] in papers] if show_misprints else None
     result = EquationsResult(
-        numbered=len(numbered), accounted=sum(is_accounted(entry) for entry in numbered),
+        numbered=len(numbered), accounted=len(accounted),
         formulas=None if show_misprints else chosen, misprints=slips,
     )  # fmt: skip
     return result, []

@@ -1,13 +1,13 @@
 """Шишкарёв 2019 (S19): curves of figure 2, and the claims P1–P4, P17, P24–P26, P38–P40 and P49."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
 
 from ..equations import accuracy, adjustment, direct, life
 from ..equations.arrays import Values
-from .claims import Recomputed, near
+from .claims import Curves, Recomputed, judged, near
 
 _THRESHOLD: Any = adjustment.DIRECT_ONE_MATERIAL["pairs_threshold"]
 _BAND: Any = adjustment.DIRECT_ONE_MATERIAL["scatter_of_one_material"]
@@ -29,7 +29,7 @@ def forecast(band: Values) -> Any:
     return cycles(band + LEAST - MEAN, MEAN)
 
 
-def figure_2() -> Iterator[tuple[Values, Values]]:
+def figure_2() -> Curves:
     """Life over the scatter band, formula (20)."""
     band = np.linspace(500, 1100, 121)
     yield band, cycles(band)
@@ -52,14 +52,14 @@ def p1() -> Recomputed:
     """Judge the printed number of pairs above which the first method's scatter band is narrower than the second's."""
     as_printed, mended = (_THRESHOLD(1, gain, _MIN, _MEAN, _MARGIN) for gain in (_GAIN, 1.4))
     values = {"as_printed": as_printed, "mended": mended}
-    return Recomputed(values, near(as_printed, 9.23, 0.01), near(mended, 9.23, 0.01), as_printed / 9.23 - 1)
+    return judged(*(near(each, 9.23, 0.01) for each in values.values()), deviation=as_printed / 9.23 - 1, **values)
 
 
 def p2() -> Recomputed:
     """Judge the printed ratio by which life falls over the scatter bands of fig. 2."""
     times = cycles(500) / cycles(1100)
     deviation = times / 21.54 - 1
-    return Recomputed({"times": times}, abs(deviation) < 0.01, deviation=deviation)
+    return judged(abs(deviation) < 0.01, deviation=deviation, times=times)
 
 
 def p3() -> Recomputed:
@@ -67,7 +67,7 @@ def p3() -> Recomputed:
     torques = [(MEAN + LEAST + band) / (2 * LEAST + band) for band in (500, 1100)]
     lives = [cycles(band) / forecast(band) for band in (500, 1100)]
     mended = near(torques[0], 1.44, 0.01) and near(torques[1], 1.3, 0.05)
-    return Recomputed({"torques": torques, "lives": lives}, near(lives[0], 1.44, 0.01), mended, lives[1] / 1.3 - 1)
+    return judged(near(lives[0], 1.44, 0.01), mended, deviation=lives[1] / 1.3 - 1, torques=torques, lives=lives)
 
 
 def p4() -> Recomputed:
@@ -76,21 +76,21 @@ def p4() -> Recomputed:
     ratios = [_BANDS(_MARGIN, _arm(_MIN, z), _arm(_MEAN, z)) for z in PAIRS]
     bands = [_BAND(1.0, 1.0, z, z - 1, _GAIN, _MIN, np.linspace(_MIN, _MAX, 50)[1:]) for z in PAIRS]
     grows = np.all(np.diff(bands, axis=0) > 0, axis=0)
-    values = {"bands": [band[-1] for band in bands], "ratios": ratios}
     as_printed = np.any(grows) and near(ratios[0], printed, 0.001)
-    return Recomputed(values, as_printed, deviation=ratios[0] / printed - 1)
+    return judged(as_printed, deviation=ratios[0] / printed - 1, bands=[band[-1] for band in bands], ratios=ratios)
 
 
 def p17() -> Recomputed:
     """Judge whether the printed mean torque T_cp fits T_min, and find the K_т that the scatter bands of P4 imply."""
     ceiling = LEAST * _MEAN / _MIN
-    values = {
-        "implied": [(LEAST + band) / LEAST for band in FIRST],
-        "factors": [_arm(_MAX, z) / _arm(_MIN, z) for z in PAIRS],
-        "most": _MAX / _MIN,
-        "ceiling": ceiling,
-    }
-    return Recomputed(values, ceiling >= MEAN, deviation=ceiling / MEAN - 1)
+    return judged(
+        ceiling >= MEAN,
+        deviation=ceiling / MEAN - 1,
+        implied=[(LEAST + band) / LEAST for band in FIRST],
+        factors=[_arm(_MAX, z) / _arm(_MIN, z) for z in PAIRS],
+        most=_MAX / _MIN,
+        ceiling=ceiling,
+    )
 
 
 def _ends(pairs: int, margin: float, setting: float) -> tuple[float, float]:
@@ -107,14 +107,14 @@ def _ratios(of: Callable[[float, float], float], pairs: Iterable[int] = PAIRS) -
 def p24() -> Recomputed:
     """Judge the claim that the accuracy factor K_т does not depend on the adjustment method."""
     ratios = _ratios(accuracy.accuracy_factor)
-    return Recomputed({"ratios": ratios}, all(near(ratio, 1, 1e-12) for ratio in ratios), deviation=ratios[0] - 1)
+    return judged(all(near(ratio, 1, 1e-12) for ratio in ratios), deviation=ratios[0] - 1, ratios=ratios)
 
 
 def p25() -> Recomputed:
     """Judge the claim that the first method's scatter band is wider than the second's on the unprotected side."""
     first, second = ([life.side_torque(1.5, band) for band in bands] for bands in (FIRST, SECOND))
     wider = all(wide > narrow for wide, narrow in zip(first, second, strict=True))
-    return Recomputed({"first": first, "second": second, "ratios": _ratios(accuracy.scatter)}, wider)
+    return judged(wider, first=first, second=second, ratios=_ratios(accuracy.scatter))
 
 
 def p26() -> Recomputed:
@@ -125,7 +125,7 @@ def p26() -> Recomputed:
 def _where_narrower(of: Callable[[float, float], float]) -> Recomputed:
     """Judge the claim that a torque is lower with the first method, for more and for fewer pairs than by (12)."""
     ratios, below = (_ratios(of, pairs) for pairs in (PAIRS, (8,)))
-    return Recomputed({"ratios": ratios, "pairs": PAIRS, "below": below}, min(ratios + below) > 1, min(ratios) > 1)
+    return judged(min(ratios + below) > 1, min(ratios) > 1, ratios=ratios, pairs=PAIRS, below=below)
 
 
 def p38() -> Recomputed:
@@ -139,7 +139,7 @@ def p39() -> Recomputed:
     swings = np.diff([trips, life.side_torque(1.5, trips)])
     protected, unprotected = np.sum(np.diff(np.sign(swings)) < 0, axis=1)
     lives = cycles(500) / cycles(1.5 * 500, 1.5 * LEAST)
-    return Recomputed({"protected": protected, "unprotected": unprotected, "lives": lives}, protected == unprotected)
+    return judged(protected == unprotected, protected=protected, unprotected=unprotected, lives=lives)
 
 
 def p40() -> Recomputed:
@@ -147,7 +147,7 @@ def p40() -> Recomputed:
     pairs = [_THRESHOLD(1, gain, _MIN, _MEAN, _MARGIN) for gain in (_GAIN, 2 * _GAIN)]
     own, controlled = pairs[0] / pairs[1], (pairs[0] - 1) / (pairs[1] - 1)
     values = {"pairs": pairs, "own": own, "controlled": controlled}
-    return Recomputed(values, near(own, 2, 1e-9), near(controlled, 2, 1e-9), own / 2 - 1)
+    return judged(near(own, 2, 1e-9), near(controlled, 2, 1e-9), deviation=own / 2 - 1, **values)
 
 
 def p49() -> Recomputed:
@@ -155,4 +155,4 @@ def p49() -> Recomputed:
     highest = LEAST + 500
     raised = ((1.1 * LEAST, highest), (LEAST, 1.1 * highest), (1.1 * LEAST, 1.1 * highest))
     lives = [cycles(500) / cycles(high - low, low) for low, high in raised]
-    return Recomputed({"lives": lives}, min(lives) > 1)
+    return judged(min(lives) > 1, lives=lives)

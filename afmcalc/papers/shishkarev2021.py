@@ -3,7 +3,7 @@
 All clutches are set at f_min, so friction is never below the friction at the setting.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..equations import accuracy, control_unit, indirect, pack
 from ..equations.arrays import Values
-from .claims import Recomputed, near
+from .claims import Curves, Recomputed, judged, near
 
 _FACTOR: Any = indirect.STRAIGHT["accuracy_factor_as_set"]
 
@@ -57,7 +57,7 @@ def _gains(stop: float) -> NDArray[np.float64]:
     return np.linspace(_THRESHOLD, stop, 241)
 
 
-def figure_2() -> Iterator[tuple[Values, Values]]:
+def figure_2() -> Curves:
     """Curves over the gain: K_т of the indirect clutch by (15), ratio K_п of nominal torques, K_т of base clutch."""
     gain = _gains(12.0)
     for stiffness in _CLOSING:
@@ -66,7 +66,7 @@ def figure_2() -> Iterator[tuple[Values, Values]]:
     yield gain, base_factor(gain)
 
 
-def figure_4() -> Iterator[tuple[Values, Values]]:
+def figure_4() -> Curves:
     """Ball radius (23) and travel (16) over the gain."""
     gain = _gains(24.0)
     for curve in ball_and_travel(gain):
@@ -95,7 +95,7 @@ def _on_average(printed: float, of: Callable[[Values], Values], gains: tuple[flo
     possible = all(near(average, printed, 0.005) for average in averages)
     as_printed = near(first, printed, 0.005) and near(last, printed, 0.005)
     values = {"first": first, "last": last, "averages": averages}
-    return Recomputed(values, as_printed, deviation=first / printed - 1, undecided=possible)
+    return judged(as_printed, deviation=first / printed - 1, undecided=possible, **values)
 
 
 def p5() -> Recomputed:
@@ -111,7 +111,7 @@ def p6() -> Recomputed:
 def p7() -> Recomputed:
     """Judge the claim that the base clutch is more accurate than the indirect clutch."""
     base, own = ([of(gain) for gain in (1.0, 2.0, 4.0)] for of in (base_factor, factor))
-    return Recomputed({"base": base, "own": own}, all(first < second for first, second in zip(base, own, strict=True)))
+    return judged(all(first < second for first, second in zip(base, own, strict=True)), base=base, own=own)
 
 
 def p8() -> Recomputed:
@@ -124,8 +124,7 @@ def p8() -> Recomputed:
         for (radii, travels), (top, bottom) in zip(curves, turns, strict=True)
     )
     tops, bottoms = ([_WIDE[place] for place in places] for places in zip(*turns, strict=True))
-    values = {"tops": tops, "bottoms": bottoms, "forces": forces}
-    return Recomputed(values, holds and turns == [(0, len(_WIDE) - 1)] * 3, holds)
+    return judged(holds and turns == [(0, len(_WIDE) - 1)] * 3, holds, tops=tops, bottoms=bottoms, forces=forces)
 
 
 _WIDE = np.linspace(0.6, 60.6, 60001)
@@ -149,13 +148,13 @@ def p27() -> Recomputed:
     """Judge the claim that a larger gain keeps T_н and raises accuracy more than a stiffer closing spring does."""
     gains, shown = _gains(60.0)[1:], (1.0, 4.0, 12.0)
     rises = np.all(np.diff(factor(gains)) < 0) and np.ptp(_torque(gains, _LOW)) < 1e-9
-    values = {
-        "factors": [factor(gain) for gain in shown],
-        "torques": [_torque(gain, _LOW) for gain in shown],
-        "doubled": [_doubled(gain) for gain in shown],
-        "stiffer": [_stiffer(gain) for gain in shown],
-    }
-    return Recomputed(values, rises and np.all(_doubled(gains) > _stiffer(gains)))
+    return judged(
+        rises and np.all(_doubled(gains) > _stiffer(gains)),
+        factors=[factor(gain) for gain in shown],
+        torques=[_torque(gain, _LOW) for gain in shown],
+        doubled=[_doubled(gain) for gain in shown],
+        stiffer=[_stiffer(gain) for gain in shown],
+    )
 
 
 def p28() -> Recomputed:
@@ -170,7 +169,7 @@ def p28() -> Recomputed:
     forces = [indirect.release_force(_torque(gain, _HIGH), gain, _RADIUS) for gain in (1.0, 4.0, 12.0)]
     inside = np.all(faster[top:bottom]) and np.all(np.diff(depths[top : bottom + 1]) < 0)
     everywhere = np.all(faster) and np.all(np.diff(depths) < 0)
-    return Recomputed({**{name: _WIDE[at] for name, at in places.items()}, "forces": forces}, everywhere, inside)
+    return judged(everywhere, inside, **{name: _WIDE[at] for name, at in places.items()}, forces=forces)
 
 
 def p29() -> Recomputed:
@@ -178,21 +177,20 @@ def p29() -> Recomputed:
     cosine = 1 / np.sqrt(1 + pack.tan_wall_angle(_WIDE, _BALL_CIRCLE, _RADIUS) ** 2)
     contact = control_unit.contact_force(_torque(_WIDE, _HIGH), 1, _BALL_CIRCLE, cosine)
     least = int(np.argmin(contact))
-    values = {
-        "torque": _torque(1.0, _LOW),
-        "factors": [factor(gain) for gain in (1.0, 10.0, 60.0)],
-        "least": _WIDE[least],
-        "force": contact[least],
-        "last": np.interp(60, _WIDE, contact),
-    }
-    return Recomputed(values, np.ptp(_torque(_WIDE, _LOW)) < 1e-9 and np.all(np.diff(factor(_WIDE)) < 0))
+    return judged(
+        np.ptp(_torque(_WIDE, _LOW)) < 1e-9 and np.all(np.diff(factor(_WIDE)) < 0),
+        torque=_torque(1.0, _LOW),
+        factors=[factor(gain) for gain in (1.0, 10.0, 60.0)],
+        least=_WIDE[least],
+        force=contact[least],
+        last=np.interp(60, _WIDE, contact),
+    )
 
 
 def p30() -> Recomputed:
     """Judge the claim that the stiffness of the closing spring is a second means to set the accuracy."""
     factors = [factor(1.0, stiffness) for stiffness in _CLOSING]
-    values = {"stiffnesses": _CLOSING, "factors": factors, "base": base_factor(1.0)}
-    return Recomputed(values, factors[0] > factors[1] > factors[2])
+    return judged(factors[0] > factors[1] > factors[2], stiffnesses=_CLOSING, factors=factors, base=base_factor(1.0))
 
 
 def p41() -> Recomputed:
@@ -200,12 +198,11 @@ def p41() -> Recomputed:
     capacity = [indirect.nominal_torque_ratio(pairs, 1.0, _LOW, 1.0, 1.0) for pairs in (_PAIRS, _PAIRS - 1)]
     own, base, without = factor(1.0), base_factor(1.0), base_factor(0.0)
     more = min(capacity) > 1
-    values = {"capacity": capacity, "own": own, "base": base, "without": without}
-    return Recomputed(values, more and own < base, more and own < without)
+    return judged(more and own < base, more and own < without, capacity=capacity, own=own, base=base, without=without)
 
 
 def p42() -> Recomputed:
     """Judge the claim that the feather key takes a part of the energy that the springs spend on the sleeve."""
     gains = np.array([1.0, 4.0, 12.0, *_gains(60.0)[1:]])
     losses = 1 - indirect.net_gain(gains, _THRESHOLD) / indirect.net_gain_returning(gains, _THRESHOLD)
-    return Recomputed({"losses": losses[:3]}, np.all((losses > 0) & (losses < 1)))
+    return judged(np.all((losses > 0) & (losses < 1)), losses=losses[:3])

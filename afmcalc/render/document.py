@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from itertools import chain
 from typing import Any, NamedTuple
 
 from ..messages import translate
@@ -92,19 +93,18 @@ def _walk(
         if value is None and not type(result).model_fields[field.path.removeprefix(prefix)].is_required():
             continue
         label = f"{heading}: {field.name}" if heading else field.name
-        column = field._replace(symbol=indexed(field.symbol, index), name=label, hidden=_is_left_out(field))
+        column = field._replace(symbol=indexed(field.symbol, index), name=label)
         if isinstance(value, Triple | OpenTriple):
             into.triples.append(column._replace(values=[getattr(value, end) for end in ENDS], words=()))
         elif isinstance(value, Result):
-            inner_index = column.shown.symbol or ""
-            _walk(value, into, column.path + ".", label, inner_index, hidden or column.words[0] == "")
+            below = column.shown.symbol or "", hidden or column.words[0] == ""
+            _walk(value, into, column.path + ".", label, *below)
         elif isinstance(value, dict):
             if not value or column.words[0] == "":
                 continue
             keys = sorted(value, key=lambda key: -round(abs(value[key]), 9)) if column.shown.ranked else list(value)
-            heads = Column(f"{column.path}.key", "", translate(column.shown.keys_are), "", keys)
-            if in_words := column.shown.in_words:
-                heads = heads._replace(words=[*map(in_words, keys)])
+            words = [*map(column.shown.in_words, keys)] if column.shown.in_words else []
+            heads = Column(f"{column.path}.key", "", translate(column.shown.keys_are), "", keys, words=words)
             figures = column._replace(values=[value[key] for key in keys], words=())
             into.tables.append(Table(column.name, [heads, figures]))
         elif isinstance(value, list) and value and isinstance(value[0], Result):
@@ -112,13 +112,8 @@ def _walk(
             into.tables.append(table._replace(title=label, shown=column.shown, path=column.path))
             into.steps.extend(value if column.shown.steps else ())
         elif value != []:
-            into.singles.append(
-                column._replace(hidden=hidden or column.hidden or column.shown.is_unit or column.words[0] == "")
-            )
-
-
-def _is_left_out(column: Column) -> bool:
-    return column.shown.details and not _with_details.get()
+            out = hidden or column.hidden or column.shown.is_unit or column.words[0] == ""
+            into.singles.append(column._replace(hidden=out))
 
 
 def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
@@ -128,20 +123,16 @@ def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
     error_fields = {shown.error_of: name for name, shown in shown_by_name.items()}
     columns = []
     for name, shown in shown_by_name.items():
-        if not shown.error_of:
-            errors = [getattr(record, error_fields[name]) for record in records] if name in error_fields else []
-            column = Column(
-                prefix + name,
-                shown.symbol or "",
-                translate(fields[name].description or name),
-                shown.unit,
-                [getattr(record, name) for record in records],
-                shown,
-                [getattr(record, shown.unit_in) for record in records] if shown.unit_in else None,
-                [_word(record, name, shown) for record in records],
-                [] if None in errors else errors,
-            )
-            columns.append(column)
+        if shown.error_of:
+            continue
+        values = [getattr(record, name) for record in records]
+        units = [getattr(record, shown.unit_in) for record in records] if shown.unit_in else None
+        words = [_word(record, name, shown) for record in records]
+        errors = [getattr(record, error_fields[name]) for record in records] if name in error_fields else []
+        label = translate(fields[name].description or name)
+        column = Column(prefix + name, shown.symbol or "", label, shown.unit, values, shown, units, words)
+        hidden = shown.details and not _with_details.get()
+        columns.append(column._replace(errors=[] if None in errors else errors, hidden=hidden))
     return columns
 
 
@@ -158,37 +149,26 @@ def _records(records: Sequence[Result]) -> Table:
     columns: list[Column] = []
     for column in fields_of(records):
         if any(isinstance(value, Triple | OpenTriple) for value in column.values):
-            columns += [
-                column._replace(
-                    path=f"{column.path}_{end}",
-                    symbol=f"{column.symbol} {translate(end, 'value')}",
-                    name=f"{column.name}, {translate(at)}",
-                    values=[getattr(value, end, None) for value in column.values],
-                )
-                for end, at in ENDS.items()
-            ]
+            for end, at in ENDS.items():
+                values = [getattr(value, end, None) for value in column.values]
+                symbol, name = f"{column.symbol} {translate(end, 'value')}", f"{column.name}, {translate(at)}"
+                columns.append(column._replace(path=f"{column.path}_{end}", symbol=symbol, name=name, values=values))
         elif isinstance(column.values[0], list) and any(isinstance(one, Result) for one in column.values[0]):
             continue  # only JSON has records inside records
         elif isinstance(column.values[0], dict):
-            columns += [
-                column._replace(
-                    path=f"{column.path}.{key}",
-                    name=f"{column.name} {translate(column.shown.in_words(key) if column.shown.in_words else key)}",
-                    values=[value.get(key) for value in column.values],
-                )
-                for key in dict.fromkeys(key for value in column.values for key in value)
-            ]
+            for key in dict.fromkeys(chain(*column.values)):
+                values = [value.get(key) for value in column.values]
+                name = f"{column.name} {translate(column.shown.in_words(key) if column.shown.in_words else key)}"
+                columns.append(column._replace(path=f"{column.path}.{key}", name=name, values=values))
         elif any(value is not None for value in column.values) or any(column.words):
-            columns.append(column._replace(hidden=_is_left_out(column)))
+            columns.append(column)
     return Table("", columns)
 
 
 def _sweep(sweeps: Sequence[Series]) -> Table:
     """Table of sweeps over one grid: the coordinates of each sweep, then the results, which are the same for all."""
-    axes = [
-        Column(sweep.path, sweep.parameter, sweep.path, sweep.unit, sweep.values, Shown(digits=5)) for sweep in sweeps
-    ]
-    first, *_ = sweeps
+    first, digits = sweeps[0], Shown(digits=5)
+    axes = [Column(each.path, each.parameter, each.path, each.unit, each.values, digits) for each in sweeps]
     answers = [
         column._replace(values=column.values[0], words=())
         for column in fields_of([first])

@@ -6,7 +6,6 @@ The x axis runs to the right, the y axis upwards.
 import math
 import textwrap
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from itertools import product
 from typing import NamedTuple, TypeAlias
 
@@ -15,6 +14,7 @@ from .plot.paint import COLOURS, INK, PAPER, SHADE, WRONG
 from .symbols import split
 
 Point: TypeAlias = tuple[float, float]
+Polyline: TypeAlias = tuple[Point, ...]
 Rectangle: TypeAlias = tuple[float, float, float, float]
 """Left, right, lower and upper coordinate of a rectangle."""
 
@@ -31,13 +31,8 @@ class Layer(NamedTuple):
     """Line type, one of ``DASHES`` or continuous."""
     fill: float = 0.0
     """Opacity of areas on the layer."""
-    hides: bool = False
-    """True if areas on the layer hide what was painted before: their fill is the colour of the paper."""
-
-    @property
-    def face(self) -> str:
-        """Fill colour of areas on the layer."""
-        return PAPER if self.hides else self.colour
+    face: str = ""
+    """Colour of areas on the layer, if it is not ``colour``; that of the paper hides what was painted before."""
 
 
 HIDDEN, CENTRE, GHOST = "HIDDEN2", "CENTER2", "DIVIDE2"
@@ -54,9 +49,9 @@ LAYERS: dict[str, Layer] = {
     "pocket_1": Layer("pocket of the profiled wall: to cut", INK, 7, 0.5),
     "pocket_2": Layer("pocket of the other sleeve: to cut", INK, 7, 0.5),
     "end_view": Layer("a sleeve seen from its pockets", INK, 7, 0.5),
-    "assumed": Layer("edges of what is drawn at a default", INK, 7, 0.25, HIDDEN, fill=1.0, hides=True),
+    "assumed": Layer("edges of what is drawn at a default", INK, 7, 0.25, HIDDEN, fill=1.0, face=PAPER),
     "springs": Layer("springs", COLOURS[2], 3, 0.35),
-    "balls": Layer("balls of the control unit", COLOURS[0], 5, 0.5, fill=1.0, hides=True),
+    "balls": Layer("balls of the control unit", COLOURS[0], 5, 0.5, fill=1.0, face=PAPER),
     "ball": Layer("the ball at the stop", COLOURS[0], 5, 0.25, GHOST),
     "contact": Layer("where the ball touches", COLOURS[1], 30, 0.25, fill=1.0),
     "path": Layer("path of the ball's centre in the profiled sleeve", COLOURS[2], 3, 0.25, CENTRE),
@@ -74,7 +69,7 @@ class Region(NamedTuple):
     """Area within closed contours; a contour inside another contour is a hole."""
 
     layer: str
-    contours: tuple[tuple[Point, ...], ...]
+    contours: tuple[Polyline, ...]
     part: str = ""
     hatch: float = 0.0
     """Angle of the hatch lines, degrees; 0: none."""
@@ -84,7 +79,7 @@ class Stroke(NamedTuple):
     """A line through points."""
 
     layer: str
-    points: tuple[Point, ...]
+    points: Polyline
 
 
 class Circle(NamedTuple):
@@ -156,8 +151,7 @@ class Angle(NamedTuple):
 
 
 Simple: TypeAlias = Region | Stroke | Circle | Inscription
-Dimension: TypeAlias = Length | Diameter | Angle
-Shape: TypeAlias = Simple | Dimension
+Shape: TypeAlias = Simple | Length | Diameter | Angle
 
 WIDTH = 175.0
 """Width of a drawing that fills the text width of a page, mm on paper."""
@@ -169,8 +163,7 @@ _LONG, _HALF = 0.55, 0.14
 """Length and half width of an arrowhead, relative to the font size."""
 
 
-@dataclass(frozen=True)
-class Drawing:
+class Drawing(NamedTuple):
     """Shapes, and the rectangle that encloses them: left, bottom, right, top, mm."""
 
     shapes: Sequence[Shape]
@@ -192,17 +185,17 @@ class Drawing:
         row, inset = 1.4 * size, left + 0.5 * size
         lines = textwrap.wrap(caption, int((right - left) / (_LETTER * size)))
         texts = [Inscription(line, (inset, bottom - row * place), size) for place, line in enumerate(lines, 1)]
-        texts.append(Inscription(title, (inset, top + 1.6 * row), size))
-        texts.append(Inscription(name, (inset, top + 0.6 * row), size, ours=False))
+        above = Inscription(title, (inset, top + 1.6 * row), size)
+        below = Inscription(name, (inset, top + 0.6 * row), size, ours=False)
         frame = left, bottom - row * (len(lines) + 0.5), right, top + 2.7 * row
-        return replace(self, shapes=(*self.shapes, *texts), frame=frame)
+        return self._replace(shapes=[*self.shapes, *texts, above, below], frame=frame)
 
     def without_table(self) -> "Drawing":
         """Drawing without its part list."""
         *shapes, first = self.shapes[: len(self.shapes) - self.cells + 1]
         assert isinstance(first, Inscription)
         left, _, right, top = self.frame
-        return replace(self, shapes=shapes, frame=(left, first.at[1] + first.height, right, top), cells=0)
+        return self._replace(shapes=shapes, frame=(left, first.at[1] + first.height, right, top), cells=0)
 
     def by_layer(self) -> Iterator[tuple[str, list[Shape]]]:
         """Yield each layer that has shapes, in the order they are painted."""
@@ -216,49 +209,46 @@ def exploded(shape: Shape) -> list[Simple]:
     match shape:
         case Length():
             return _length(shape)
-        case Diameter(label, height, (x, y), radius, angle, layer=layer):
+        case Diameter(label, height, (x, y), radius, angle):
             along, across = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-            hand = math.copysign(1, along)
-            ends = [(x + way * radius * along, y + way * radius * across) for way in (-1, 1)]
-            knee = x + (radius + 2 * height) * along, y + (radius + 2 * height) * across
-            shelf = knee[0] + hand * text_width(label, height), knee[1]
-            text = Inscription(label, (min(knee[0], shelf[0]), knee[1] + 0.3 * height), height)
-            heads = [arrow(end, (x, y), height, layer) for end in ends]
-            return [Stroke(layer, (ends[0], knee, shelf)), *heads, text]
-        case Angle(label, height, apex, first, second, radius, layer):
+            near, far, knee = ((x + r * along, y + r * across) for r in (-radius, radius, radius + 2 * height))
+            line, head, *text = leader(label, near, knee, height)
+            return [line, head, arrow(far, (x, y), height), *text]
+        case Angle(label, height, apex, first, second, radius):
             start, stop = (math.atan2(y - apex[1], x - apex[0]) for x, y in (first, second))
             turn = (stop - start) % (2 * math.pi)
             angles = [start + turn * step / 24 for step in range(25)]
             arc = [(apex[0] + radius * math.cos(each), apex[1] + radius * math.sin(each)) for each in angles]
-            wide, middle = text_width(label, height), start + turn / 2
-            out = radius + 0.4 * height
-            x, y = apex[0] + out * math.cos(middle), apex[1] + out * math.sin(middle)
-            at = x + (math.cos(middle) - 1) * wide / 2, y + (math.sin(middle) - 1) * height / 2
-            parts: list[Simple] = [Stroke(layer, tuple(arc)), Inscription(label, at, height)]
-            heads = [arrow(arc[0], arc[1], height, layer), arrow(arc[-1], arc[-2], height, layer)]
-            return [*parts, *heads] if label else parts[:1]
+            line = Stroke("dimensions", tuple(arc))
+            if not label:
+                return [line]
+            along, across, out = math.cos(angles[12]), math.sin(angles[12]), radius + 0.4 * height
+            x, y = apex[0] + out * along, apex[1] + out * across
+            at = x + (along - 1) * text_width(label, height) / 2, y + (across - 1) * height / 2
+            heads = arrow(arc[0], arc[1], height), arrow(arc[-1], arc[-2], height)
+            return [line, Inscription(label, at, height), *heads]
         case _:
             return [shape]
 
 
 def _length(shape: Length) -> list[Simple]:
-    layer, y, height = shape.layer, shape.line, shape.height
+    y, height = shape.line, shape.height
     long, gap = _LONG * height, 0.25 * height
 
-    def turned(*points: Point) -> tuple[Point, ...]:
+    def turned(*points: Point) -> Polyline:
         return tuple((y, x) for x, y in points) if shape.upright else points
 
     (low, low_at), (high, high_at) = sorted(turned(shape.start, shape.end))
     outside = high - low < 2.6 * long
-    parts: list[Simple] = [Stroke(layer, turned((low, y), (high, y)))]
+    parts: list[Simple] = [Stroke("dimensions", turned((low, y), (high, y)))]
     for end, at, hand in ((low, low_at, 1), (high, high_at, -1)):
         back = end + (-hand if outside else hand) * long
         tip, tail = turned((end, y), (back, y))
-        parts.append(arrow(tip, tail, height, layer))
+        parts.append(arrow(tip, tail, height))
         if outside:
-            parts.append(Stroke(layer, turned((back, y), (2 * back - end, y))))
+            parts.append(Stroke("dimensions", turned((back, y), (2 * back - end, y))))
         if abs(y - at) > gap / 2:
-            parts.append(Stroke(layer, turned((end, at), (end, y + math.copysign(gap, y - at)))))
+            parts.append(Stroke("dimensions", turned((end, at), (end, y + math.copysign(gap, y - at)))))
     base = y - gap if shape.upright else y + gap
     beside = not shape.upright and high - low < text_width(shape.label, height)
     place = high + (2.3 * long if outside else gap / 2) if beside else (low + high) / 2
@@ -266,19 +256,18 @@ def _length(shape: Length) -> list[Simple]:
     return [*parts, Inscription(shape.label, at_text, height, "start" if beside else "middle", shape.upright)]
 
 
-def arrow(tip: Point, tail: Point, height: float, layer: str = "dimensions") -> Region:
+def arrow(tip: Point, tail: Point, height: float) -> Region:
     """Arrowhead at ``tip``, of a size that suits texts of ``height``."""
     long = math.dist(tip, tail)
     along, across = ((end - start) / long * height for start, end in zip(tip, tail, strict=True))
     back = tip[0] + _LONG * along, tip[1] + _LONG * across
     sides = (back[0] - _HALF * across, back[1] + _HALF * along), (back[0] + _HALF * across, back[1] - _HALF * along)
-    return Region(layer, ((tip, *sides),))
+    return Region("dimensions", ((tip, *sides),))
 
 
 def leader(text: str, tip: Point, knee: Point, height: float) -> list[Simple]:
     """Leader from a text to ``tip``: an arrow with a horizontal shelf at ``knee``."""
-    hand = math.copysign(1, knee[0] - tip[0])
-    shelf = knee[0] + hand * text_width(text, height), knee[1]
+    shelf = knee[0] + math.copysign(text_width(text, height), knee[0] - tip[0]), knee[1]
     at = min(knee[0], shelf[0]), knee[1] + 0.3 * height
     line = Stroke("dimensions", (tip, knee, shelf)), arrow(tip, knee, height)
     return [*line, Inscription(text, at, height)] if text else [*line]
@@ -298,13 +287,24 @@ def text_width(text: str, height: float) -> float:
     return sum((0.7 if low else 1.0) * len(piece) for piece, low in split(text)) * _LETTER * height
 
 
-def corners(box: Rectangle) -> tuple[Point, ...]:
+def corners(box: Rectangle) -> Polyline:
     """Corners of a rectangle, anticlockwise from the lower left."""
     left, right, low, high = box
     return (left, low), (right, low), (right, high), (left, high)
 
 
-def outlines(boxes: Sequence[Rectangle]) -> tuple[tuple[Point, ...], ...]:
+def middle(box: Rectangle) -> Point:
+    """Centre of a rectangle."""
+    left, right, low, high = box
+    return (left + right) / 2, (low + high) / 2
+
+
+def rectangle(layer: str, box: Rectangle, part: str = "", hatch: float = 0.0) -> Region:
+    """Area of a rectangle."""
+    return Region(layer, (corners(box),), part, hatch)
+
+
+def outlines(boxes: Sequence[Rectangle]) -> tuple[Polyline, ...]:
     """Closed contours of the union of rectangles, each with the covered area to its left."""
     xs, ys = (sorted({box[side + end] for box in boxes for end in (0, 1)}) for side in (0, 2))
     covered = {

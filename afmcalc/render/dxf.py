@@ -53,10 +53,8 @@ def dxf(drawing: Drawing) -> bytes:
             layer.dxf.lineweight, layer.description = round(100 * look.width), translate(look.about)
             for shape in shapes:
                 _add(document.modelspace(), shape, drawing.unit)
-        left, bottom, right, top = drawing.frame
-        document.set_modelspace_vport(
-            top - bottom, ((left + right) / 2, (bottom + top) / 2)
-        )  # what is in view at first
+        left, bottom, right, top = drawing.frame  # which is in view at first
+        document.set_modelspace_vport(top - bottom, ((left + right) / 2, (bottom + top) / 2))
         document.header.custom_vars.append("Creator", CREATOR)
         # sorted, because the order of a set changes from run to run
         for kind in sorted({entity.dxftype() for entity in document.entitydb.values()}):
@@ -69,6 +67,8 @@ def dxf(drawing: Drawing) -> bytes:
 
 
 def _add(space: "Modelspace", shape: Shape, unit: float) -> None:
+    from ezdxf.enums import TextEntityAlignment
+
     on: dict[str, Any] = {"layer": shape.layer.upper()}
     match shape:
         case Region("hatch", contours, hatch=angle):
@@ -86,35 +86,29 @@ def _add(space: "Modelspace", shape: Shape, unit: float) -> None:
         case Circle(_, centre, radius, hole=hole):
             for each in filter(None, (radius, hole)):
                 space.add_circle(centre, each, dxfattribs=on)
-        case Inscription():
-            _write(space, shape)
+        case Inscription(words, at, height, anchor, upright, ours):
+            shown = _plain(words) if ours else printable(words)
+            on |= {"style": _STYLE, "rotation": 90.0 * upright}
+            placed = space.add_text(shown, height=_CAPITAL * height, dxfattribs=on)
+            placed.set_placement(at, align=TextEntityAlignment[_ALIGNED[anchor]])
         case Length(label, height, start, end, line, upright, shrunk=shrunk):
             base, turn = ((line, 0.0), 90) if upright else ((0.0, line), 0)
-            more = _style(height, shrunk) | {"text": _plain(label), "dxfattribs": on}
-            space.add_linear_dim(base, start, end, angle=turn, **more).render()
+            space.add_linear_dim(base, start, end, angle=turn, **_style(label, height, shrunk)).render()
         case Diameter(label, height, centre, radius, angle, shrunk):
-            more = _style(height, shrunk, dimtix=1) | {"text": _plain(label), "dxfattribs": on}
+            more = _style(label, height, shrunk, dimtix=1)
             space.add_diameter_dim(centre, radius=radius, angle=angle, **more).render()
         case Angle(label, height, apex, first, second, radius):
             x, y = ((a + b) / 2 - c for a, b, c in zip(first, second, apex, strict=True))
             far = radius / (x**2 + y**2) ** 0.5
             base = apex[0] + far * x, apex[1] + far * y
-            more = _style(height) | {"text": _plain(label), "dxfattribs": on}
-            space.add_angular_dim_2l(base, (apex, second), (apex, first), **more).render()
+            space.add_angular_dim_2l(base, (apex, second), (apex, first), **_style(label, height)).render()
 
 
-def _style(height: float, shrunk: float = 1.0, **more: float) -> dict[str, Any]:
-    """Dimension style with texts of ``height``; it shows the true lengths of a view drawn at the scale ``shrunk``."""
-    return {"dimstyle": "SHOP", "override": {"dimscale": _CAPITAL * height / _TEXT, "dimlfac": 1 / shrunk} | more}
-
-
-def _write(space: "Modelspace", text: Inscription) -> None:
-    from ezdxf.enums import TextEntityAlignment
-
-    shown = _plain(text.text) if text.ours else printable(text.text)
-    on: dict[str, Any] = {"layer": text.layer.upper(), "style": _STYLE, "rotation": 90.0 * text.upright}
-    on["height"] = _CAPITAL * text.height
-    space.add_text(shown, dxfattribs=on).set_placement(text.at, align=TextEntityAlignment[_ALIGNED[text.anchor]])
+def _style(label: str, height: float, shrunk: float = 1.0, **more: float) -> dict[str, Any]:
+    """Text and style of a dimension; it shows the true lengths of a view drawn at the scale ``shrunk``."""
+    override = {"dimscale": _CAPITAL * height / _TEXT, "dimlfac": 1 / shrunk} | more
+    on = {"layer": "DIMENSIONS"}
+    return {"dimstyle": "SHOP", "override": override, "text": _plain(label), "dxfattribs": on}
 
 
 def _plain(text: str) -> str:

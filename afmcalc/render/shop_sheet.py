@@ -8,7 +8,7 @@ import math
 import re
 import textwrap
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
+from typing import Any
 
 from ..analysis.assembly import ClutchSection
 from ..analysis.pocket_contours import ShopDrawing
@@ -27,15 +27,15 @@ from .drawing import (
     Region,
     Shape,
     Stroke,
-    corners,
     leader,
+    rectangle,
 )
 from .plot import pocket_drawing as pockets
 from .plot.section_drawing import section as laid_out
 
 _TITLE_TEXT, _TEXT, _SMALL, _LETTER, _LINE = 7.0, 5.0, 3.5, 0.54, 4.2
 """Sizes of titles, text and notes on paper, mm; largest letter width over font size; line spacing of notes, mm."""
-_SCALES = [*map(Fraction, ("20", "10", "5", "4", "2.5", "2", "1", "1/2", "0.4", "1/4", "1/5", "1/10", "1/20", "1/50"))]
+_SCALES = (20, 10, 5, 4, 2.5, 2, 1, 0.5, 0.4, 0.25, 0.2, 0.1, 0.05, 0.02)
 _WIDE, _HIGH, _TITLE = 420, 297, (185, 55)
 _LEFT, _EDGE = 20, 5
 """Margins of the sheet, mm: the left margin, and each of the other margins."""
@@ -44,16 +44,19 @@ _LEFT, _EDGE = 20, 5
 class ShopSheet:
     """A sheet around a drawing; places on paper are millimetres from the lower left corner of the sheet."""
 
-    scale = Fraction(1)
+    scale = 1.0
     origin = 0.0, 0.0
     """Place of the drawing's origin on paper, mm."""
 
     def __init__(
-        self, spec: Spec, title: str, said: Sequence[str], *below: str, mass: str = "", material: str | None = ""
+        self, spec: Spec, title: str, said: Sequence[Any], *below: str, mass: str = "", material: str | None = ""
     ) -> None:
-        """Reserve the space of title block and notes: the numbered notes of the spec and ``said``, then ``below``."""
-        shop = spec.drawing or ShopNotes()
-        told_first = [
+        """Reserve the space of title block and notes: the numbered notes of the spec and ``said``, then ``below``.
+
+        Empty notes are left out.
+        """
+        shop = _notes(spec)
+        first = (
             shop.hardness and say("hardness of the pocket walls {hardness}", hardness=shop.hardness),
             shop.tolerance
             and say(
@@ -61,8 +64,8 @@ class ShopSheet:
                 "circle, and for wall angles, across the wall",
                 tolerance=shop.tolerance,
             ),
-        ]
-        numbered = enumerate(filter(None, (*told_first, *said)), 1)
+        )
+        numbered = enumerate(filter(None, (*first, *said)), 1)
         texts = [*(f"{number}. {text[0].upper()}{text[1:].rstrip('.')}." for number, text in numbered), *below]
         letters = int((_WIDE - _LEFT - _EDGE - _TITLE[0] - 6) / (_SMALL * _LETTER))
         self.notes = [line for text in texts for line in textwrap.wrap(text, letters, subsequent_indent="    ")]
@@ -75,7 +78,7 @@ class ShopSheet:
     @property
     def unit(self) -> float:
         """Millimetres of the drawing for one millimetre of paper."""
-        return float(1 / self.scale)
+        return 1 / self.scale
 
     def at(self, x: float, y: float) -> Point:
         """Point of the paper, mm, in drawing coordinates."""
@@ -109,38 +112,44 @@ class ShopSheet:
             (160, 35, 25, 5, translate("Scale")), (160, 20, 25, 15, _stated(self.scale)),
             (135, 15, 50, 5, translate("Sheet 1 of 1")), (135, 0, 50, 15, block.organisation),
         ]  # fmt: skip
-        x, y = _WIDE - _EDGE - _TITLE[0], _EDGE
-        boxes = [("frame", _LEFT, y, self.free[0], _HIGH - 2 * _EDGE)]
+        x = _WIDE - _EDGE - _TITLE[0]
+        yield self._box("frame", _LEFT, _EDGE, self.free[0], _HIGH - 2 * _EDGE)
         for left, low, width, height, text in cells:
-            boxes.append(("title", x + left, y + low, width, height))
+            yield self._box("title", x + left, _EDGE + low, width, height)
             if text:
                 size = min(_TITLE_TEXT, 0.7 * height, (width - 2) / (_LETTER * len(text)))
-                middle = self.at(x + left + width / 2, y + low + height / 2 - 0.35 * size)
+                middle = self.at(x + left + width / 2, _EDGE + low + height / 2 - 0.35 * size)
                 yield Inscription(text, middle, size * self.unit, "middle", ours=False)
-        for layer, left, low, width, height in boxes:
-            corner, (right, top) = self.at(left, low), self.at(left + width, low + height)
-            yield Region(layer, (corners((corner[0], right, corner[1], top)),))
         for row, note in enumerate(self.notes, 1):
             yield Inscription(note, self.at(_LEFT + 4, self.low - _LINE * row), _SMALL * self.unit, ours=False)
 
+    def _box(self, layer: str, left: float, low: float, width: float, height: float) -> Region:
+        corner, (right, top) = self.at(left, low), self.at(left + width, low + height)
+        return rectangle(layer, (corner[0], right, corner[1], top))
 
-def largest_scale(size: Point, free: Point) -> Fraction:
+
+def largest_scale(size: Point, free: Point) -> float:
     """Largest standard scale at which ``size`` fits into ``free``, both in mm; else the smallest standard scale."""
     fits = (scale for scale in _SCALES if all(a * scale <= b for a, b in zip(size, free, strict=True)))
     return next(fits, _SCALES[-1])
 
 
-def _stated(scale: Fraction) -> str:
-    number = localized(f"{float(max(scale, 1 / scale)):g}")
+def _stated(scale: float) -> str:
+    number = localized(f"{max(scale, 1 / scale):g}")
     return f"{number}:1" if scale >= 1 else f"1:{number}"
 
 
-def notes(drawing: ShopDrawing) -> list[str]:
-    """Notes of a pocket drawing."""
-    ball = drawing.synthesis
-    if ball.wall_angle_max is None:
-        wall = say("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
-    else:
+def _notes(spec: Spec) -> ShopNotes:
+    """The [drawing] block of a spec."""
+    return spec.drawing or ShopNotes()
+
+
+def _said(drawing: ShopDrawing) -> list[Any]:
+    """Notes of a pocket drawing; a note that does not apply is empty."""
+    ball, sleeve = drawing.synthesis, drawing.sleeve
+    near = ball.edge_clearance_standard or 0.0
+    wall = say("straight walls, angle to the axis {angle:.4f deg}", angle=ball.wall_angle)
+    if ball.wall_angle_max is not None:
         wall = say(
             "curved wall, angle to the axis {angle:.4f deg} at the stop, {most:.4f deg} at x = {travel:.4f mm}",
             angle=ball.wall_angle, most=ball.wall_angle_max, travel=ball.travel_max,
@@ -152,14 +161,28 @@ def notes(drawing: ShopDrawing) -> list[str]:
             "pocket {width:.1f mm} wide at the face, cut to {depth:.1f mm}; ball {ball:.5g mm}, gap {gap:g mm}",
             width=ball.pocket_width, depth=ball.pocket_depth_cut, ball=ball.ball_diameter, gap=ball.face_gap,
         ),
-        *([say("drawn with the pack worn: as new the sleeves are {apart:.4g mm} apart, with {play:.4g mm} of play",
-               apart=ball.face_gap + ball.wear_play, play=ball.wear_play)] if ball.wear_play else []),
-        *([say("{ball}, of a grade for the designer to set", ball=ball.ball_designation)]
-            if ball.ball_designation else []),
+        ball.wear_play and say(
+            "drawn with the pack worn: as new the sleeves are {apart:.4g mm} apart, with {play:.4g mm} of play",
+            apart=ball.face_gap + ball.wear_play, play=ball.wear_play,
+        ),
+        ball.ball_designation and say("{ball}, of a grade for the designer to set", ball=ball.ball_designation),
         wall,
         say("relief under the ball {groove:.4g mm} wide and {relief:g mm} deep, corners R {corner:g mm} at most: "
-            "the ball touches the walls only", groove=drawing.sleeve.groove, relief=drawing.sleeve.relief,
-            corner=drawing.sleeve.relief / 2),
+            "the ball touches the walls only", groove=sleeve.groove, relief=sleeve.relief, corner=sleeve.relief / 2),
+        say(
+            "1 mm around the ball circle is {turn:.5g deg} of a turn: walls and grooves run towards the axis, from "
+            "the rim to R {end:.5g mm}",
+            turn=1e-3 / ball.ball_circle_radius, end=sleeve.pocket_end,
+        ),
+        translate(
+            "contours to cut in true millimetres on layers POCKET_1 and POCKET_2; "
+            "the view of sleeve 1 is to its own scale"
+        ),
+        near > 0 and say(
+            "edges of the pockets at the face broken by {most:.2g mm} at most: the ball touches as near as "
+            "{near:.3g mm}",
+            most=near / 5, near=near,
+        ),
     ]  # fmt: skip
 
 
@@ -168,42 +191,21 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     unit, sleeve = drawing.synthesis, drawing.sleeve
     back, side = (1e3 * end for end in drawing.extent)
     outer = sleeve.outer_diameter * 1e3
-    said, near = notes(drawing), unit.edge_clearance_standard
-    said += [
-        say(
-            "1 mm around the ball circle is {turn:.5g deg} of a turn: walls and grooves run towards the axis, from "
-            "the rim to R {end:.5g mm}",
-            turn=1e-3 / unit.ball_circle_radius, end=sleeve.pocket_end,
-        ),
-        translate(
-            "contours to cut in true millimetres on layers POCKET_1 and POCKET_2; "
-            "the view of sleeve 1 is to its own scale"
-        ),
-    ]  # fmt: skip
-    if near is not None and near > 0:
-        said.append(
-            say(
-                "edges of the pockets at the face broken by {most:.2g mm} at most: the ball touches as near as "
-                "{near:.3g mm}",
-                most=near / 5, near=near,
-            )
-        )  # fmt: skip
     below = [translate("* not in the spec: drawn at a default, for the designer to set")] if sleeve.assumed else []
     mass = "; ".join(localized(f"{each:.3g}") for each in drawing.masses)
-    shop, title = drawing.spec.drawing or ShopNotes(), translate("Sleeves with ball pockets")
-    sheet = ShopSheet(drawing.spec, title, said, *below, mass=mass, material=shop.material)
+    title, material = translate("Sleeves with ball pockets"), _notes(drawing.spec).material
+    sheet = ShopSheet(drawing.spec, title, _said(drawing), *below, mass=mass, material=material)
     wide, high = sheet.free
     own = largest_scale((outer, outer), (_WIDE / 2 - 33, high - 36))
-    left = float(own) * outer + 74
+    left = own * outer + 74
     sheet.scale = largest_scale((2 * back, 2 * side), (wide - left - 60, high - 64))
     middle = (sheet.low + _HIGH - _EDGE) / 2 - 4
     sheet.origin = (left + _WIDE - 18) / 2, middle
 
     shapes: list[Shape] = [Circle("ball", (0.0, 0.0), unit.ball_diameter * 500)]
-    for each in drawing.contours[2:]:  # the sleeves are drawn with their hatches
-        points = tuple((along * 1e3, around * 1e3) for along, around in each.points)
-        layer = each.layer.lower()
-        shapes.append(Region(layer, (points,)) if each.closed else Stroke(layer, points))
+    *closed, path = pockets.contours(drawing).items()
+    shapes += [Region(name.lower(), (points,)) for name, points in closed[2:]]  # sleeves are drawn with their hatches
+    shapes.append(Stroke("path", path[1]))
     for name, hand in (("SLEEVE_1", 1), ("SLEEVE_2", -1)):
         shapes += pockets.sleeve(drawing, name)
         place = hand * back / 2, -side - 9 * sheet.unit
@@ -212,13 +214,11 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     for x, y in ((back + 3 * sheet.unit, 0.0), (0.0, side + 3 * sheet.unit)):
         shapes.append(Stroke("centre", ((-x, -y), (x, y))))
     shapes += _roughness(sheet, drawing)
-    x = _LEFT + 52 + float(own) * outer / 2
-    shapes += _end_view(sheet, drawing, sheet.at(x, middle), float(own / sheet.scale))
+    x = _LEFT + 52 + own * outer / 2
+    shapes += _end_view(sheet, drawing, sheet.at(x, middle), own / sheet.scale)
     title = say("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
     shapes.append(Inscription(title, (0.0, side + 30 * sheet.unit), _TITLE_TEXT * sheet.unit, "middle"))
-    title = say("Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
-    if unit.wall is not None:
-        title = say("Sleeve 1 ({scale})", scale=_stated(own))
+    title = say("Sleeve 1 ({scale})" if unit.wall else "Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
     shapes.append(Inscription(title, sheet.at(_LEFT + 8, _HIGH - 15), _TITLE_TEXT * sheet.unit))
     return sheet.drawing(shapes)
 
@@ -227,8 +227,8 @@ def _roughness(sheet: ShopSheet, drawing: ShopDrawing) -> Iterator[Shape]:
     """Draw the roughness symbol of the pocket walls, if the spec gives their roughness."""
     unit, k, groove = drawing.synthesis, sheet.unit, drawing.sleeve.groove * 500
     floor, (back, side) = 1e3 * (unit.face_gap / 2 + unit.pocket_depth_cut), (1e3 * end for end in drawing.extent)
-    if rough := (drawing.spec.drawing or ShopNotes()).roughness:
-        wall = [(1e3 * x, 1e3 * y) for x, y in drawing.contours[2].points]
+    if rough := _notes(drawing.spec).roughness:
+        wall = pockets.contours(drawing)["POCKET_1"]
         x, y = next(point for point in wall[1:] if -point[1] > groove + 1e-9)
         tip, knee = ((x + floor) / 2, (y - groove) / 2), (back + 4 * k, -side - 12 * k)
         yield from leader("", tip, knee, sheet.text)
@@ -283,16 +283,16 @@ def section(clutch: ClutchSection, spec: Spec) -> Drawing:
     """Draw the whole clutch, laid out by ``plot.section_drawing``."""
     page = laid_out(clutch)
     drawing = page.panels[0]
-    shop = spec.drawing or ShopNotes()
+    shop = _notes(spec)
     mass = localized(f"{sum(part.row.mass for part in clutch.parts.values()):.3g}")
     of_sleeves = (
         shop.material and say("material of the sleeves with pockets {material}", material=shop.material),
         shop.roughness and say("roughness of the pocket walls {roughness}", roughness=shop.roughness),
     )
-    sheet = ShopSheet(spec, page.title, [*filter(None, of_sleeves), page.caption], mass=mass)
+    sheet = ShopSheet(spec, page.title, [*of_sleeves, page.caption], mass=mass)
     left, low, right, high = drawing.frame
     size = right - left, high - low
     sheet.scale = largest_scale(size, sheet.free)
-    x, y = ((room - float(sheet.scale) * wide) / 2 for room, wide in zip(sheet.free, size, strict=True))
-    sheet.origin = _LEFT + x - left * float(sheet.scale), sheet.low + y - low * float(sheet.scale)
+    x, y = ((room - sheet.scale * wide) / 2 for room, wide in zip(sheet.free, size, strict=True))
+    sheet.origin = _LEFT + x - left * sheet.scale, sheet.low + y - low * sheet.scale
     return sheet.drawing(drawing.shapes)

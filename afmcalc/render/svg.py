@@ -27,7 +27,7 @@ def svg(drawing: Drawing, title: str = "") -> str:
         parts.append(
             f'<g class="{name}" stroke="{look.colour}" stroke-width="{_n(look.width * unit)}" '
             f'stroke-dasharray="{dashes}" stroke-linejoin="round" '
-            f'fill="{look.face}" fill-opacity="{look.fill:g}" fill-rule="evenodd">'
+            f'fill="{look.face or look.colour}" fill-opacity="{look.fill:g}" fill-rule="evenodd">'
         )
         for shape in shapes:
             simple = "\n".join(map(_simple, exploded(shape)))
@@ -56,7 +56,11 @@ def picture(text: str, ending: str) -> bytes:
 
 def _simple(shape: Simple) -> str:
     if isinstance(shape, Inscription):
-        return _text(shape)
+        letters, at = marked(shape.text) if shape.ours else printable(shape.text), _path([shape.at])
+        turn = f' transform="rotate(-90 {at})"' if shape.upright else ""
+        left, top = at.split()
+        look = f'font-size="{_n(shape.height)}" stroke="none" text-anchor="{shape.anchor}"{turn}'
+        return f'<text x="{left}" y="{top}" {look}>{lowered(escape(letters, quote=False))}</text>'
     if isinstance(shape, Stroke):
         return f'<path fill="none" d="M{_path(shape.points)}"/>'
     about = f' data-part="{shape.part}"' if shape.part else ""
@@ -70,16 +74,6 @@ def _simple(shape: Simple) -> str:
         rings = (f"M{_path(ring)}Z" for ring in shape.contours)
         about += f' stroke="none" fill="url(#hatch{shape.hatch:g})" fill-opacity="1"' if shape.hatch else ""
     return f'<path{about} d="{"".join(rings)}"/>'
-
-
-def _text(text: Inscription) -> str:
-    """SVG text with its subscripts."""
-    at, letters = _path([text.at]), marked(text.text) if text.ours else printable(text.text)
-    shown = lowered(escape(letters, quote=False))
-    turn = f' transform="rotate(-90 {at})"' if text.upright else ""
-    x, y = at.split()
-    size = f'font-size="{_n(text.height)}"'
-    return f'<text x="{x}" y="{y}" {size} stroke="none" text-anchor="{text.anchor}"{turn}>{shown}</text>'
 
 
 def _pattern(angle: float, unit: float) -> str:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ..findings import Finding
 from ..messages import deferred, named, native, printable, say, translate, with_unit
@@ -99,24 +99,15 @@ def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
     shown = [column for column in table.columns if not (column.hidden or (long and column.shown.detail))]
     shown, legend = _folded(shown) if table.shown.folds else (shown, "")
-    meanings = [
-        f"{native(translate(column.symbol))}: {column.name}"
+    named = (column for column in shown if column.symbol and column.name != table.title)
+    meanings = (f"{native(translate(column.symbol))}: {column.name}" for column in named)
+    heads = [headed(native(translate(column.symbol or column.name)), column.unit) for column in shown]
+    numeric = [
+        any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
         for column in shown
-        if column.symbol and column.name != table.title
     ]
-    texts = [cells(column) for column in shown]
-    return TextTable(
-        table.title[:1].upper() + table.title[1:],
-        [headed(native(translate(column.symbol or column.name)), column.unit) for column in shown],
-        [list(row) for row in zip(*texts, strict=True)],
-        [
-            any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
-            for column in shown
-        ],
-        table._replace(columns=shown),
-        legend,
-        "; ".join(meanings),
-    )
+    title, rows = table.title[:1].upper() + table.title[1:], [[*row] for row in zip(*map(cells, shown), strict=True)]
+    return TextTable(title, heads, rows, numeric, table._replace(columns=shown), legend, "; ".join(meanings))
 
 
 def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
@@ -148,16 +139,17 @@ def _pointed(column: Sequence[str]) -> list[str]:
     heading, *texts = column
     numbers = [_NUMBER.fullmatch(text) for text in texts]
     tail = max((len(number[2]) for number in numbers if number), default=0)
-    filled = [
-        number[1] + number[2].ljust(tail) if number else text for text, number in zip(texts, numbers, strict=True)
+    aligned = [
+        heading,
+        *(number[1] + number[2].ljust(tail) if number else text for text, number in zip(texts, numbers, strict=True)),
     ]
-    width = max(map(len, (heading, *filled)))
-    return [text.rjust(width) for text in (heading, *filled)]
+    width = max(map(len, aligned))
+    return [text.rjust(width) for text in aligned]
 
 
-def unfolded(tables: Iterable[TextTable]) -> list[TextTable]:
-    """Return the tables; a table marked ``across`` is turned: its records become columns."""
-    return [_turned(block) if block.source is not None and block.source.shown.across else block for block in tables]
+def unfolded(laid_out: Document) -> list[TextTable]:
+    """Tables of a layout; a table marked ``across`` is turned: its records become columns."""
+    return [_turned(block) if block.source and block.source.shown.across else block for block in blocks(laid_out)]
 
 
 def _turned(block: TextTable) -> TextTable:
@@ -165,7 +157,7 @@ def _turned(block: TextTable) -> TextTable:
 
     Text that is the same in all records goes into the title; the first column whose text differs is the new header.
     """
-    assert block.source is not None
+    assert block.source
     shared: list[str] = []
     others: list[tuple[Column, list[str]]] = []
     for head, column, right, *texts in zip(block.header, block.source.columns, block.numeric, *block.rows, strict=True):
@@ -182,10 +174,12 @@ def step_lines(laid_out: Document) -> list[str]:
     """Lines of an explanation, for each step: name, formula, numbers, value with source, difference from the print."""
     lines = []
     for step in laid_out.steps:
-        at = say(" at {place}", place=step.at) if step.at else ""
-        at = ", ".join([at, *told_apart(step, laid_out.steps)])
+        at = [say(" at {place}", place=step.at) if step.at else ""]
+        for name, words in _APART.items():  # spring setting and side, if steps of the same quantity differ in them
+            if len({getattr(other, name) for other in laid_out.steps if other.symbol == step.symbol}) > 1:
+                at.append(translate(words[getattr(step, name)]))
         symbol = native(step.symbol)
-        lines += ["", f"{symbol}{at}: {translate(step.name)}", f"    {symbol} = {step.formula}"]
+        lines += ["", f"{symbol}{', '.join(at)}: {translate(step.name)}", f"    {symbol} = {step.formula}"]
         indent = " " * (5 + len(symbol))
         if step.substituted != step.formula:
             lines.append(f"{indent}= {step.substituted}")
@@ -193,13 +187,6 @@ def step_lines(laid_out: Document) -> list[str]:
         if step.print_differs:
             lines.append(say("    print differs: {what}", what=step.print_differs))
     return lines
-
-
-def told_apart(step: Any, steps: Sequence[Any]) -> list[str]:
-    """Spring setting and side of a step, if steps of the same quantity differ in them."""
-    alike = [other for other in steps if other.symbol == step.symbol]
-    names = [name for name in _APART if len({getattr(other, name) for other in alike}) > 1]
-    return [translate(_APART[name][getattr(step, name)]) for name in names]
 
 
 _APART: Mapping[str, Mapping[str | None, str]] = {

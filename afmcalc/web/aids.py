@@ -24,7 +24,7 @@ from ..messages import localized, say, spoken, translate, with_unit
 from ..papers.handbook_text import sections
 from ..render import renderer, shop_sheet
 from ..render.dxf import dxf
-from ..render.report import report, subject_of
+from ..render.report import Subject, report
 from ..render.report.blocks import Step
 from ..render.report.chapters import step_of
 from ..render.report.formulas import formula
@@ -141,8 +141,7 @@ def _target(name: str) -> Key:
 
 def _pdf(state: State) -> bytes:
     need("pdf", "typst")
-    base = state.base
-    return print_pdf(report(subject_of(dossier(state.spec), base.source, base.digest, state.overrides)))[0]
+    return print_pdf(report(Subject(dossier(state.spec), state.base.digest, state.overrides)))[0]
 
 
 def _dxf(state: State) -> bytes:

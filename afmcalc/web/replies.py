@@ -26,7 +26,7 @@ from ..render.document import Column, document
 from ..render.plot import sheet_of
 from ..render.plot.chart import Chart, Line, Sheet
 from ..render.plot.figure import inline_svg
-from ..render.report import render, subject_of
+from ..render.report import Subject, render
 from ..render.report.html import drawing
 from ..render.text_tables import TextTable, blocks, cells, ranked
 from ..result import Result
@@ -193,8 +193,7 @@ def _analysed(state: State, job: Job) -> Answer:
 
 def _report(state: State, job: Job) -> Answer:
     """Answer with the report."""
-    base = state.base
-    page = render(subject_of(dossier(state.spec), base.source, base.digest, state.overrides))
+    page = render(Subject(dossier(state.spec), state.base.digest, state.overrides))
     return {"html": fragment("report", page), "command": state.command("report", "--output", "report.html")}
 
 

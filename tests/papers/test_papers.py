@@ -14,8 +14,8 @@ from sources import table
 
 from afmcalc.equations.catalogue import equations
 from afmcalc.papers import FIGURES
-from afmcalc.papers.claims import claims, paper_figure, recorded_claims
-from afmcalc.papers.register import data, is_accounted, is_numbered, misprints, register
+from afmcalc.papers.claims import claims, paper_figure
+from afmcalc.papers.register import data, misprints, papers, register
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +27,7 @@ def test_every_row_and_its_verdict(rows):
     result, findings = claims([])
     assert list(rows) == [f"P{k}" for k in range(1, 50)]
     assert {key: row.verdict for key, row in rows.items()} == {
-        entry["id"]: entry["verdict"] for entry in recorded_claims()
+        entry["id"]: entry["verdict"] for entry in data("claims.toml")["claim"]
     }
     assert result.as_expected
     assert findings == []
@@ -52,7 +52,7 @@ def test_the_command(afmcalc, monkeypatch):
     assert curves == set(FIGURES)
     assert len(afmcalc("papers", "--claims", "--paper", "S19", "--json").json["result"]["rows"]) == 12
     assert [afmcalc("papers", "--claims", *wrong).code for wrong in (["--paper", "X"], ["--figure", "X-1"])] == [2, 2]
-    entry = next(entry for entry in recorded_claims() if entry["id"] == "P9")
+    entry = next(entry for entry in data("claims.toml")["claim"] if entry["id"] == "P9")
     monkeypatch.setitem(entry, "verdict", "not reproduced")
     run = afmcalc("papers", "--claims", "--paper", "S22", "--json")
     assert (run.code, [each["code"] for each in run.json["findings"]]) == (0, ["unexpected-verdict"])
@@ -68,7 +68,8 @@ def test_every_numbered_formula_is_in_the_register():
     assert len(ids) == len(set(ids))
     for paper, count in NUMBERED.items():
         assert [i for i in ids if i.startswith(f"{paper} (")] == [f"{paper} ({k})" for k in range(1, count + 1)]
-    assert all(map(is_accounted, filter(is_numbered, register())))
+    result, _ = papers([], [])
+    assert result.numbered == result.accounted
     named = {entry.function for entry in register()}
     assert not [e.name for e in equations().values() if e.name not in named and not re.search(BEYOND, e.source)]
 

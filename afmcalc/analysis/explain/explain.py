@@ -101,21 +101,18 @@ def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
 _LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
 
 
-def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
-    """Return each step once whose law is a formula and whose numbers are finite."""
-    found: dict[tuple[object, ...], NotedStep] = {}
+def shown(steps: Iterable[NotedStep], known: set[object] | None = None) -> list[NotedStep]:
+    """Return each step once whose law is a formula and whose numbers are finite, except steps that are ``known``."""
+    known, found = set() if known is None else known, list[NotedStep]()
     for step in steps:
         numbers = (*step.values.values(), step.value)
-        if all(isinstance(one, int | float) and math.isfinite(one) for one in numbers) and _equation(step).result.unit:
-            found.setdefault((step.name, step.case, *numbers), step)
-    return [step for step in found.values() if _has_formula(step)]
-
-
-def _has_formula(step: NotedStep) -> bool:
-    """True if the law of a step is a formula; a law that compares numbers, as in a search for a maximum, is not."""
-    with suppress(TypeError):
-        return bool(_formula(step))
-    return False
+        finite = all(isinstance(one, int | float) and math.isfinite(one) for one in numbers)
+        if finite and _equation(step).result.unit and (own := (step.name, step.case, *numbers)) not in known:
+            with suppress(TypeError):  # a law that compares numbers, as in a search for a maximum, is no formula
+                _formula(step)
+                known.add(own)
+                found.append(step)
+    return found
 
 
 def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[NotedStep]]:
@@ -156,11 +153,11 @@ def _result(step: NotedStep) -> Term:
 class Circumstance(NamedTuple):
     """Circumstance in which a value was calculated."""
 
-    at: str | None = None
+    at: str | None
     """Friction, or another condition, in words, such as ``f_max``; None if there is none."""
-    setting: Method | None = None
+    setting: Method | None
     """Method by which the spring is set; None: as in the spec."""
-    side: str | None = None
+    side: str | None
     """``unprotected`` if the load is on that side of the clutch, else None."""
 
 
@@ -171,7 +168,7 @@ def _circumstance(cases: str) -> Circumstance:
     words = [case for case, word in CASES.items() if word and case in cases.split()]
     at = [translate(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
     setting = next((_SETTINGS[case] for case in words if case in _SETTINGS), None)
-    return Circumstance(", ".join(at) if at else None, setting, "unprotected" if "unprotected" in words else None)
+    return Circumstance(", ".join(at) or None, setting, "unprotected" if "unprotected" in words else None)
 
 
 def _formula(step: NotedStep, *, special: bool = True) -> FormulaText:
@@ -184,16 +181,11 @@ def _formula(step: NotedStep, *, special: bool = True) -> FormulaText:
 
 def _print_differs(function: str) -> str:
     """Text of the misprints of an equation in the papers; empty if there are none."""
-    said = [
-        say(
-            "{id} prints {printed} ({misprint})",
-            id=translate(one.id),
-            printed=translate(one.printed),
-            misprint=one.misprint,
-        )
-        for one in register()
-        if function in (one.function or "").split() and one.status == "mended" and one.printed
-    ]
+    said = []
+    for one in register():
+        if function in (one.function or "").split() and one.status == "mended" and one.printed:
+            what = {"id": translate(one.id), "printed": translate(one.printed)}
+            said.append(say("{id} prints {printed} ({misprint})", **what, misprint=one.misprint))
     return "; ".join(said)
 
 
@@ -243,8 +235,8 @@ class Derivation(NamedTuple):
     where: list[Meaning]
     """Meanings of symbols that no earlier formula has explained."""
     rows: list[CaseRow]
-    source: str
-    differs: str
+    source: str = ""
+    differs: str = ""
     """Text of the misprints in the papers; empty if there are none."""
 
 
@@ -254,14 +246,11 @@ _FEW = 4
 
 def derivations(sections: Mapping[str, Iterable[NotedStep]]) -> dict[str, list[Derivation]]:
     """Return the derivations of each section, from the steps noted in it; each formula is shown once."""
-    report, known = _Report(), dict[int, str]()
-    sections = {name: [*where_largest(steps)] for name, steps in sections.items()}
-    for name, steps in sections.items():
-        known |= {id(step): name for step in steps}
-    new: dict[str, list[NotedStep]] = {name: [] for name in sections}
-    for step in shown(step for steps in sections.values() for step in steps):
-        new[known[id(step)]].append(step)
-    return {name: [report.derivation(part) for part in by_law(sections[name], own)] for name, own in new.items()}
+    report, known, made = _Report(), set[object](), dict[str, list[Derivation]]()
+    for name, noted in sections.items():
+        steps = [*where_largest(noted)]
+        made[name] = [report.derivation(part) for part in by_law(steps, shown(steps, known))]
+    return made
 
 
 class _Report:
@@ -282,24 +271,16 @@ class _Report:
         number = self.numbers.setdefault(equation.name, len(self.numbers) + 1)
         self.quantities[steps[0].name] = self.terms[result] = number
         formulas = [_formula(step, special=False) for step in steps]
-        return Derivation(
-            number=number,
-            symbol=result.symbol,
-            name=result.meaning or equation.about,
-            unit=result.unit,
-            formula=formulas[0].tree if is_new else (),
-            where=list(self.meanings_of(steps)),
-            rows=[
-                CaseRow(
-                    _circumstance(step.case),
-                    formula.with_numbers(units=False, line=len(steps) > _FEW),
-                    float(step.value),
-                )
-                for step, formula in zip(steps, formulas, strict=True)
-            ],
-            source=equation.source if is_new else "",
-            differs=_print_differs(equation.name) if is_new else "",
-        )
+        where, line = [*self.meanings_of(steps)], len(steps) > _FEW
+        rows = [
+            CaseRow(_circumstance(step.case), formula.with_numbers(units=False, line=line), float(step.value))
+            for step, formula in zip(steps, formulas, strict=True)
+        ]
+        own = Derivation(number, result.symbol, result.meaning or equation.about, result.unit, (), where, rows)
+        if not is_new:
+            return own
+        differs = _print_differs(equation.name)
+        return own._replace(formula=formulas[0].tree, source=equation.source, differs=differs)
 
     def meanings_of(self, steps: list[NotedStep]) -> Iterator[Meaning]:
         """Yield the meanings of the symbols of a formula, each once in a report."""

@@ -103,8 +103,7 @@ def steps_to_take(spec: Spec, findings: list[Finding]) -> Iterator[str]:
 
 def direction(path: str, way: Way) -> str:
     """Sentence on the direction in which to change a key so that it clears a finding."""
-    change = {"+": say("Increase {path}", path=path), "-": say("Decrease {path}", path=path)}
-    return change.get(way, say("Change {path}", path=path))
+    return say("Increase {path}" if way == "+" else "Decrease {path}" if way == "-" else "Change {path}", path=path)
 
 
 def _first_choice(cures: Iterable[Remedy]) -> Remedy | None:
@@ -122,10 +121,10 @@ def _first_choice(cures: Iterable[Remedy]) -> Remedy | None:
 def _change(cure: Remedy) -> str:
     """Return a sentence on how far a key must be changed."""
     now, value = (measured(each or 0.0, ENGINEER.get(cure.unit, cure.unit), 5) for each in (cure.value, cure.clears))
-    if cure.way == "+":
-        change = say("Increase {path} from {now} to {value}", path=cure.path, now=now, value=value)
-    else:
-        change = say("Decrease {path} from {now} to {value}", path=cure.path, now=now, value=value)
+    change = say(
+        "Increase {path} from {now} to {value}" if cure.way == "+" else "Decrease {path} from {now} to {value}",
+        path=cure.path, now=now, value=value,
+    )  # fmt: skip
     along = ", ".join(each.partition("=")[0] for each in (cure.along or "").split(", "))
     return say("{change}, and {along} to match", change=change, along=along) if along else change
 
@@ -135,10 +134,25 @@ def remedies(
 ) -> Iterator[Remedy]:
     """Yield a remedy for each key that the finding's section names and the spec has: the nearest value that clears."""
     known = {each.code for each in _graver(before)}
+
+    def clears(path: str, value: float) -> bool | None:
+        """True if a value clears the finding and brings no worse one; None if no clutch can be built with it."""
+        try:
+            left = _findings(respecified(spec, changes(spec, path, value)), found.code, quick=quick)
+        except (AfmcalcError, ArithmeticError):
+            return None
+        same = [each for each in _graver(left) if each.path == found.path]
+        worse = {each.code for each in same if each.level == "error" or each.code == "requirement-not-judged"} - known
+        return not worse and found.code not in {each.code for each in same}
+
     for path, way in sections(spoken())[found.code].ways_of(found):
-        if path not in keys() or (now := _present(spec, path)) is None:
+        if path not in keys():
             continue
-        value = _nearest(now, way, partial(_clears, spec, found, known, path, quick), whole=is_whole(path), quick=quick)
+        now = current_value(spec, path)
+        if now is None and (now := build(spec).get(quantity_at(path))) is None:
+            continue
+        now = float(now)
+        value = _nearest(now, way, partial(clears, path), whole=is_whole(path), quick=quick)
         along = {} if value is None else changes(spec, path, value)
         left = _findings(respecified(spec, along), found.code, quick=quick) if along else []
         then = dict.fromkeys(each.code for each in _graver(left) if each.code not in known)
@@ -147,17 +161,6 @@ def remedies(
             unit=keys()[path].unit or "1", value=now, clears=value, then=", ".join(then) or None,
             along=", ".join(f"{key}={along[key] or ''}" for key in along if not path.startswith(key)) or None,
         )  # fmt: skip
-
-
-def _clears(spec: Spec, found: Finding, known: set[str], path: str, quick: bool, value: float) -> bool | None:  # noqa: FBT001
-    """True if a value clears a finding and brings no worse finding; None if no clutch can be built with the value."""
-    try:
-        left = _findings(respecified(spec, changes(spec, path, value)), found.code, quick=quick)
-    except (AfmcalcError, ArithmeticError):
-        return None
-    same = [each for each in _graver(left) if each.path == found.path]
-    worse = {each.code for each in same if each.level == "error" or each.code == "requirement-not-judged"} - known
-    return not worse and found.code not in {each.code for each in same}
 
 
 def changes(spec: Spec, path: str, value: float) -> dict[str, Any]:
@@ -171,13 +174,6 @@ def changes(spec: Spec, path: str, value: float) -> dict[str, Any]:
     elif kind == "disc" and spring == "closing_spring":
         given[stiffness] = None
     return given
-
-
-def _present(spec: Spec, path: str) -> float | None:
-    """Value of a key, else of the quantity that the key sets; None if neither is known."""
-    value = current_value(spec, path)
-    value = build(spec).get(quantity_at(path)) if value is None else value
-    return None if value is None else float(value)
 
 
 def _findings(spec: Spec, code: str = "", *, quick: bool = True) -> list[Finding]:
@@ -207,11 +203,10 @@ def _nearest(now: float, way: Way, clears: Callable[[float], bool | None], *, wh
                 [now * each if up else now / each for each in _FACTORS[every - 1 :: every]] if now else [_FROM_ZERO]
             )
         for value in values:
-            good = clears(value)
+            if good := clears(value):
+                return value if whole or not held else _drawn_in(held, value, clears, _HALVINGS // every)
             if good is None:
                 break
-            if good:
-                return value if whole or not held else _drawn_in(held, value, clears, _HALVINGS // every)
             held = value
     return None
 

@@ -5,7 +5,7 @@ import re
 from ...messages import printable, translate
 from ...result import Output
 from ..document import document
-from ..text_tables import blocks, findings_lines, lead, step_lines, title, unfolded
+from ..text_tables import findings_lines, lead, step_lines, title, unfolded
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -13,7 +13,7 @@ def render(output: Output, terminal: bool) -> str:
     laid_out = document(output.result)
     lines = [f"## {_escape(title(output))}", ""]
     lines += [_escape(judged), ""] if (judged := lead(output)) else []
-    for block in unfolded(blocks(laid_out)):
+    for block in unfolded(laid_out):
         lines += [f"### {_escape(block.title)}", ""] if block.title else []
         for line in filter(None, (block.legend, block.meanings)):
             lines += [_escape(line), ""]

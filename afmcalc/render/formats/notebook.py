@@ -7,7 +7,7 @@ from ..report.blocks import Block, Code, Heading, Paragraph, text
 from ..report.html import fragment
 from ..report.page import findings_of, quantities
 from ..report.pieces import said
-from ..text_tables import blocks, lead, ranked, step_lines, title, unfolded
+from ..text_tables import lead, ranked, step_lines, title, unfolded
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -15,7 +15,7 @@ def render(output: Output, terminal: bool) -> str:
     laid_out = document(output.result)
     parts: list[Block] = [Heading(4, text(title(output)))]
     parts += [Paragraph(said(line)) for line in lead(output).splitlines()]
-    for block in unfolded(blocks(laid_out)):
+    for block in unfolded(laid_out):
         parts += [Paragraph(said(line), "note") for line in (block.legend, block.meanings) if line]
         parts.append(quantities(block))
     parts += [Code(printable("\n".join(step_lines(laid_out)), lines=True))] if laid_out.steps else []

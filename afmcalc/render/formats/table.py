@@ -14,7 +14,7 @@ from rich.text import Text
 from ...messages import is_unicode, translate
 from ...result import Output
 from ..document import document
-from ..text_tables import TextTable, blocks, findings_lines, lead, padded, step_lines, title, unfolded
+from ..text_tables import TextTable, findings_lines, lead, padded, step_lines, title, unfolded
 
 _NARROWEST, _UNBOUND = 20, 100_000
 """Smallest width of an output, and width without a limit, characters."""
@@ -34,10 +34,11 @@ def render(output: Output, terminal: bool) -> str:
     verdict = [(line, "") for line in lead(output).splitlines()]
     last = output.command == "check"  # the verdict of a check is printed last, where it stays on the screen
     _print(console, (title(output), "bold"), *([] if last else verdict))
-    for block in unfolded(blocks(laid_out)):
+    for block in unfolded(laid_out):
         _print(console, ("", ""))
         _print(console, (block.title, "italic"), (block.legend, "dim"), (block.meanings, "dim"), filled=True)
-        for number, part in enumerate(_parts(_aligned(block), width)):
+        numeric = [right and most <= _SENTENCE for right, most in zip(block.numeric, _widths(block), strict=True)]
+        for number, part in enumerate(_parts(padded(block._replace(numeric=numeric)), width)):
             _print(console, *[("", "")] * bool(number))
             console.print(_table(part, width, ruled=terminal and is_unicode(sys.stdout)))
     _print(console, *((line, "" if line.startswith(" ") else "bold") for line in step_lines(laid_out)))
@@ -61,12 +62,6 @@ def columns(terminal: bool) -> int:
     if asked.isdecimal() and (wanted := int(asked[:9])):  # nine digits exceed any real width
         return min(max(wanted, _NARROWEST), _UNBOUND)
     return shutil.get_terminal_size().columns if terminal else _UNBOUND
-
-
-def _aligned(block: TextTable) -> TextTable:
-    """Table with its numbers aligned at the decimal point."""
-    numeric = [right and width <= _SENTENCE for right, width in zip(block.numeric, _widths(block), strict=True)]
-    return padded(block._replace(numeric=numeric))
 
 
 def _widths(block: TextTable) -> list[int]:

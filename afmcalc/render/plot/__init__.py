@@ -8,7 +8,7 @@ if TYPE_CHECKING:
 
 __all__ = ["sheet_of"]
 
-_HOMES = {"tolerance": "studies", "pareto": "studies", "pocket": "pocket_drawing", "section": "section_drawing"}
+_HOMES = {"pocket": "pocket_drawing", "section": "section_drawing"}
 
 
 def sheet_of(kind: str, gathered: Any) -> "Sheet":

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from ...messages import RAISED, filled, localized, translate
@@ -65,16 +64,15 @@ class Area(NamedTuple):
     high: Sequence[float]
 
 
-@dataclass(frozen=True)
-class Chart:
+class Chart(NamedTuple):
     """One pair of axes."""
 
     x: ChartAxis
     y: ChartAxis
     lines: list[Line]
     title: str = ""
-    guides: list[Guide] = field(default_factory=list)
-    areas: list[Area] = field(default_factory=list)
+    guides: Sequence[Guide] = ()
+    areas: Sequence[Area] = ()
     log: bool = False
     """True if the y axis is logarithmic."""
     from_zero: bool = False
@@ -87,12 +85,10 @@ class Chart:
     @property
     def labels(self) -> list[str]:
         """Entries of the legend."""
-        entries: list[Area | Line | Guide] = [*self.areas, *self.lines, *self.guides]
-        return [entry.label for entry in entries if entry.label]
+        return [entry.label for entries in (self.areas, self.lines, self.guides) for entry in entries if entry.label]
 
 
-@dataclass(frozen=True)
-class Sheet:
+class Sheet(NamedTuple):
     """Drawing of one plot command: panels one below the other, title above, caption below."""
 
     title: str

@@ -1,25 +1,25 @@
-"""Sheets of curves: clutches over friction, over a spec key or over time, springs, and the papers' figures."""
+"""Sheets of charts: clutches over friction, a spec key or time, scatter, fronts, and the papers' figures."""
 
+import math
+from collections import Counter
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
-from ...messages import deferred, named, say, translate
+from ...analysis import plot_data
+from ...analysis.design import DesignResult, DesignRow
+from ...analysis.simulate import MomentRow
+from ...messages import deferred, localized, named, say, translate
+from ...papers.claims import PaperFigure
 from ...spec.keys import is_whole
 from ..amounts import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
-if TYPE_CHECKING:  # results that are drawn, for signatures only: a plot loads only its own analysis
-    from ...analysis.plot_data import AccuracyCurve, LifeCurve, OverloadCurve, SimulateFigure, TorqueCurve
-    from ...analysis.simulate import MomentRow
-    from ...papers.claims import PaperFigure
 
-
-def _called(curve: "TorqueCurve | AccuracyCurve | LifeCurve") -> str:
+def _called(curve: plot_data.TorqueCurve | plot_data.AccuracyCurve | plot_data.LifeCurve) -> str:
     """Label for the curve of a clutch, if several clutches are drawn."""
     return named(curve.name) or translate(curve.variant, "value")
 
 
-def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
+def torque(curves: Sequence[plot_data.TorqueCurve]) -> Sheet:
     """Torque over friction: one clutch set by both methods, with scatter bands, or several clutches as they are set."""
     unlike = any(curve.friction_driving for curve in curves)
     x = axis_of(curves[0], "friction_driving" if unlike else "friction")
@@ -47,7 +47,7 @@ def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
     return Sheet(title, [chart], caption, curve.name)
 
 
-def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
+def accuracy(curves: Sequence[plot_data.AccuracyCurve]) -> Sheet:
     """Accuracy factor K_т over the gain or another key; for one clutch also its present value and the gain limit."""
     y = axis_of(curves[0].series, "accuracy_factor")
     x = ChartAxis(translate(curves[0].about).partition(";")[0], curves[0].symbol, curves[0].unit)
@@ -73,7 +73,7 @@ def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
     return Sheet(title, [Chart(x, y, lines, guides=guides)], name=curve.name)
 
 
-def overload(curve: "OverloadCurve") -> Sheet:
+def overload(curve: plot_data.OverloadCurve) -> Sheet:
     """Trip torque over friction, and expected and actual accuracy over the reduced gain (S22 fig. 3)."""
     caption = translate(
         "Equilibrium: at slip the load equals the expected torque for every margin; the published T_ср = T_п − ΔT' "
@@ -81,8 +81,8 @@ def overload(curve: "OverloadCurve") -> Sheet:
         "(impact), the trip lies in the shaded bracket. Curves of K_т as S22 fig. 3, its optimum at zC = 1/f_max (M13)."
     )
     lines = [line_of(curve, name, curve.friction) for name in ("expected_torque", "actuation_torque_published")]
-    lines.append(line_of(curve, "actuation_torque_equilibrium", curve.friction, points=True))
-    lines[-1] = lines[-1]._replace(x=curve.friction[::20], y=curve.actuation_torque_equilibrium[::20])
+    dots = line_of(curve, "actuation_torque_equilibrium", curve.friction, points=True)
+    lines.append(dots._replace(x=dots.x[::20], y=dots.y[::20]))
     label = translate("trip bracket, T_муф to T_п")
     trip = Chart(
         axis_of(curve, "friction"),
@@ -115,7 +115,7 @@ _METHODS = {
 }
 
 
-def life(curves: "Sequence[LifeCurve]") -> Sheet:
+def life(curves: Sequence[plot_data.LifeCurve]) -> Sheet:
     """Life over the scatter band: both sides and settings of one clutch, or the protected side of several clutches."""
     x = ChartAxis(translate("torque scatter band"), "ΔT", "N*m")
     y = axis_of(curves[0].series, "protected", quantity=translate("cycles to failure"))
@@ -153,7 +153,7 @@ _EVENTS = {
 }
 
 
-def simulate(figure: "SimulateFigure") -> Sheet:
+def simulate(figure: plot_data.SimulateFigure) -> Sheet:
     """An event of the drive over time: shaft torque and travel of the sleeve at three frictions, and the speeds."""
     mean = figure.courses[1]
     time, times = axis_of(mean[0], "time"), [row.time for row in mean]
@@ -182,14 +182,14 @@ def simulate(figure: "SimulateFigure") -> Sheet:
     return Sheet(translate("When the clutch trips"), panels, caption, figure.name)
 
 
-def _at_frictions(figure: "SimulateFigure", value: "Callable[[MomentRow], float | None]") -> list[Line]:
+def _at_frictions(figure: plot_data.SimulateFigure, value: Callable[[MomentRow], float | None]) -> list[Line]:
     return [
         Line(say("at {friction}", friction=friction), [row.time for row in course], [value(row) for row in course])
         for friction, course in zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True)
     ]
 
 
-def paper(figure: "PaperFigure") -> Sheet:
+def paper(figure: PaperFigure) -> Sheet:
     """One figure of the papers, redrawn from the formulas; the caption names the corrections."""
     x, *axes = (ChartAxis(translate(axis.name), axis.symbol, axis.unit) for axis in (figure.x, *figure.y))
     panels = []
@@ -203,3 +203,114 @@ def paper(figure: "PaperFigure") -> Sheet:
     if figure.assumed:
         caption.append(say("Not printed, assumed here: {assumed}", assumed=translate(figure.assumed)))
     return Sheet(f"{translate(figure.name)}: {translate(figure.title)}", panels, "\n".join(caption))
+
+
+def tolerance(figure: plot_data.ToleranceFigure) -> Sheet:
+    """Histogram of the torque, with quantiles, the nominal torques and the limit marked."""
+    result, bars = figure.result, figure.result.histogram
+    x = [bars[0].low, *(end for bar in bars for end in (bar.low, bar.high)), bars[-1].high]
+    y = [0.0, *(bar.density for bar in bars for _ in range(2)), 0.0]
+    label = translate("quantiles: torque not exceeded with this probability")
+    guides = [
+        Guide("" if number else label, row.torque, across=False, tag=_percent(row.probability), style=0)
+        for number, row in enumerate(result.quantiles)
+    ]
+    nominal, machine, limit = figure.nominal_torque, result.machine_torque, result.torque_limit
+    torques = [
+        ("T_н", translate("clutch's nominal torque"), nominal),
+        ("T_н.маш", translate("machine's nominal torque"), None if math.isclose(machine, nominal) else machine),
+        ("T_lim", translate("torque limit"), limit),
+    ]
+    marked = [(symbol, about, value) for symbol, about, value in torques if value is not None]
+    guides += [
+        Guide(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
+        for style, (symbol, about, value) in enumerate(marked, 1)
+    ]
+    ends = [*x, *(guide.value for guide in guides)]
+    room = 0.03 * (max(ends) - min(ends))
+    chart = Chart(
+        ChartAxis(translate("slip torque"), "T", "N*m"),
+        ChartAxis(translate("probability density"), "p", "1/(N*m)"),
+        [Line(translate("density of the slip torque"), x, y)],
+        guides=guides,
+        areas=[Area("", x, [0.0] * len(x), y)],
+        bounds=(min(ends) - room, max(ends) + room, 0.0, 1.05 * max(y)),
+    )
+    return Sheet(translate("Slip torque over tolerances and scatter"), [chart], _study_caption(figure), figure.name)
+
+
+def _study_caption(figure: plot_data.ToleranceFigure) -> str:
+    result = figure.result
+    listed = "; ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)
+    risks = [_risk("T < T_н.маш", result.probability_below_machine, result.samples)]
+    if result.probability_above_limit is not None:
+        risks.append(_risk("T > T_lim", result.probability_above_limit, result.samples))
+    sentences = (
+        say("{samples:.0f} samples, seed {seed}.", samples=result.samples, seed=figure.seed),
+        say("The bars hold the middle {share}.", share=_percent(0.999)),
+        say("Quantiles in N·m: {listed}.", listed=listed),
+        say("Robust accuracy factor K_т,r = {factor}.", factor=display(result.accuracy_factor_robust, "1")),
+    )
+    return f"{' '.join(sentences)} {', '.join(risks)}."
+
+
+def _risk(event: str, probability: float, samples: int) -> str:
+    """Probability of an event as text; for an event that no sample has: rarer than one in ``samples``."""
+    return f"P({event}) {'=' if probability else '<'} {_percent(probability or 1 / samples)}"
+
+
+def _percent(probability: float) -> str:
+    return f"{localized(f'{100 * probability:.4g}')} %"
+
+
+def pareto(figure: plot_data.ParetoFigure) -> Sheet:
+    """The Pareto front of a design: the first objective against each other objective, each clutch with its number."""
+    result = figure.result
+    x, *others = dict.fromkeys(name.removeprefix("-") for name in result.objectives)
+    charts = [_front(result, x, y) for y in others]
+    return Sheet(translate("Pareto front"), charts, _front_caption(result), figure.name)
+
+
+def _front(result: DesignResult, x: str, y: str) -> Chart:
+    """Draw the clutches of a front, each variant with its own markers, the compromise filled."""
+
+    def points(label: str, rows: list[DesignRow]) -> Line:
+        along, up = ([row.objective(name) for row in rows] for name in (x, y))
+        return Line(label, along, up, points=True, names=[str(row.number) for row in rows])
+
+    variants = sorted({row.variant for row in result.front})
+    lines = [
+        points(translate(variant, "value"), [row for row in result.front if row.variant == variant])
+        for variant in variants
+    ]
+    for row in result.front:
+        if row.mark:
+            marked = points(say("compromise: no. {number}", number=str(row.number)), [row])
+            lines.append(marked._replace(filled=True))
+    along, up = (_ends([row.objective(name) for row in result.front]) for name in (x, y))
+    return Chart(axis_of(result.front[0], x), axis_of(result.front[0], y), lines, bounds=(*along, *up))
+
+
+def _ends(values: list[float]) -> tuple[float, float]:
+    low, high = min(values), max(values)
+    room = 0.04 * (high - low) or 0.04 * abs(high) or 1.0
+    return low - room, high + room
+
+
+def _front_caption(result: DesignResult) -> str:
+    objectives = [name.removeprefix("-") for name in result.objectives]
+    names = [axis_of(result.front[0], name).symbol for name in objectives]
+    listed = say("{names} and {last}", names=", ".join(names[:-1]), last=names[-1])
+    counts = sorted(Counter(row.variant for row in result.front).items())
+    variants = ", ".join(say("{count:,} {variant}", count=count, variant=translate(name)) for name, count in counts)
+    if len(counts) == 1:
+        variants = say("all {variant}", variant=translate(counts[0][0]))
+    caption = say(
+        "{feasible:,} of {candidates:,} candidates meet every requirement; the {front:,} drawn are beaten by no other "
+        "in {listed} together ({variants}). Numbers are those of --pick.",
+        feasible=result.feasible, candidates=result.candidates, front=len(result.front), listed=listed,
+        variants=variants,
+    )  # fmt: skip
+    lacking = any(getattr(row, name) is None for row in result.front for name in objectives)
+    free = translate("What a variant does not have costs nothing: it lies at 0.")
+    return f"{caption} {free}" if lacking else caption

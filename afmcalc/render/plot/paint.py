@@ -4,7 +4,7 @@ import textwrap
 from collections.abc import Callable
 from typing import Any
 
-from ...messages import localized, printable, spoken
+from ...messages import localized, printable
 from ..symbols import marked
 from .chart import Chart, Line, power
 
@@ -33,7 +33,6 @@ SIZE = 9.0
 """Smallest size of a text, points."""
 
 PARAMETERS = {
-    "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans"],
     "font.size": SIZE,
     "text.color": INK,
@@ -50,7 +49,6 @@ PARAMETERS = {
     "axes.axisbelow": True,
     "axes.xmargin": 0.0,
     "axes.formatter.useoffset": False,
-    "axes.unicode_minus": True,
     "grid.color": GRID,
     "grid.linewidth": 0.6,
     "xtick.color": INK,
@@ -58,10 +56,8 @@ PARAMETERS = {
     "lines.linewidth": 1.7,
     "lines.markersize": 5.5,
     "legend.frameon": False,
-    "legend.fontsize": SIZE,
     "legend.handlelength": 3.6,
     "legend.labelspacing": 0.3,
-    "hatch.linewidth": 0.5,
     "text.parse_math": False,
     "svg.hashsalt": "afmcalc",
     "svg.fonttype": "none",  # texts stay texts, not outlines
@@ -82,15 +78,8 @@ def paint(axes: Any, chart: Chart) -> None:
         style = GUIDES[(number if guide.style is None else guide.style) % len(GUIDES)]
         draw, axis = (axes.axhline, y) if guide.across else (axes.axvline, x)
         (value,) = axis.shown([guide.value])
-        draw(
-            value,
-            label=folded(guide.label),
-            color=INK,
-            linewidth=1.0,
-            linestyle=style,
-            zorder=1.5,
-            clip_on=False,
-        )
+        look: dict[str, Any] = {"color": INK, "linewidth": 1.0, "linestyle": style}
+        draw(value, label=folded(guide.label), zorder=1.5, clip_on=False, **look)
         if guide.tag:
             over, tag = axes.get_xaxis_transform(), marked(guide.tag)
             axes.annotate(tag, (value, 1), xycoords=over, ha="center", va="bottom", rotation=90)
@@ -118,8 +107,6 @@ def _of_user(text: str) -> str:
 
 def _ticks(axes: Any) -> None:
     """Write the numbers on the axes in the user's language."""
-    if spoken() == "en":
-        return
     from matplotlib.ticker import ScalarFormatter
 
     class Ticks(ScalarFormatter):
@@ -134,17 +121,15 @@ def _ticks(axes: Any) -> None:
 def _line(axes: Any, chart: Chart, line: Line, style: int) -> None:
     how: dict[str, Any] = {"linestyle": DASHES[style % len(DASHES)]}
     if line.points:
-        how = {"markersize": 5.0, "zorder": 4} if line.filled else _OPEN
-        how = how | {"linestyle": "none", "marker": MARKERS[style % len(MARKERS)], "clip_on": False}
+        how = {"linestyle": "none", "marker": MARKERS[style % len(MARKERS)], "clip_on": False}
+        hollow = {"markerfacecolor": "none", "markeredgewidth": 1.4, "zorder": 3}
+        how |= {"markersize": 5.0, "zorder": 4} if line.filled else hollow
     label = folded(line.label, typeset=_of_user if chart.named else marked)
     points = chart.x.shown(line.x), chart.y.shown(line.y)
     axes.plot(*points, color=COLOURS[style % len(COLOURS)], label=label, **how)
     named = [*zip(line.names, *points, strict=False)]
     for text, *place in dict.fromkeys([*named[:1], *named[-1:]]):
         axes.annotate(text, place, (4, 4), textcoords="offset points", annotation_clip=False)
-
-
-_OPEN: dict[str, Any] = {"markerfacecolor": "none", "markeredgewidth": 1.4, "zorder": 3}
 
 
 def _limits(axes: Any, chart: Chart) -> None:

@@ -16,6 +16,7 @@ from ..drawing import (
     Drawing,
     Inscription,
     Length,
+    Polyline,
     Region,
     Shape,
     Stroke,
@@ -38,58 +39,44 @@ def pocket(drawing: ShopDrawing) -> Sheet:
     back, side = (1e3 * end for end in drawing.extent)
     unit = max(2 * back / (WIDTH - _BESIDE), 2 * side / (_HIGH / len(titles) - _BETWEEN))
     size, high, right = TEXT * unit, 2 * side + _BETWEEN * unit, WIDTH / 2 * unit
+    steepness = (math.tan(found.wall_angle) + math.tan(found.wall_angle_max or found.wall_angle)) / 2
     shapes = list[Shape]()
     for number, (travel, title) in enumerate(titles):
-        shapes += [*_moved(drawing, travel, -number * high), *_ball(drawing, -number * high)]
+        # the sleeves off their stop; with a curved wall one sleeve seats the ball, the other is turned to touch it
+        up, first = -number * high, travel if found.wall is not None else travel / 2
+        faces = 1e3 * (found.face_gap / 2 + first), 1e3 * (found.face_gap / 2 + travel - first)
+        for name, hand, face in zip(("SLEEVE_1", "SLEEVE_2"), (1, -1), faces, strict=True):
+            off = face - 500 * found.face_gap
+            shapes += sleeve(drawing, name, hand * off, up + hand * off * steepness)
+        shapes.append(Circle("balls", (0.0, up), found.ball_diameter * 500))
+        for x, y in ((1.04 * back, 0.0), (0.0, 1.04 * side)):
+            shapes.append(Stroke("centre", ((-x, up - y), (x, up + y))))
         if title:
-            shapes.append(Inscription(title, (size - right, side + 26 * unit - number * high), size))
+            shapes.append(Inscription(title, (size - right, side + 26 * unit + up), size))
         if travel:
-            gap = found.face_gap + travel
-            ends = (-_faces(drawing, travel)[1], -side - high), (_faces(drawing, travel)[0], -side - high)
-            shapes.append(Length(f"s + x = {tenths(gap)}", size, *ends, -side - high - 8 * unit))
+            label, low = f"s + x = {tenths(found.face_gap + travel)}", up - side
+            shapes.append(Length(label, size, (-faces[1], low), (faces[0], low), low - 8 * unit))
     shapes += dimensions(drawing, unit, size, lambda symbol, length: f"{symbol} = {tenths(length)}")
     frame = -right, high - side - 14 * unit - len(titles) * high, right, side + 30 * unit
     return Sheet(translate("Ball and pockets, section A–A"), [Drawing(shapes, frame)], _caption(found), drawing.name)
 
 
-def _faces(drawing: ShopDrawing, travel: float) -> tuple[float, float]:
-    """Distances of both sleeves' faces from the ball's centre, mm; with a curved wall one sleeve seats the ball."""
-    found = drawing.synthesis
-    share = 1.0 if found.wall is not None else 0.5
-    return 1e3 * (found.face_gap / 2 + share * travel), 1e3 * (found.face_gap / 2 + (1 - share) * travel)
-
-
-def _moved(drawing: ShopDrawing, travel: float, up: float) -> Iterator[Shape]:
-    """Draw both sleeves off their stop; a sleeve in which the ball moves is turned until a wall touches the ball."""
-    found = drawing.synthesis
-    steepness = (math.tan(found.wall_angle) + math.tan(found.wall_angle_max or found.wall_angle)) / 2
-    for name, hand, face in zip(("SLEEVE_1", "SLEEVE_2"), (1, -1), _faces(drawing, travel), strict=True):
-        off = face - 500 * found.face_gap
-        yield from sleeve(drawing, name, hand * off, up + hand * off * steepness)
-
-
 def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> Iterator[Shape]:
     """Draw one of the sleeves with its pocket, displaced by ``x`` and ``y`` (mm) from its place at the stop."""
-    (contour,) = (
-        tuple((along * 1e3 + x, around * 1e3 + y) for along, around in each.points)
-        for each in drawing.contours
-        if each.layer == name
-    )
+    contour = tuple((along + x, around + y) for along, around in contours(drawing)[name])
     yield Region("hatch", (contour,), hatch=45.0 if name == "SLEEVE_1" else 135.0)
     yield Region(name.lower(), (contour,))
 
 
-def _ball(drawing: ShopDrawing, up: float) -> Iterator[Shape]:
-    back, side = (1.04 * 1e3 * end for end in drawing.extent)
-    yield Circle("balls", (0.0, up), drawing.synthesis.ball_diameter * 500)
-    for end in ((back, 0.0), (0.0, side)):
-        yield Stroke("centre", ((-end[0], up - end[1]), (end[0], up + end[1])))
+def contours(drawing: ShopDrawing) -> dict[str, Polyline]:
+    """Points of every contour by its layer, mm."""
+    return {each.layer: tuple((1e3 * x, 1e3 * y) for x, y in each.points) for each in drawing.contours}
 
 
 def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Iterator[Shape]:
     """Draw dimensions of pockets and sleeves at the stop; ``k``: millimetres of the drawing for one on paper."""
     unit, shop = drawing.synthesis, drawing.sleeve
-    points = {each.layer: [(along * 1e3, around * 1e3) for along, around in each.points] for each in drawing.contours}
+    points = contours(drawing)
     (face, half), (back, side) = points["POCKET_1"][-1], points["SLEEVE_1"][-1]
     other, groove = points["POCKET_2"][0], shop.groove * 500
     floor = face + unit.pocket_depth_cut * 1e3
@@ -114,13 +101,22 @@ def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Ite
 
 
 def _caption(found: SynthesisResult) -> str:
+    ball, near = stated("d_ш", found.ball_diameter, "m"), found.edge_clearance_standard
+    if found.ball_diameter_standard is None:
+        drawn = say("Drawn with {ball}, for no standard ball is that large.", ball=ball)
+    elif near is None:
+        drawn = say("Drawn with {ball}.", ball=ball)
+    else:
+        drawn = say(
+            "Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=stated("y", near, "m")
+        )
     sentences = [
         say(
             "To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch "
             "horizontal. S21 (20), (23), (24): smallest ball {smallest}.",
             circle=stated("r", found.ball_circle_radius, "m"), smallest=stated("r_ш", found.ball_radius, "m"),
         ),
-        _drawn_with(found),
+        drawn,
         translate("Cut to h_c, where the ball ends; below it a groove keeps the ball off the floor."),
     ]  # fmt: skip
     if found.contact_force is not None:
@@ -131,13 +127,3 @@ def _caption(found: SynthesisResult) -> str:
         angle = found.wall_angle_max
         sentences.append(say("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=angle))
     return " ".join(sentences)
-
-
-def _drawn_with(found: SynthesisResult) -> str:
-    ball = stated("d_ш", found.ball_diameter, "m")
-    if found.ball_diameter_standard is None:
-        return say("Drawn with {ball}, for no standard ball is that large.", ball=ball)
-    if found.edge_clearance_standard is None:
-        return say("Drawn with {ball}.", ball=ball)
-    clearance = stated("y", found.edge_clearance_standard, "m")
-    return say("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)

@@ -18,7 +18,8 @@ from ..drawing import (
     Region,
     Shape,
     Stroke,
-    corners,
+    middle,
+    rectangle,
 )
 from .chart import Sheet
 
@@ -26,11 +27,9 @@ from .chart import Sheet
 class Part(NamedTuple):
     """One part of a clutch in half section; the axis of the clutch is below."""
 
-    number: str
-    """Number of the part in the paper; empty if the part has no number."""
     boxes: tuple[Rectangle, ...]
-    at: Point
-    """Position of the number."""
+    at: Point | None
+    """Position of the number, its place among the parts; None if the part has no number in the paper."""
     kind: str = "body"
     """One of ``_HATCH``, else ``disc``, ``spring``, ``ball`` or ``key``."""
 
@@ -45,30 +44,29 @@ def _half_section(parts: tuple[Part, ...], length: float, top: float) -> Drawing
     """Draw a clutch in half section over an axis of the given length."""
     size = TEXT * length / WIDTH
     shapes: list[Shape] = [Stroke("centre", ((0.0, 0.0), (length, 0.0)))]
-    for part in parts:
+    for number, part in enumerate(parts, 1):
         shapes += (shape for box in part.boxes for shape in _shapes(part.kind, box))
-        if part.number:
-            left, right, low, high = part.boxes[0]
-            middle, (x, y) = ((left + right) / 2, (low + high) / 2), part.at
-            below = y - 0.5 * size if y > middle[1] else y + size
-            shapes += [Stroke("dimensions", (middle, (x, below))), Circle("dimensions", middle, 0.15 * size)]
-            shapes.append(Inscription(part.number, (x, y - 0.35 * size), size, "middle"))
+        if part.at:
+            tip, (x, y) = middle(part.boxes[0]), part.at
+            below = y - 0.5 * size if y > tip[1] else y + size
+            shapes += [Stroke("dimensions", (tip, (x, below))), Circle("dimensions", tip, 0.15 * size)]
+            shapes.append(Inscription(str(number), (x, y - 0.35 * size), size, "middle"))
     return Drawing(shapes, (0.0, -0.5, length, top))
 
 
 def _shapes(kind: str, box: Rectangle) -> Iterator[Shape]:
     left, right, low, high = box
     if kind == "ball":
-        yield Circle("balls", ((left + right) / 2, (low + high) / 2), (high - low) / 2)
+        yield Circle("balls", middle(box), (high - low) / 2)
     elif kind == "spring":
         step = (right - left) / (2 * _TURNS)
         points = ((left + step * turn, low if turn % 2 else high) for turn in range(2 * _TURNS + 1))
         yield Stroke("springs", tuple(points))
     elif kind in _FILLED:
-        yield Region(_FILLED[kind], (corners(box),))
+        yield rectangle(_FILLED[kind], box)
     else:
-        yield from (Region("hatch", (corners(box),), hatch=angle) for angle in _HATCH[kind])
-        yield Region("outline", (corners(box),))
+        yield from (rectangle("hatch", box, hatch=angle) for angle in _HATCH[kind])
+        yield rectangle("outline", box)
 
 
 def _discs(first: float, count: int, inner: float, outer: float) -> tuple[Rectangle, ...]:
@@ -77,45 +75,53 @@ def _discs(first: float, count: int, inner: float, outer: float) -> tuple[Rectan
     return tuple((left, left + 0.18, inner, outer) for left in places)
 
 
+_HALVES = (
+    Part(((2.1, 12.6, 0.35, 0.95), (10.7, 11.1, 0.95, 3.0)), (12.3, 1.6)),
+    Part(((1.2, 1.6, 0.35, 4.75), (1.6, 7.3, 4.5, 4.75)), (0.6, 3.9), "drum"),
+)
+"""The half-couplings of a direct clutch."""
+
+
+def _beside(*more: Rectangle) -> tuple[Part, ...]:
+    """Pressure disc, ball, thrust disc with boxes ``more``, spring and thrust bearing of a direct clutch."""
+    return (
+        Part(((6.3, 7.0, 1.1, 4.2), (3.45, 6.3, 1.1, 1.65)), (6.9, 5.5), "moving"),
+        Part(((2.68, 3.42, 1.0, 1.74),), (1.9, 2.2), "ball"),
+        Part(((2.4, 2.85, 1.75, 4.2), (2.4, 2.68, 0.95, 1.75), *more), (2.3, 5.5)),
+        Part(((7.4, 10.7, 1.9, 2.9),), (9.0, 3.7), "spring"),
+        Part(((7.0, 7.4, 1.7, 3.1),), (8.4, 4.6), "bearing"),
+    )
+
+
 _F11 = (
-    Part("1", ((2.1, 12.6, 0.35, 0.95), (10.7, 11.1, 0.95, 3.0)), (12.3, 1.6)),
-    Part("2", ((1.2, 1.6, 0.35, 4.75), (1.6, 7.3, 4.5, 4.75)), (0.6, 3.9), "drum"),
-    Part("3", _discs(3.25, 2, 1.95, 4.0), (3.1, 5.5), "disc"),
-    Part("4", _discs(3.5, 2, 2.4, 4.5), (3.9, 5.5), "disc"),
-    Part("5", _discs(4.5, 3, 1.7, 4.0), (4.9, 5.5), "disc"),
-    Part("6", _discs(4.75, 3, 2.4, 4.5), (5.9, 5.5), "disc"),
-    Part("7", ((6.3, 7.0, 1.1, 4.2), (3.45, 6.3, 1.1, 1.65)), (6.9, 5.5), "moving"),
-    Part("8", ((2.68, 3.42, 1.0, 1.74),), (1.9, 2.2), "ball"),
-    Part("9", ((2.4, 2.85, 1.75, 4.2), (2.4, 2.68, 0.95, 1.75), (2.85, 4.2, 1.78, 1.92)), (2.3, 5.5)),
-    Part("10", ((7.4, 10.7, 1.9, 2.9),), (9.0, 3.7), "spring"),
-    Part("11", ((7.0, 7.4, 1.7, 3.1),), (8.4, 4.6), "bearing"),
+    *_HALVES,
+    Part(_discs(3.25, 2, 1.95, 4.0), (3.1, 5.5), "disc"),
+    Part(_discs(3.5, 2, 2.4, 4.5), (3.9, 5.5), "disc"),
+    Part(_discs(4.5, 3, 1.7, 4.0), (4.9, 5.5), "disc"),
+    Part(_discs(4.75, 3, 2.4, 4.5), (5.9, 5.5), "disc"),
+    *_beside((2.85, 4.2, 1.78, 1.92)),
 )
 _S19 = (
-    Part("1", ((2.1, 12.6, 0.35, 0.95), (10.7, 11.1, 0.95, 3.0)), (12.3, 1.6)),
-    Part("2", ((1.2, 1.6, 0.35, 4.75), (1.6, 7.3, 4.5, 4.75)), (0.6, 3.9), "drum"),
-    Part("3", _discs(3.3, 6, 1.7, 4.0), (4.4, 5.5), "disc"),
-    Part("4", _discs(3.05, 6, 2.4, 4.5), (3.2, 5.5), "disc"),
-    Part("5", ((6.3, 7.0, 1.1, 4.2), (3.45, 6.3, 1.1, 1.65)), (6.9, 5.5), "moving"),
-    Part("6", ((2.68, 3.42, 1.0, 1.74),), (1.9, 2.2), "ball"),
-    Part("7", ((2.4, 2.85, 1.75, 4.2), (2.4, 2.68, 0.95, 1.75)), (2.3, 5.5)),
-    Part("8", ((7.4, 10.7, 1.9, 2.9),), (9.0, 3.7), "spring"),
-    Part("9", ((7.0, 7.4, 1.7, 3.1),), (8.4, 4.6), "bearing"),
+    *_HALVES,
+    Part(_discs(3.3, 6, 1.7, 4.0), (4.4, 5.5), "disc"),
+    Part(_discs(3.05, 6, 2.4, 4.5), (3.2, 5.5), "disc"),
+    *_beside(),
 )
 _S21 = (
-    Part("1", ((2.1, 13.6, 0.35, 0.95), (2.4, 2.8, 0.95, 4.2), (12.0, 12.4, 0.95, 3.0)), (13.2, 1.6)),
-    Part("2", ((1.2, 1.6, 0.35, 4.75), (1.6, 6.5, 4.5, 4.75)), (0.6, 3.9), "drum"),
-    Part("3", _discs(3.3, 5, 2.6, 4.5), (3.5, 5.5), "disc"),
-    Part("4", _discs(3.55, 4, 2.2, 4.0), (4.6, 5.5), "disc"),
-    Part("5", ((5.55, 6.0, 1.95, 4.2), (3.3, 5.55, 1.95, 2.2)), (6.6, 5.2), "moving"),
-    Part("6", ((3.1, 7.35, 1.1, 1.7),), (1.9, 2.3)),
-    Part("7", ((4.6, 5.4, 1.6, 1.95),), (3.0, 5.5), "key"),
-    Part("8", ((7.13, 7.87, 1.03, 1.77),), (7.0, 2.3), "ball"),
-    Part("9", ((8.8, 9.2, 1.1, 3.9), (7.65, 9.9, 1.1, 1.7)), (9.6, 4.4), "moving"),
-    Part("10", ((6.0, 8.8, 2.55, 2.8),), (8.0, 4.6), "moving"),
-    Part("11", ((9.2, 12.0, 1.9, 2.8),), (10.8, 3.6), "spring"),
-    Part("12", ((8.9, 9.8, 0.85, 1.15),), (10.4, 1.4), "key"),
-    Part("13", ((6.0, 8.8, 3.0, 3.8),), (7.2, 4.9), "spring"),
-    Part("", ((2.8, 3.1, 1.1, 4.1),), (2.95, 4.4), "bearing"),
+    Part(((2.1, 13.6, 0.35, 0.95), (2.4, 2.8, 0.95, 4.2), (12.0, 12.4, 0.95, 3.0)), (13.2, 1.6)),
+    Part(((1.2, 1.6, 0.35, 4.75), (1.6, 6.5, 4.5, 4.75)), (0.6, 3.9), "drum"),
+    Part(_discs(3.3, 5, 2.6, 4.5), (3.5, 5.5), "disc"),
+    Part(_discs(3.55, 4, 2.2, 4.0), (4.6, 5.5), "disc"),
+    Part(((5.55, 6.0, 1.95, 4.2), (3.3, 5.55, 1.95, 2.2)), (6.6, 5.2), "moving"),
+    Part(((3.1, 7.35, 1.1, 1.7),), (1.9, 2.3)),
+    Part(((4.6, 5.4, 1.6, 1.95),), (3.0, 5.5), "key"),
+    Part(((7.13, 7.87, 1.03, 1.77),), (7.0, 2.3), "ball"),
+    Part(((8.8, 9.2, 1.1, 3.9), (7.65, 9.9, 1.1, 1.7)), (9.6, 4.4), "moving"),
+    Part(((6.0, 8.8, 2.55, 2.8),), (8.0, 4.6), "moving"),
+    Part(((9.2, 12.0, 1.9, 2.8),), (10.8, 3.6), "spring"),
+    Part(((8.9, 9.8, 0.85, 1.15),), (10.4, 1.4), "key"),
+    Part(((6.0, 8.8, 3.0, 3.8),), (7.2, 4.9), "spring"),
+    Part(((2.8, 3.1, 1.1, 4.1),), None, "bearing"),
 )
 
 

@@ -27,8 +27,10 @@ _COLUMNS = (0.0, 9.5, 55.0, 67.0, 126.0, 146.0)
 
 def section(section: ClutchSection) -> Sheet:
     """Draw a clutch at rest; parts that move are also drawn in their place at f_max."""
-    title = translate("Clutch in section, at rest and at f_max")
-    return Sheet(title, [_drawing(section)], _caption(section), section.name, _assumed(section))
+    title, assumed = translate("Clutch in section, at rest and at f_max"), ""
+    if sizes := [f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items()]:
+        assumed = say("Defaults: {keys}.", keys="; ".join(sizes))
+    return Sheet(title, [_drawing(section)], _caption(section), section.name, assumed)
 
 
 def _drawing(section: ClutchSection) -> draw.Drawing:
@@ -42,11 +44,12 @@ def _drawing(section: ClutchSection) -> draw.Drawing:
     starts: list[float] = []
     lengths = [each for each in measures.values() if each.low >= 0 and each.key != "length"]
     for each in sorted(lengths, key=lambda each: -each.low):
-        text = draw.text_width(_label(each), size)
+        drawn = _dimension(each, size)
+        text = draw.text_width(drawn.label, size)
         end = each.high * _MM + (0.0 if text < (each.high - each.low) * _MM else text + row)
         level = next((level for level, start in enumerate(starts) if end < start), len(starts))
         starts[level : level + 1] = [each.low * _MM - row]
-        shapes.append(_dimension(each, size, radius + (level + 1) * row))
+        shapes.append(drawn._replace(line=radius + (level + 1) * row))
     for side, step, names in ((0.0, -1.15 * row, _INSIDE), (length, 1.15 * row, _OUTSIDE)):
         diameters = sorted((measures[name] for name in names if name in measures), key=lambda each: each.high)
         shapes += [_dimension(each, size, side + place * step) for place, each in enumerate(diameters, 1)]
@@ -55,25 +58,22 @@ def _drawing(section: ClutchSection) -> draw.Drawing:
     table, top = _part_list(section), -radius - 4.8 * row
     cells = [
         draw.Inscription(cell, (left + (1.4 + column) * unit, top - number * row), size)
-        for number, row_cells in enumerate(table)
-        for cell, column in zip(row_cells, _COLUMNS, strict=True)
+        for number, texts in enumerate(table)
+        for cell, column in zip(texts, _COLUMNS, strict=True)
         if cell
     ]
     frame = left, top - (len(table) - 0.4) * row, left + draw.WIDTH * unit, radius + (len(starts) + 1) * row
     return draw.Drawing([*shapes, *cells], frame, cells=len(cells))
 
 
-def _dimension(measure: MainDimension, size: float, line: float, hand: int = 1) -> draw.Length:
+def _dimension(measure: MainDimension, size: float, line: float = 0.0, hand: int = 1) -> draw.Length:
     low, high, at, upright = measure.low * _MM, measure.high * _MM, hand * measure.at * _MM, measure.low < 0
     ends = ((at, low), (at, high)) if upright else ((low, at), (high, at))
-    return draw.Length(_label(measure), size, *ends, line, upright, measure.key, measure.about)
-
-
-def _label(measure: MainDimension) -> str:
     given = measure.key in _GIVEN and not measure.assumed
     length = display(measure.high - measure.low, "m") if given else draw.tenths(measure.high - measure.low)
-    number = f"{'Ø ' if measure.low < 0 else ''}{length}{' *' if measure.assumed else ''}"
-    return f"{measure.symbol} = {number}" if measure.symbol else number
+    number = f"{'Ø ' if upright else ''}{length}{' *' if measure.assumed else ''}"
+    label = f"{measure.symbol} = {number}" if measure.symbol else number
+    return draw.Length(label, size, *ends, line, upright, measure.key, measure.about)
 
 
 def _rectangles(boxes: Iterable[Box], hand: int = 1) -> list[draw.Rectangle]:
@@ -89,11 +89,11 @@ def _along(section: ClutchSection, length: float) -> Iterator[draw.Shape]:
         for part in section.parts.values():
             yield from _part(section, part, hand)
             for box in _rectangles(part.moved, hand):
-                yield _ball(box, "ghost") if part.name == "balls" else draw.Region("ghost", (draw.corners(box),))
+                yield _ball(box, "ghost") if part.name == "balls" else draw.rectangle("ghost", box)
         for one, other, _ in section.overlaps:
             boxes = (same for box in section.parts[one].boxes for same in box.common(section.parts[other].boxes))
             for box in _rectangles(boxes, hand):
-                yield draw.Region("overlap", (draw.corners(box),), f"{one}/{other}")
+                yield draw.rectangle("overlap", box, f"{one}/{other}")
 
 
 def _part(section: ClutchSection, part: DrawnPart, hand: int) -> Iterator[draw.Shape]:
@@ -107,33 +107,33 @@ def _part(section: ClutchSection, part: DrawnPart, hand: int) -> Iterator[draw.S
         yield from _spring(part, boxes[0])
     elif part.name == "pack":
         # a disc for each friction pair, the bypass pairs farthest from the spring, and the carrier of the inner discs
-        face = hand * section.measures["inner_diameter"].high * _MM
-        yield from _cut(part, [(left, right, low, face) if hand > 0 else (left, right, face, high)], [])
-        low, high, step = (face, high, right - left) if hand > 0 else (low, face, right - left)
+        face, wide = hand * section.measures["inner_diameter"].high * _MM, right - left
+        carrier, discs = ((low, face), (face, high)) if hand > 0 else ((face, high), (low, face))
+        yield from _cut(part, [(left, right, *carrier)], [])
         for number in range(part.pieces):
-            disc = left + number * step / part.pieces, left + (number + 1) * step / part.pieces, low, high
-            yield draw.Region("bypass" if number < section.bypass_pairs else "discs", (draw.corners(disc),), part.name)
+            disc = left + number * wide / part.pieces, left + (number + 1) * wide / part.pieces, *discs
+            yield draw.rectangle("bypass" if number < section.bypass_pairs else "discs", disc, part.name)
     else:
         yield from _cut(part, boxes, _rectangles(part.pockets, hand))
 
 
 def _cut(part: DrawnPart, boxes: list[draw.Rectangle], pockets: list[draw.Rectangle]) -> Iterator[draw.Shape]:
     outline, holes = draw.outlines(boxes), draw.outlines(pockets)
-    inside_out = tuple(hole[::-1] for hole in holes)
+    inside_out = (hole[::-1] for hole in holes)
     yield draw.Region("hatch", (*outline, *inside_out), hatch=_HATCH.get(part.name, 135.0))
     yield draw.Region("outline", outline, part.name)
     yield from (draw.Region("outline", (hole,)) for hole in holes)
 
 
 def _ball(box: draw.Rectangle, layer: str, part: str = "") -> draw.Circle:
-    return draw.Circle(layer, ((box[0] + box[1]) / 2, (box[2] + box[3]) / 2), (box[1] - box[0]) / 2, part)
+    return draw.Circle(layer, draw.middle(box), (box[1] - box[0]) / 2, part)
 
 
 def _spring(part: DrawnPart, box: draw.Rectangle) -> Iterator[draw.Shape]:
     """Draw a spring: the wire of a single coil spring, or a zigzag for disc springs and coil springs on a circle."""
     (left, right, low, high), layer = box, "assumed" if part.assumed else "springs"
     wire, long = high - low, right - left
-    yield draw.Region(layer, (draw.corners(box),), part.name)
+    yield draw.rectangle(layer, box, part.name)
     if part.pieces == 1 and wire < 0.4 * long:
         count = min(round(part.turns) + 2, int(long / wire))
         places = (left + wire / 2 + (long - wire) * number / (count - 1) for number in range(count))
@@ -155,9 +155,7 @@ def _from_the_end(section: ClutchSection, middle: float, size: float) -> Iterato
     yield draw.Stroke("centre", ((middle - far, 0.0), (middle + far, 0.0)))
     yield draw.Stroke("centre", ((middle, -far), (middle, far)))
     if bore := 2 * radii.get("bore", 0.0):  # the shaft key: 0.3 by 0.2 of the bore, about as in ISO 773
-        yield draw.Region(
-            "assumed", (draw.corners((middle - 0.15 * bore, middle + 0.15 * bore, 0.38 * bore, 0.58 * bore)),)
-        )
+        yield draw.rectangle("assumed", (middle - 0.15 * bore, middle + 0.15 * bore, 0.38 * bore, 0.58 * bore))
     if balls := section.parts.get("balls"):
         circle, ball = radii["ball_circle"], (balls.row.right - balls.row.left) / 2 * _MM
         yield draw.Circle("centre", (middle, 0.0), circle)
@@ -176,8 +174,8 @@ def _numbers(section: ClutchSection, length: float, y: float, size: float) -> It
     places = []
     for part in section.parts.values():
         boxes = _rectangles(part.boxes, -1)
-        left, right, low, high = max(boxes, key=lambda box: (box[1] - box[0]) * (box[3] - box[2]))
-        places.append(((left + right) / 2, (low + high) / 2, part.number))
+        largest = max(boxes, key=lambda box: (box[1] - box[0]) * (box[3] - box[2]))
+        places.append((*draw.middle(largest), part.number))
     # in the middle of equal steps along the length and beyond it, so that no number is on a line of its dimension
     within = max(1, min(len(places), int(length / (2 * size))))
     for place, (x, middle, number) in enumerate(sorted(places), (within - len(places)) // 2):
@@ -195,15 +193,10 @@ def _part_list(section: ClutchSection) -> list[list[str]]:
         size = f"Ø {draw.tenths(row.outer_diameter)}{inner} × {long}"
         if part.name == "balls":
             size = translate(ball_designation(row.right - row.left) or f"Ø {display(row.right - row.left, 'm')}")
-        origin = translate("default *") if part.assumed else translate("given")
-        mass = display(row.mass, "kg") if row.mass else "–"
+        origin = translate("default *" if part.assumed else "given")
+        mass = display(row.mass or None, "kg")
         rows.append([str(part.number), translate(part.name, "value"), str(part.pieces), size, mass, origin])
     return [*rows, ["", "", "", "", "Σ " + display(sum(part.row.mass for part in section.parts.values()), "kg"), ""]]
-
-
-def _assumed(section: ClutchSection) -> str:
-    sizes = (f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items())
-    return say("Defaults: {keys}.", keys="; ".join(sizes)) if section.assumed else ""
 
 
 def _caption(section: ClutchSection) -> str:

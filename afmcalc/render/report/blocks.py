@@ -1,6 +1,6 @@
 """A document for people as typed blocks: its content, before it is set as a page or on sheets of paper."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -97,16 +97,13 @@ class Figure:
     """Drawings, one below the other."""
 
     number: int
-    drawings: "Sequence[Drawing]"
+    drawings: "Sequence[Svg]"
     title: Text
     caption: Text
 
 
-@dataclass(frozen=True)
-class Drawing:
+class Svg(str):
     """A drawing as SVG."""
-
-    svg: str
 
 
 @dataclass(frozen=True)
@@ -194,30 +191,12 @@ class Document:
     """Running title of a sheet without frame."""
     date: str
     """Date of the file, ISO 8601."""
-    contents: bool = True
     paper: Literal["plain", "framed", "report", "book"] = "plain"
     short: bool = False
     """True if the report is to take two sheets."""
     author: str = ""
-    frame: "Frame | None" = None
-    """Title block of sheets with a frame."""
-
-
-@dataclass(frozen=True)
-class Frame:
-    """Entries of a title block of ГОСТ 2.104, forms 2 and 2а."""
-
-    headline: str
-    drawing: str
-    organisation: str
-    revision: str
-    people: Sequence[tuple[str, str]]
-    """Role and name of each person, row by row."""
-    changes: Sequence[str]
-    """Heads of the columns of changes."""
-    stage: Sequence[str]
-    margin: Sequence[str]
-    """Heads of the cells in the left margin, from the top."""
+    frame: Mapping[str, Any] | None = None
+    """Entries of a title block of ГОСТ 2.104, forms 2 and 2а, for sheets with a frame."""
 
 
 def data_of(block: Any) -> dict[str, Any]:

@@ -1,12 +1,12 @@
 """The chapters of a report, one for each topic of the dossier: numbers, calculation and drawing of the topic."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
-from ...analysis.explain.explain import CaseRow, Derivation, Meaning
+from ...analysis.explain.explain import Circumstance, Derivation, Meaning
 from ...analysis.spring_search import SpringsResult
 from ...formula_tree import Tree, symbol_tree, value_tree
 from ...messages import deferred, say, translate, with_unit
@@ -19,9 +19,9 @@ from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curve_sheets import SPRINGS
 from ..text_tables import TextTable, blocks, cells, quantities
-from .blocks import Piece, Step, Text, listed, piece, text
-from .formulas import SHORT, Formula, broken, formula, size
-from .pieces import marks, said
+from .blocks import Piece, Step, Text, listed, piece, text, when
+from .formulas import SHORT, broken, formula, size
+from .pieces import MISPRINT, said
 from .words import form, told
 
 
@@ -36,30 +36,31 @@ class Chapter(NamedTuple):
 
 def chapters(dossier: Dossier) -> list[Chapter]:
     """Lay out every topic of a dossier."""
-    return [
-        Chapter(
-            topic,
-            [_captioned(topic, table) for table in _tables(topic)],
-            [step_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations],
-            [] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
-        )
-        for topic in dossier.topics
-    ]
+    laid_out = []
+    for topic in dossier.topics:
+        title, tables = translate(topic.title), []
+        for table in _tables(topic.result):
+            # a table without title has the name of the topic and, if it has several columns, the names of its columns
+            heads = table.header[2:-1]
+            own = f"{title}: {', '.join(heads)}" if heads[1:] else title
+            tables.append(table._replace(title=table.title or own))
+        steps = [step_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations]
+        sheets = [] if topic.figure is None else [sheet_of(topic.plot, topic.figure)]
+        laid_out.append(Chapter(topic, tables, steps, sheets))
+    return laid_out
 
 
-def _tables(topic: Topic) -> list[TextTable]:
-    return _TABLES[topic.name](topic.result) if topic.name in _TABLES else _laid_out(topic.result)
-
-
-def _captioned(topic: Topic, table: TextTable) -> TextTable:
-    """Give a table without title the name of its topic and, if it has several columns, the names of its columns."""
-    title, heads = translate(topic.title), table.header[2:-1]
-    return table if table.title else table._replace(title=f"{title}: {', '.join(heads)}" if heads[1:] else title)
-
-
-def _laid_out(result: Result) -> list[TextTable]:
+def _tables(result: Result) -> list[TextTable]:
     """Tables of a result, in which symbols and names replace keys of the spec."""
     laid_out = document(result)
+    if isinstance(result, SpringsResult):  # only the springs in the spec, not the others that would fit
+        springs = {translate(SPRINGS[option.spring]): option for option in result.named or [] if option.spring}
+        return [_side_by_side([*springs], [*springs.values()], without=("number", "spring", "kind"))]
+    if isinstance(result, AdjustResult):
+        others = [row for row in laid_out.singles if not row.path.startswith(("min_friction.", "mean_friction."))]
+        heads = [translate("set at f_min"), translate("set at mean f")]
+        methods = _side_by_side(heads, [result.min_friction, result.mean_friction])
+        return [methods, *blocks(laid_out._replace(singles=others, triples=[], tables=[]))]
     tables = [table._replace(columns=[*chain(*map(_named, table.columns))]) for table in laid_out.tables]
     return blocks(laid_out._replace(tables=tables))
 
@@ -73,23 +74,9 @@ def peaks(dossier: Dossier) -> list[TextTable]:
 
 
 _PEAKS = (
-    *("peak_torque", "dynamic_factor", "slip_time", "energy", "temperature", "face_temperature"),
-    *("trips_per_hour", "trips_to_wear_out"),
-)
-
-
-def _both_settings(result: AdjustResult) -> list[TextTable]:
-    laid_out = document(result)
-    others = [row for row in laid_out.singles if not row.path.startswith(("min_friction.", "mean_friction."))]
-    heads = [translate("set at f_min"), translate("set at mean f")]
-    methods = _side_by_side(heads, [result.min_friction, result.mean_friction])
-    return [methods, *blocks(laid_out._replace(singles=others, triples=[], tables=[]))]
-
-
-def _named_springs(result: SpringsResult) -> list[TextTable]:
-    """Table of the springs in the spec; a report leaves out other springs that would fit."""
-    springs = {translate(SPRINGS[option.spring]): option for option in result.named or [] if option.spring}
-    return [_side_by_side([*springs], [*springs.values()], without=("number", "spring", "kind"))]
+    "peak_torque", "dynamic_factor", "slip_time", "energy", "temperature", "face_temperature", "trips_per_hour",
+    "trips_to_wear_out",
+)  # fmt: skip
 
 
 def _side_by_side(heads: Sequence[str], results: Sequence[Result], without: Sequence[str] = ()) -> TextTable:
@@ -97,7 +84,7 @@ def _side_by_side(heads: Sequence[str], results: Sequence[Result], without: Sequ
     columns = []
     for column in fields_of(results):
         if isinstance(column.values[0], Triple):
-            for end, at in zip(ENDS, ("at f_min", "at mean f", "at f_max"), strict=True):
+            for end, at in ENDS.items():
                 values = [getattr(triple, end) for triple in column.values]
                 columns.append(column._replace(name=f"{column.name} {translate(at)}", values=values))
         elif column.path not in without and any(value is not None for value in column.values):
@@ -122,17 +109,10 @@ _FRICTION = {
     "friction.driven": ("f_2", deferred("friction of the driven pairs in service")),
 }
 
-_TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {
-    "adjust": _both_settings,
-    "springs": _named_springs,
-}
-"""Topic → function that makes its tables, for topics whose tables ``_laid_out`` does not make."""
-
 
 def step_of(step: Derivation, method: str) -> Step:
     """Lay out a derivation; lines that all have the spring setting of the spec, ``method``, do not name it."""
-    columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "setting", "side")]
-    columns = [(name, labels) for name, labels in columns if any(labels)]
+    columns = _labels([row.case for row in step.rows], method)
     symbol, first = symbol_tree(translate(step.symbol)), step.rows[0]
     in_one_line = not columns and len(step.rows) == 1 and size(step.formula) + size(first.numbers) <= SHORT
     # the formula may consist of the symbol alone, and the formula with numbers of the value alone
@@ -141,11 +121,13 @@ def step_of(step: Derivation, method: str) -> Step:
         parts += dict.fromkeys((first.numbers, *_values(first.value, step.unit)))
     # a label takes the room of a dozen signs
     room = SHORT - 12 * max(0, len(columns) - 1)
-    lines = [
-        ([*map(said, labels)], _worked(symbol, broken(row.numbers, room), _values(row.value, step.unit)))
-        for row, *labels in zip(step.rows, *(labels for _, labels in columns), strict=True)
-    ]
-    heads = [*(told(name) for name, _ in columns), say("Numbers put in")]
+    lines = []
+    for row, *labels in zip(step.rows, *columns.values(), strict=True):
+        # a line may end between the formula with numbers and the values
+        own, *rest = dict.fromkeys((symbol, broken(row.numbers, room), *_values(row.value, step.unit)))
+        worked = [formula(own, *rest[:1]), *(formula((), value) for value in rest[1:])]
+        lines.append(([*map(said, labels)], worked))
+    heads = [*map(told, columns), say("Numbers put in")]
     return Step(
         what=_what(step),
         number=str(step.number) if step.formula else "",
@@ -162,63 +144,49 @@ def _what(step: Derivation) -> Text:
     parts: list[Text | Piece] = [piece("b", said(step.symbol)), said(translate(step.name))]
     if not step.formula:
         parts.append(piece("soft", say("By formula ({number}).", number=step.number)))
-    notes = [said(translate(step.source).rstrip(".")), *map(text, marks(step))]
-    if step.source or notes[1:]:
-        parts.append(piece("sources", text("[", listed(notes if step.source else notes[1:], "; "), "]")))
+    named = MISPRINT.findall(step.source)
+    notes = [said(translate(step.source).rstrip("."))] if step.source else []
+    notes += [text(mark) for mark in dict.fromkeys(MISPRINT.findall(step.differs)) if mark not in named]
+    parts += [piece("sources", text("[", listed(notes, "; "), "]"))] if notes else []
     return listed(parts, " ")
 
 
 def _values(value: float, unit: str) -> list[Tree]:
     """Value in the unit of the tables, after the value in the SI unit if the two units differ."""
-    in_si = with_unit(significant(value), "" if unit == "1" else translate(typeset(unit), "unit"))
-    return [*map(value_tree, dict.fromkeys((in_si, measured(value, unit)) if value else (measured(value, unit),)))]
+    in_si = [with_unit(significant(value), "" if unit == "1" else translate(typeset(unit), "unit"))] if value else []
+    return [*map(value_tree, dict.fromkeys([*in_si, measured(value, unit)]))]
 
 
-def _worked(symbol: Tree, numbers: Tree, values: Sequence[Tree]) -> list[Formula]:
-    """A symbol, the formula with numbers, and the values; a line may end between these formulas."""
-    first, *rest = dict.fromkeys((symbol, numbers, *values))
-    return [formula(first, *rest[:1]), *(formula((), result) for result in rest[1:])]
+def _labels(cases: Sequence[Circumstance], method: str) -> dict[str, list[str]]:
+    """Columns of labels that tell cases apart; the spring setting ``method`` is named only beside another."""
+    columns = {}
+    if any(case.at for case in cases):
+        columns["friction"] = [case.at or "" for case in cases]
+    if any(case.setting not in (None, method) for case in cases):
+        columns["setting"] = [told(f"setting/{case.setting or method}") for case in cases]
+    if any(case.side for case in cases):
+        columns["side"] = [told(f"side/{case.side or 'protected'}") for case in cases]
+    return columns
 
 
-def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
-    """One column of labels; all are empty if no line has a side, or if all lines have the spring setting ``method``."""
-    cases = [row.case for row in rows]
-    if name == "friction":
-        return [case.at or "" for case in cases]
-    if name == "side":
-        on_sides = any(case.side for case in cases)
-        return [told(f"side/{case.side or 'protected'}") if on_sides else "" for case in cases]
-    labels = [told(f"setting/{case.setting or method}") for case in cases]
-    return [""] * len(rows) if set(labels) == {told(f"setting/{method}")} else labels
-
-
-def explained(meaning: Meaning) -> str:
+def explained(words: str, unit: str) -> str:
     """Meaning of a symbol, with its unit."""
-    unit = translate(typeset(meaning.unit), "unit")
-    return ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
+    return ", ".join(filter(None, (translate(words), translate(typeset(unit), "unit")))) if words else ""
 
 
 def _explained(meanings: Sequence[Meaning]) -> list[Text]:
     """Explain each symbol once, with every formula that gives the symbol."""
-    origins: dict[tuple[str, str], list[tuple[str, int]]] = {}
-    for symbol, words, meaning in ((each.symbol, explained(each), each) for each in meanings):
-        same = (key for key in origins if key[0] == symbol and words in ("", key[1]))
-        known = origins.setdefault(next(same, (symbol, words)), [])
-        known += [] if meaning.number is None else [(meaning.source, meaning.number)]
+    origins: dict[tuple[str, str], list[Piece]] = {}
+    for each in meanings:
+        words = explained(each.text, each.unit)
+        same = (key for key in origins if key[0] == each.symbol and words in ("", key[1]))
+        known = origins.setdefault(next(same, (each.symbol, words)), [])
+        if each.number is not None:  # a link to the formula, after the quantity's own symbol if the two differ
+            by = say("by ({number})", number=each.number)
+            if each.source:
+                by = say("{source} by ({number})", source=each.source, number=each.number)
+            known.append(piece("link", said(by), f"formula-{each.number}"))
     return [
-        text(
-            piece("b", said(symbol)),
-            *([" – "] if words or given else []),
-            listed([*([said(words)] if words else []), *map(_origin, given)]),
-        )
-        for (symbol, words), given in origins.items()
+        text(piece("b", said(symbol)), when(words or links, " – "), listed([said(words), *links]))
+        for (symbol, words), links in origins.items()
     ]
-
-
-def _origin(given: tuple[str, int]) -> Piece:
-    """Link to the formula that gives a symbol; before the link the quantity's own symbol, if the two differ."""
-    source, number = given
-    words = (
-        say("{source} by ({number})", source=source, number=number) if source else say("by ({number})", number=number)
-    )
-    return piece("link", said(words), f"formula-{number}")

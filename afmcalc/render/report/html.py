@@ -52,7 +52,7 @@ def math(formula: Formula) -> str:
     return element("math", *map(_node, formula.tree), display="block")
 
 
-def _row(tree: Tree) -> str:
+def _side(tree: Tree) -> str:
     body = "".join(map(_node, tree))
     return body if len(tree) == 1 else element("mrow", body)
 
@@ -77,9 +77,9 @@ def _node(node: str | Node) -> str:
         case "rows":
             return element("mtable", *(element("mtr", element("mtd", *map(_node, row))) for row in node.parts))
         case "fraction":
-            return element("mfrac", *map(_row, node.parts))
+            return element("mfrac", *map(_side, node.parts))
     _, below, above = node.parts
-    return element("msubsup" if below and above else "msub" if below else "msup", *map(_row, filter(None, node.parts)))
+    return element("msubsup" if below and above else "msub" if below else "msup", *map(_side, filter(None, node.parts)))
 
 
 def fragment(parts: Iterable[Block], level: int = 2) -> str:
@@ -97,16 +97,11 @@ def _block(block: Block, level: int) -> str:
             return table(block)
         case blocks.Figure():
             svg = "\n".join(
-                drawing(each.svg, str(block.title), f"{block.number}-{n}") for n, each in enumerate(block.drawings, 1)
+                drawing(each, str(block.title), f"{block.number}-{n}") for n, each in enumerate(block.drawings, 1)
             )
-            caption = _caption(say("Figure {number}", number=block.number), block.title)
-            caption = f"{caption}. {inline(block.caption)}"
-            return element(
-                "figure",
-                element("div", svg, class_="scroll"),
-                element("figcaption", caption),
-                id=f"figure-{block.number}",
-            )
+            caption = f"{_caption(say('Figure {number}', number=block.number), block.title)}. {inline(block.caption)}"
+            parts = element("div", svg, class_="scroll"), element("figcaption", caption)
+            return element("figure", *parts, id=f"figure-{block.number}")
         case blocks.Step():
             return _step(block)
         case blocks.Findings(found):
@@ -118,9 +113,8 @@ def _block(block: Block, level: int) -> str:
         case blocks.Code(code):
             return element("pre", escape(code, quote=False))
         case blocks.Entries(entries):
-            return _pairs(
-                ((escape(name), escape(value), "wide" if long else "") for name, value, long in entries), "block"
-            )
+            rows = ((escape(name), escape(value), "wide" if long else "") for name, value, long in entries)
+            return _pairs(rows, "block")
         case Section(key, label, title, body):
             heading = element(f"h{level}", element("span", label, class_="count"), " ", inline(title))
             return element("section", heading, fragment(body, level + 1), id=key)
@@ -139,22 +133,24 @@ def _caption(name: str, title: Text) -> str:
     return element("b", name) + (f" – {inline(title)}" if title else "")
 
 
+def _row(cells: Sequence[Text], numeric: Sequence[bool], tag: str = "td", row: str = "", **more: str) -> str:
+    numbers = ["number" if each else "" for each in numeric] or [""] * len(cells)
+    shown = (element(tag, inline(cell), **more, class_=kind) for cell, kind in zip(cells, numbers, strict=True))
+    return element("tr", *shown, id=row)
+
+
 def _head(heads: Sequence[Text], numeric: Sequence[bool] = ()) -> str:
-    kinds = ["number" if each else "" for each in numeric] or [""] * len(heads)
-    cells = (element("th", inline(head), scope="col", class_=kind) for head, kind in zip(heads, kinds, strict=True))
-    return element("thead", element("tr", *cells))
+    return element("thead", _row(heads, numeric, "th", scope="col"))
 
 
 def table(block: blocks.Table) -> str:
     """HTML of a table."""
-    kinds = ["number" if each else "" for each in block.numeric] or [""] * len(block.head)
     bodies: list[list[str]] = [[]]
     for row in block.rows:
         if len(row) < len(block.head):
             bodies.append([element("tr", element("th", inline(row[0]), scope="rowgroup", colspan=len(block.head)))])
         else:
-            cells = (element("td", inline(each), class_=kind) for each, kind in zip(row, kinds, strict=True))
-            bodies[-1].append(element("tr", *cells, id=str(row[0]) if block.named else ""))
+            bodies[-1].append(_row(row, block.numeric, row=str(row[0]) if block.named else ""))
     caption = ""
     if block.number:
         name = say("Table {number}", number=block.number)
@@ -178,14 +174,10 @@ def _step(step: blocks.Step) -> str:
         spans = " ".join([*(element("span", each, ";") for each in most), element("span", last)])
         parts.append(element("p", say("where"), " ", spans, class_="where lined" if step.lined else "where"))
     if step.lines:
-        rows = (
-            element(
-                "tr",
-                *(element("td", inline(label), class_="label") for label in labels),
-                element("td", " ".join(map(math, numbers)), class_="put"),
-            )
-            for labels, numbers in step.lines
-        )
+        rows = []
+        for labels, numbers in step.lines:
+            cells = (element("td", inline(label), class_="label") for label in labels)
+            rows.append(element("tr", *cells, element("td", " ".join(map(math, numbers)), class_="put")))
         head = _head(step.head) if step.head else ""
         lines = element("table", head, element("tbody", *rows), class_="lines")
         parts.append(element("div", lines, class_="scroll"))
@@ -208,16 +200,12 @@ def drawing(svg: str, name: str, number: object) -> str:
 
 
 def _contents(parts: Iterable[Block]) -> str:
-    entries = (
-        element(
-            "li",
-            element("div", part.label, " ", element("a", inline(part.title), href=f"#{part.key}")),
-            _contents(part.body),
-        )
-        for part in parts
-        if isinstance(part, Section)
-    )
-    return element("ol", *inner) if (inner := [*entries]) else ""
+    entries = []
+    for part in parts:
+        if isinstance(part, Section):
+            link = element("a", inline(part.title), href=f"#{part.key}")
+            entries.append(element("li", element("div", part.label, " ", link), _contents(part.body)))
+    return element("ol", *entries) if entries else ""
 
 
 def page(document: Document) -> str:
@@ -231,15 +219,11 @@ def page(document: Document) -> str:
         element("title", escape(f"{document.name} – {document.kind}")),
         element("style", style),
     ]
-    cover = [
-        element("p", escape(document.kind), class_="kind"),
-        element("h1", escape(document.name)),
-        fragment(document.cover),
-    ]
-    if document.contents:
+    kind, name = element("p", escape(document.kind), class_="kind"), element("h1", escape(document.name))
+    cover = [kind, name, fragment(document.cover)]
+    if not document.short:
         contents = say("Contents")
         cover.append(element("nav", element("h2", contents), _contents(document.body), aria_label=contents))
-    body = element("header", *cover), element("main", fragment(document.body))
-    return "<!DOCTYPE html>\n" + element(
-        "html", element("head", *head), element("body", "\n".join(body)), lang=document.language
-    )
+    body = "\n".join((element("header", *cover), element("main", fragment(document.body))))
+    whole = element("html", element("head", *head), element("body", body), lang=document.language)
+    return f"<!DOCTYPE html>\n{whole}"

@@ -3,49 +3,40 @@
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import date
-from itertools import chain, count
-from typing import Any, Literal, NamedTuple
+from itertools import count
+from typing import Any, NamedTuple
 
 from ... import __version__
 from ...analysis.check import CheckResult, CheckRow
 from ...analysis.dossier import Dossier
-from ...analysis.explain.explain import Meaning
 from ...findings import Finding
 from ...messages import filled, localized, named, native, printable, say, spoken, translate, with_unit
-from ...papers.register import Misprint, misprints, references
+from ...papers.register import misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
-from ...spec.parse import Source
 from ..amounts import display, display_unit, measured, worded
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..text_tables import TextTable, ranked
 from . import blocks
-from .blocks import Block, Document, Piece, Text, listed, piece, text, when
-from .chapters import Chapter, chapters, explained, peaks
+from .blocks import Block, Document, Text, listed, piece, text, when
+from .chapters import chapters, explained, peaks
 from .html import page
-from .pieces import MISPRINT, cell, cited, name_of, plain, said, unparted
-from .title import text_as_given, title_block, today
+from .pieces import MISPRINT, cell, cited, name_of, plain, said, table, unparted
+from .title import text_as_given, today
 from .words import PEOPLE, SHORT, form, titled, told
 
 
-@dataclass(frozen=True)
-class Subject:
-    """Subject of a report: the dossier of a clutch, and the title block."""
+class Subject(NamedTuple):
+    """Subject of a report: the dossier of a clutch, and how the report shows it."""
 
     dossier: Dossier
-    given: str
-    """Text of the spec as given."""
-    title: TitleBlock = TitleBlock()
-    """Title block of the spec, as it is: without a date if the spec gives no date."""
     digest: str = ""
     """SHA-256 of the file as given."""
-    source: str = ""
-    """Name of the source from which the spec was read, such as a file name."""
     overrides: Sequence[str] = ()
     """Overrides ``PATH=VALUE`` of values in the spec."""
     with_source: bool = False
@@ -53,19 +44,11 @@ class Subject:
     short: bool = False
     """True if the report is to take two pages: task, limits, section, peaks, heat, conclusions."""
 
-
-def subject_of(
-    dossier: Dossier,
-    source: Source,
-    digest: str,
-    overrides: Sequence[str] = (),
-    *,
-    with_source: bool = False,
-    short: bool = False,
-) -> Subject:
-    """Subject of the report on a clutch that was read from a source."""
-    texts = text_as_given(source), title_block(dossier.spec), digest, source, overrides
-    return Subject(dossier, *texts, with_source, short)
+    @property
+    def title(self) -> TitleBlock:
+        """The [report] block of the spec, dated today if the block has no date."""
+        block = self.dossier.spec.report or TitleBlock()
+        return block if block.date else block.model_copy(update={"date": today()})
 
 
 _PROGRAM = f"afmcalc {__version__}"
@@ -88,15 +71,11 @@ class _SpecLine(NamedTuple):
         set_so = cell if self.numeric or self.path == "adjustment.method" else plain
         return [said(self.symbol), text(said(self.about), mark), set_so(self.value), text(self.unit)]
 
-
-def _in_a_line(group: tuple[str, Iterable[_SpecLine]]) -> Text:
-    """Write the numbers in a group of the spec in one line."""
-    title, lines = group
-    shown = [line for line in lines if line.symbol and line.numeric]
-    each = [
-        text(said(line.symbol), " = ", cell(line.value), f" {line.unit}" if line.unit != "–" else "") for line in shown
-    ]
-    return text(f"{title}: ", listed(each, "; "), ". ") if shown else text()
+    @property
+    def in_short(self) -> Text:
+        """Symbol, number and unit; empty for a value that is no number or has no symbol."""
+        unit = when(self.unit != "–", " ", self.unit)
+        return when(self.symbol and self.numeric, said(self.symbol), " = ", cell(self.value), unit)
 
 
 def render(subject: Subject) -> str:
@@ -106,33 +85,29 @@ def render(subject: Subject) -> str:
 
 def report(subject: Subject) -> Document:
     """Lay a report out; the same subject gives the same document."""
-    laid_out = _report(subject)
-    body, numbers = cited(laid_out.body)
-    sources = references()
-    entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
-    body = [
-        replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
-        for each in body
-    ]
-    return replace(laid_out, body=[each for each in body if entries or each.key != "references"])
-
-
-def _report(subject: Subject) -> Document:
     dossier, short, title = subject.dossier, subject.short, subject.title
     name = unparted(printable(named(dossier.spec.name) or say("Adaptive friction clutch")))
-    kind = say("Calculation report")
+    kind, day = say("Calculation report"), today()
+    with suppress(ValueError):
+        day = date.fromisoformat(title.date or "").isoformat()
     paper = "report" if title.form == "report" and not short else form().paper
     verdict = blocks.Paragraph(said(dossier.check.verdict.sentence), f"sum {dossier.check.grade}", "verdict")
+    body, numbers = cited(_Parts(subject).sections())
+    sources = references()
+    entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
     return Document(
         language=spoken(),
         program=_PROGRAM,
         kind=kind,
         name=name,
         cover=[_entries(subject), _signatures(title), verdict, *_trip(dossier.check)],
-        body=_Parts(subject).sections(),
+        body=[
+            replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
+            for each in body
+            if entries or each.key != "references"
+        ],
         running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
-        date=_day(title),
-        contents=not short,
+        date=day,
         paper=paper,
         short=short,
         author=title.author or "",
@@ -154,13 +129,6 @@ def _trip(check: CheckResult) -> list[Block]:
     return [blocks.Paragraph(said(words))]
 
 
-def _day(title: TitleBlock) -> str:
-    """Date in the title block; today's date if that is no date of ISO 8601."""
-    with suppress(ValueError):
-        return date.fromisoformat(title.date or "").isoformat()
-    return today()
-
-
 class _Parts:
     """The sections of a report: the content of each, and the numbers of its tables and figures."""
 
@@ -173,46 +141,58 @@ class _Parts:
         self.required, self.held = ([row for row in rows if row.is_requirement is asked] for asked in (True, False))
         self.remarks = [finding for finding in findings if MISPRINT.search(finding.message)]
         self.findings = [finding for finding in findings if finding not in self.remarks]
-        self.drawn = _section(dossier, short) | {chapter.topic.name: chapter.sheets for chapter in self.chapters}
-        self.mended = _mended(self.chapters, self.remarks, chain(*self.drawn.values()))
+        self.steps = [step for chapter in self.chapters for step in chapter.topic.derivations]
+        self.drawn = {chapter.topic.name: chapter.sheets for chapter in self.chapters}
+        if dossier.section is not None:
+            sheet = sheet_of("section", dossier.section)
+            panels = [panel.without_table() for panel in sheet.panels] if short else sheet.panels
+            self.drawn["spec"] = [sheet._replace(panels=panels)]
+        texts = [str([table.title, table.rows]) for chapter in self.chapters for table in chapter.tables]
+        texts += [text for step in self.steps for text in (step.source, step.differs)]
+        texts += [*(finding.message for finding in self.remarks)]
+        texts += [sheet.caption for sheets in self.drawn.values() for sheet in sheets]
+        named = {mark for text in texts for mark in MISPRINT.findall(text)}
+        self.mended = [each for each in misprints() if each.id in named]
         self.lines = [*_spec_lines(_with_frictions(dossier.spec))]
         self._tables, self._figures = count(1), count(1)
 
     def sections(self) -> list[blocks.Section]:
         """Lay out the sections that have content, and the appendices with their letters, in order."""
         has: dict[str, object] = {
-            "requirements": self.required, "peaks": self.peaks, "misprints": self.mended,
-            "source": self.subject.with_source,
+            "requirements": self.required or (form().paper == "framed" and not self.short), "peaks": self.peaks,
+            "misprints": self.mended, "source": self.subject.with_source,
         }  # fmt: skip
-        set_so = form()._replace(sections=SHORT, appendices=(), always=()) if self.short else form()
         sections, appendices = (
-            [name for name in names if name in set_so.always or has.get(name, True)]
-            for names in (set_so.sections, set_so.appendices)
+            [name for name in names if has.get(name, True)]
+            for names in ((SHORT, ()) if self.short else (form().sections, form().appendices))
         )
         self.labels = {name: str(number) for number, name in enumerate(sections, 1)}
-        lettered = zip(appendices, set_so.letters, strict=False)
+        lettered = zip(appendices, form().letters, strict=False)
         self.labels |= {name: say("Appendix {letter}", letter=letter) for name, letter in lettered}
+        titles = {name: told("next" if self.short and name == "conclusion" else name) for name in self.labels}
         return [
-            blocks.Section(
-                name,
-                label,
-                text(told("next" if self.short and name == "conclusion" else name)),
-                [*getattr(self, f"_{name}")()],
-                name in appendices,
-            )
+            blocks.Section(name, label, text(titles[name]), [*getattr(self, f"_{name}")()], name in appendices)
             for name, label in self.labels.items()
         ]
 
-    def _requirements(self) -> Iterator[Block]:
+    def _numbered(self, table: blocks.Table) -> blocks.Table:
+        return replace(table, number=next(self._tables))
+
+    def _shown(self, name: str) -> list[blocks.Figure]:
+        """Draw the figures of a section."""
+        return [figure_of(next(self._figures), sheet) for sheet in self.drawn.get(name, ())]
+
+    def _led(self, lead: str | Text, table: blocks.Table, *more: Block) -> list[Block]:
+        """A paragraph that leads to a table, and the table with its number."""
+        table = self._numbered(table)
+        return [blocks.Paragraph(text(lead, " ", see(table), ".")), table, *more]
+
+    def _requirements(self) -> Iterable[Block]:
         if not self.required:
-            yield blocks.Paragraph(
-                text(say("The spec states no requirements; the clutch is calculated as it is given."))
-            )
-            return
-        number = next(self._tables)
+            words = say("The spec states no requirements; the clutch is calculated as it is given.")
+            return [blocks.Paragraph(text(words))]
         lead = say("What the clutch is to hold, and what it uses of each limit:")
-        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
-        yield from judged(self.required, number, say("Requirements"))
+        return self._led(lead, *judged(self.required, say("Requirements")))
 
     def _checks(self) -> Iterator[Block]:
         held, many = self.held, len(self.held)
@@ -225,78 +205,56 @@ class _Parts:
                 "The {shown} limits of which the clutch uses most, of {count}; utilisation 1 is the limit:",
                 shown=len(held), count=many,
             )  # fmt: skip
-        number = next(self._tables)
-        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
-        yield from judged(held, number, say("Limits and their utilisation"))
-        if self.findings and not self.short:
+        yield from self._led(lead, *judged(held, say("Limits and their utilisation")))
+        if self.short:
+            return
+        if self.findings:
             yield blocks.Heading(3, text(say("Findings")))
             yield findings_of(self.findings)
-        if self.remarks and not self.short:
-            at = piece("link", self.labels["misprints"], "misprints")
-            lead = say("Remarks that concern misprints of the papers:")
-            yield blocks.Paragraph(text(lead, " ", at, "."), "note")
+        if self.remarks:
+            lead, at = say("Remarks that concern misprints of the papers:"), self.labels["misprints"]
+            yield blocks.Paragraph(text(lead, " ", piece("link", at, "misprints"), "."), "note")
 
     def _spec(self) -> Iterator[Block]:
-        figures = self._shown("spec")
-        drawing = say("The clutch in section:")
-        lead = text(drawing, " ", see("figure", *(each.number for each in figures)), ". ") if figures else text()
-        lead = text(lead, say("The values calculated with:"), " ")
-        if self.short:
-            yield blocks.Paragraph(text(lead, *map(_in_a_line, self._groups().items())))
-        else:
-            number = next(self._tables)
-            yield blocks.Paragraph(text(lead, see("table", number), "."))
-            rows: list[list[Text]] = []
-            changed = _changed(self.subject.overrides)
-            for group, lines in self._groups().items():
-                rows += [[text(group)], *(line.cells(changed) for line in lines)]
-            heads = map(text, (say("Symbol"), say("Quantity"), say("Value"), say("Unit")))
-            title = text(say("Values calculated with"))
-            yield blocks.Table("keys", title, [*heads], rows, [False, False, True, False], number)
-        yield from figures
-
-    def _groups(self) -> dict[str, list[_SpecLine]]:
+        figures, lead = self._shown("spec"), text(say("The values calculated with:"))
         groups: dict[str, list[_SpecLine]] = {}
         for line in self.lines:
             groups.setdefault(line.group, []).append(line)
-        return groups
+        if figures:
+            lead = text(say("The clutch in section:"), " ", see(*figures), ". ", lead)
+        if self.short:
+            numbers = {group: [line.in_short for line in lines] for group, lines in groups.items()}
+            each = (text(f"{group}: ", listed(own, "; "), ". ") for group, own in numbers.items() if any(own))
+            yield blocks.Paragraph(text(lead, " ", *each))
+        else:
+            rows: list[list[Text]] = []
+            changed = _changed(self.subject.overrides)
+            for group, lines in groups.items():
+                rows += [[text(group)], *(line.cells(changed) for line in lines)]
+            shown = table("keys", ("Symbol", "Quantity", "Value", "Unit"), rows, say("Values calculated with"))
+            yield from self._led(lead, replace(shown, numeric=[False, False, True, False]))
+        yield from figures
 
-    def _shown(self, name: str) -> list[blocks.Figure]:
-        """Draw the figures of a section."""
-        return [figure_of(next(self._figures), sheet) for sheet in self.drawn.get(name, ())]
-
-    def _peaks(self) -> Iterator[Block]:
-        number = next(self._tables)
-        yield blocks.Paragraph(text(say("What a trip loads and heats:"), " ", see("table", number), "."))
-        yield quantities(self.peaks[0]._replace(title=told("peaks")), number)
+    def _peaks(self) -> Iterable[Block]:
+        return self._led(say("What a trip loads and heats:"), quantities(self.peaks[0]._replace(title=told("peaks"))))
 
     def _calculation(self) -> Iterator[Block]:
-        if not self.short:
-            lead = say(
-                "Each formula stands once, with its source; below it the numbers put in, in SI units, and what "
-                "comes out, in the units of the tables."
-            )
-            notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
-            notes += [] if self.dossier.spec.friction.unlike else [say("All pairs are alike: f_1 = f_2 = f.")]
-            yield blocks.Paragraph(listed([text(lead), *map(said, notes)], " "))
-        for place, chapter in enumerate(self.chapters, 1):
+        lead = say(
+            "Each formula stands once, with its source; below it the numbers put in, in SI units, and what comes out, "
+            "in the units of the tables."
+        )
+        notes = [told("as-set/" + self.dossier.spec.adjustment.method)]
+        notes += [] if self.dossier.spec.friction.unlike else [say("All pairs are alike: f_1 = f_2 = f.")]
+        yield blocks.Paragraph(listed([text(lead), *map(said, notes)], " "))
+        for place, (topic, tables, steps, _) in enumerate(self.chapters, 1):
             label = f"{self.labels['calculation']}.{place}"
-            topic = chapter.topic
-            yield blocks.Section(topic.name, label, text(translate(topic.title)), [*self._chapter(chapter)])
-
-    def _chapter(self, chapter: Chapter) -> Iterator[Block]:
-        topic, tables = chapter.topic, [quantities(table, next(self._tables)) for table in chapter.tables]
-        figures = self._shown(topic.name)
-        results = [see("table", *(each.number for each in tables))] if tables else []
-        results += [see("figure", *(each.number for each in figures))] if figures else []
-        parts: list[Text | Piece | str] = [said(topic.about), say("Results:"), listed(results)]
-        parts[1:1] = [piece("sources", f"[{', '.join(topic.sources)}]")] if topic.sources else []
-        yield blocks.Paragraph(text(listed(parts, " "), "."))
-        yield from tables
-        yield from figures
-        if chapter.steps:
-            yield blocks.Heading(4, text(say("Derivation")))
-            yield from chapter.steps
+            results, figures = [self._numbered(quantities(table)) for table in tables], self._shown(topic.name)
+            sources = when(topic.sources, piece("sources", f"[{', '.join(topic.sources)}]"))
+            parts: list[Text | str] = [said(topic.about), sources, say("Results:")]
+            parts.append(listed([see(*results), see(*figures)]))
+            body: list[Block] = [blocks.Paragraph(text(listed(parts, " "), ".")), *results, *figures]
+            body += [blocks.Heading(4, text(say("Derivation"))), *steps] if steps else []
+            yield blocks.Section(topic.name, label, text(translate(topic.title)), body)
 
     def _conclusion(self) -> Iterator[Block]:
         check = self.dossier.check
@@ -304,28 +262,45 @@ class _Parts:
             yield blocks.Paragraph(said(check.verdict.sentence), f"sum {check.grade}")
             yield blocks.Bullets([said(topic.conclusion) for topic in self.dossier.topics if topic.conclusion])
             yield blocks.Heading(3, text(told("next")))
-        yield blocks.Bullets([*map(said, _next(self.dossier))], "next")
+        not_judged = [worded(row.name) for row in check.checks if row.passed is None]
+        lines = [*map(in_words, self.dossier.steps)]
+        lines += [say("Give what it takes to judge “{name}”.", name=name) for name in not_judged]
+        lines = lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
+        yield blocks.Bullets([*map(said, lines)], "next")
 
-    def _references(self) -> Iterator[Block]:
-        yield from ()  # the cited sources are known only after everything else is laid out
+    def _references(self) -> Iterable[Block]:
+        return ()  # the cited sources are known only after everything else is laid out
 
     def _symbols(self) -> Iterator[Block]:
         if spoken() == "en":
             yield blocks.Paragraph(text(say("In brackets: as the papers write a symbol.")))
-        rows = _symbols(self.chapters, self.lines)
-        yield blocks.Definitions(
-            "symbols",
-            [
-                (text(said(symbol, False), when(papers, " (", said(papers, False), ")")), said(words))
-                for symbol, papers, words in rows
-            ],
-        )
+        shown: list[tuple[str, str]] = []
+        for step in self.steps:
+            shown += [(part.symbol, explained(part.text, part.unit)) for part in step.where if part.text]
+            # the name is the heading of the step and therefore begins with a capital
+            name = explained(step.name, step.unit)
+            shown.append((step.symbol, (name[:1].lower() if name[1:2].islower() else name[:1]) + name[1:]))
+        tables = [each for chapter in self.chapters for each in chapter.tables if each.header[0] == translate("Symbol")]
+        unit = translate("Unit")
+        rows = [(*row[:2], row[-1] if each.header[-1] == unit else "") for each in tables for row in each.rows]
+        rows += [(line.symbol, line.about, line.unit) for line in self.lines]
+        shown += [(symbol, ", ".join(part for part in parts if part not in ("", "–"))) for symbol, *parts in rows]
+        meanings: dict[str, str] = {}
+        for symbol, words in shown:
+            if symbol:
+                meanings.setdefault(native(symbol), words)
+        of_papers = [key.symbol or "" for key in keys().values()]
+        of_papers += [column.symbol for each in tables if each.source for column in each.source.columns]
+        of_papers += [symbol for symbol, _ in shown]
+        printed = {own: symbol for symbol in of_papers if (own := native(symbol)) != symbol and spoken() == "en"}
+        items = [
+            (text(said(own, False), when(own in printed, " (", said(printed.get(own, ""), False), ")")), said(words))
+            for own, words in sorted(meanings.items(), key=lambda each: each[0].casefold())
+        ]
+        yield blocks.Definitions("symbols", items)
 
     def _misprints(self) -> Iterator[Block]:
-        number = next(self._tables)
         lead = say("Where this calculation departs from the print of its sources, by the number that stands there:")
-        yield blocks.Paragraph(text(lead, " ", see("table", number), "."))
-        heads = map(text, (say("No."), say("Where"), say("Printed"), say("Should be")))
         rows = [
             [
                 text(each.id),
@@ -335,7 +310,8 @@ class _Parts:
             ]
             for each in self.mended
         ]
-        yield blocks.Table("misprints", text(told("misprints")), [*heads], rows, number=number, named=True)
+        heads = "No.", "Where", "Printed", "Should be"
+        yield from self._led(lead, table("misprints", heads, rows, told("misprints"), named=True))
         if self.remarks:
             yield findings_of(self.remarks)
 
@@ -343,18 +319,18 @@ class _Parts:
         if overrides := self.subject.overrides:
             lead = say("Overridden on the command line")
             yield blocks.Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
-        yield blocks.Code(printable(self.subject.given, lines=True))
+        yield blocks.Code(printable(text_as_given(self.dossier.spec.label), lines=True))
 
 
-def see(what: Literal["table", "figure"], *numbers: int) -> Text:
+def see(*shown: blocks.Table | blocks.Figure) -> Text:
     """Text that names tables or figures, each with a link."""
-    name = {"table": "table {number}", "figure": "figure {number}"}[what]
-    shown = ((number, filled(name, {"number": number}).replace(" ", "\xa0")) for number in numbers)
-    return listed([piece("link", name, f"{what}-{number}") for number, name in shown])
+    whats = ((type(each).__name__.lower(), each.number) for each in shown)
+    names = ((what, number, filled(f"{what} {{number}}", {"number": number})) for what, number in whats)
+    return listed([piece("link", name.replace(" ", "\xa0"), f"{what}-{number}") for what, number, name in names])
 
 
-def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterator[Block]:
-    """Lay out the checks in ``rows``, each with limit and utilisation."""
+def judged(rows: Sequence[CheckRow], title: str = "") -> tuple[blocks.Table, *tuple[Block, ...]]:
+    """Lay out the checks in ``rows``, each with limit and utilisation; a note may follow the table."""
     heads = "Verdict", "Check", "Condition", "Value", "Limit", "Unit", "Utilisation"
     cells = [
         [
@@ -369,17 +345,18 @@ def judged(rows: Sequence[CheckRow], number: int = 0, title: str = "") -> Iterat
         for row in rows
     ]
     numeric = [False, False, False, True, True, False, True]
-    yield blocks.Table("judged", text(title), [text(translate(head)) for head in heads], cells, numeric, number)
-    if any(row.shown_unit == "K abs" for row in rows):
-        note = say("The share of a temperature is that of the rise which its limit allows.")
-        yield blocks.Paragraph(text(note), "note")
+    laid_out = replace(table("judged", heads, cells, title), numeric=numeric)
+    if not any(row.shown_unit == "K abs" for row in rows):
+        return (laid_out,)
+    note = say("The share of a temperature is that of the rise which its limit allows.")
+    return laid_out, blocks.Paragraph(text(note), "note")
 
 
-def quantities(block: TextTable, number: int = 0) -> blocks.Table:
+def quantities(block: TextTable) -> blocks.Table:
     """Lay out a table of numbers."""
     role = "quantities" if block.header[-1] == translate("Unit") else ""
     rows = [[*map(cell, row)] for row in block.rows]
-    return blocks.Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric, number)
+    return blocks.Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric)
 
 
 def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Findings:
@@ -395,7 +372,7 @@ def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Fi
 
 def figure_of(number: int, sheet: Sheet) -> blocks.Figure:
     """Draw a sheet, each panel by itself, because a page may end between two panels."""
-    drawings = [blocks.Drawing(inline_svg(panel)) for panel in sheet.panels]
+    drawings = [blocks.Svg(inline_svg(panel)) for panel in sheet.panels]
     return blocks.Figure(number, drawings, said(sheet.title), said(in_words(sheet.caption)))
 
 
@@ -408,132 +385,59 @@ _MOST, _LEAST = 12, 4
 """Largest number of requirements and limits together in a short report, and smallest number of limits."""
 
 
-def _section(dossier: Dossier, short: bool) -> dict[str, Sequence[Sheet]]:
-    """The clutch in section, shown with the initial data; in a short report without its part list."""
-    if dossier.section is None:
-        return {}
-    sheet = sheet_of("section", dossier.section)
-    return {"spec": [replace(sheet, panels=[panel.without_table() for panel in sheet.panels]) if short else sheet]}
-
-
 def _changed(overrides: Iterable[str]) -> list[str]:
     """Paths of the keys, or tables, that overrides change."""
     given = (override.partition("=")[0].strip() for override in overrides)
     return [path_of(name) or name for name in given]
 
 
-def _mended(parts: Iterable[Chapter], remarks: Iterable[Finding], sheets: Iterable[Sheet]) -> list[Misprint]:
-    """Return the misprints that a report names."""
-    texts = [part for chapter in parts for step in chapter.topic.derivations for part in (step.source, step.differs)]
-    texts += [str([table.title, table.rows]) for chapter in parts for table in chapter.tables]
-    texts += [*(finding.message for finding in remarks), *(sheet.caption for sheet in sheets)]
-    named = {mark for text in texts for mark in MISPRINT.findall(text)}
-    return [each for each in misprints() if each.id in named]
-
-
-def _next(dossier: Dossier) -> list[str]:
-    """Sentences on the next steps for the designer, the most important first."""
-    lines = [*map(in_words, dossier.steps)]
-    lines += [
-        say("Give what it takes to judge “{name}”.", name=worded(row.name))
-        for row in dossier.check.checks
-        if row.passed is None
-    ]
-    return lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
-
-
 def _entries(subject: Subject) -> blocks.Entries:
     """Entries of the title block: given entries and those of every report; ISO dates become dates of the language."""
-    title = dict(subject.title) | {
-        "variant": translate(subject.dossier.spec.variant, "value"),
-        "program": _PROGRAM,
-    }
+    spec = subject.dossier.spec
+    title = dict(subject.title) | {"variant": translate(spec.variant, "value"), "program": _PROGRAM}
     with suppress(ValueError):
         title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
     entries = [name for name in form().entries if title[name] or name in form().signed]
     changed = "; ".join(name_of(path) if path in keys() else path for path in _changed(subject.overrides))
-    long = {
-        say("Spec"): subject.source,
-        say("SHA-256 of the spec as given"): subject.digest,
-        **({say("Overridden on the command line"): changed} if changed else {}),
-    }
-    return blocks.Entries(
-        [
-            *((told(name), printable(title[name] or ""), False) for name in entries),
-            *((name, printable(value), True) for name, value in long.items()),
-        ]
-    )
+    given = [*((told(name), printable(title[name] or ""), False) for name in entries)]
+    given += [(say("Spec"), printable(spec.label), True), (say("SHA-256 of the spec as given"), subject.digest, True)]
+    given += [(say("Overridden on the command line"), printable(changed), True)] if changed else []
+    return blocks.Entries(given)
 
 
 def _signatures(title: TitleBlock) -> blocks.Table:
     """Table of signatures: all roles that sign in this language, and other roles for which a name is given."""
-    heads = map(text, (say("Responsible"), say("Name"), say("Signature"), say("Date")))
     names = {who: getattr(title, who) for who in PEOPLE}
     rows = [
         [text(told(who)), text(printable(name or "")), text(), text()]
         for who, name in names.items()
         if name or who in form().signed
     ]
-    return blocks.Table("signatures", text(), [*heads], rows)
+    return table("signatures", ("Responsible", "Name", "Signature", "Date"), rows)
 
 
-def _frame(title: TitleBlock, headline: str) -> blocks.Frame:
+def _frame(title: TitleBlock, headline: str) -> dict[str, Any]:
     roles = ("Drawn", title.author), ("Checked", title.checked), ("", ""), ("Standards", title.norm_control)
     margin = "Signature and date", "No. of copy", "Instead of no.", "Signature and date", "No. of original"
-    return blocks.Frame(
-        headline=headline,
-        drawing=printable(title.drawing or ""),
-        organisation=printable(title.organisation or ""),
-        revision=printable(title.revision or ""),
-        people=[(translate(role), printable(who or "")) for role, who in (*roles, ("Approved", title.approved))],
-        changes=[*map(translate, ("Chg.", "Sheet", "Document no.", "Sign.", "Date"))],
-        stage=[*map(translate, ("Stage", "Sheet", "Sheets"))],
-        margin=[*map(translate, margin)],
-    )
-
-
-def _symbols(parts: list[Chapter], lines: Iterable[_SpecLine]) -> list[tuple[str, str, str]]:
-    """Symbols, each with the papers' symbol if it differs, and with the meaning at its first occurrence."""
-    meanings: dict[str, str] = {}
-    for step in (step for chapter in parts for step in chapter.topic.derivations):
-        for part in step.where:
-            if part.text:
-                meanings.setdefault(native(part.symbol), explained(part))
-        # the name is the heading of the step and therefore begins with a capital
-        name = explained(Meaning(step.symbol, step.name, step.unit))
-        first = name[:1].lower() if name[1:2].islower() else name[:1]
-        meanings.setdefault(native(step.symbol), first + name[1:])
-    tables = [table for chapter in parts for table in chapter.tables if table.header[0] == translate("Symbol")]
-    named = (
-        (row[0], row[1], row[-1] if table.header[-1] == translate("Unit") else "–")
-        for table in tables
-        for row in table.rows
-    )
-    for shown, words, unit in chain(named, ((native(line.symbol), line.about, line.unit) for line in lines)):
-        if shown:
-            meanings.setdefault(shown, f"{words}, {unit}" if unit not in ("", "–") else words)
-    of_papers = (
-        *(key.symbol or "" for key in keys().values()),
-        *(column.symbol for table in tables if table.source for column in table.source.columns),
-        *(step.symbol for chapter in parts for step in chapter.topic.derivations),
-        *(part.symbol for chapter in parts for step in chapter.topic.derivations for part in step.where),
-    )
-    printed = {shown: symbol for symbol in of_papers if (shown := native(symbol)) != symbol and spoken() == "en"}
-    rows = ((each, printed.get(each, ""), words) for each, words in meanings.items())
-    return sorted(rows, key=lambda row: row[0].casefold())
+    own = {name: printable(getattr(title, name) or "") for name in ("drawing", "organisation", "revision")}
+    return own | {
+        "headline": headline,
+        "people": [(translate(role), printable(who or "")) for role, who in (*roles, ("Approved", title.approved))],
+        "changes": [*map(translate, ("Chg.", "Sheet", "Document no.", "Sign.", "Date"))],
+        "stage": [*map(translate, ("Stage", "Sheet", "Sheets"))],
+        "margin": [*map(translate, margin)],
+    }
 
 
 def _with_frictions(spec: Spec) -> dict[str, Any]:
     """Return the data of a spec with its friction ranges in full, even if they follow from materials."""
     data: dict[str, Any] = resolved(spec)
-    friction = spec.friction
+    own, friction = data["friction"], spec.friction
     if friction.unlike:
-        groups = {"driving": friction.driving, "driven": friction.driven}
-        data["friction"] |= {
-            name: block.range._asdict() | data["friction"][name] for name, block in groups.items() if block
-        }
+        for name, block in (("driving", friction.driving), ("driven", friction.driven)):
+            own |= {name: block.range._asdict() | own[name]} if block else {}
     else:
-        data["friction"] = friction.range._asdict() | data["friction"]
+        data["friction"] = friction.range._asdict() | own
     return data
 
 
@@ -589,13 +493,13 @@ def _scatter(group: str, name: str, given: dict[str, Any]) -> _SpecLine:
     """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of the key that scatters."""
     quantity, key = scatter_at(name), keys().get(name)
     unit = quantity.unit if quantity else ""
-    parts = {part: value for part, value in given.items() if part != "distribution"}
-    numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in parts.items()]
+    kind = worded(given.pop("distribution"))
+    numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in given.items()]
     # a spread in percent has no further unit
-    shown_unit = "" if all(isinstance(value, str) for value in parts.values()) else display_unit(unit)
+    shown_unit = "" if all(isinstance(value, str) for value in given.values()) else display_unit(unit)
     symbol, about = "f", translate("scatter of the friction in service")
     if key:
         symbol = key.symbol or ""
         about = say("scatter: {about}", about=name_of(name))
-    value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
+    value = (", " if spoken() == "en" else "; ").join([kind, *numbers])
     return _SpecLine(group, f"tolerance.fields.{name}", symbol, about, value, shown_unit, False)

@@ -5,12 +5,11 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from ...analysis.explain.explain import Derivation
 from ...messages import filled, printable, translate
-from ...papers.register import citations
+from ...papers.register import sources
 from ...spec.keys import keys
 from ..symbols import split
-from .blocks import Drawing, Piece, Text, piece, text
+from .blocks import Piece, Svg, Table, Text, piece, text
 from .formulas import Formula
 
 
@@ -50,16 +49,21 @@ def cell(words: str) -> Text:
     """
     if words in keys():
         return text(piece("code", words))
-    return text(*(part for each in said(words) for part in (_powers(each) if isinstance(each, str) else (each,))))
+    parts: list[str | Piece] = []
+    for each in said(words):
+        before, *powers = _POWER.split(each) if isinstance(each, str) else (each,)
+        parts.append(before)
+        for mantissa, power, after in zip(powers[::3], powers[1::3], powers[2::3], strict=True):
+            ten = "10" if mantissa == "1" else f"{mantissa}·10".replace("-", "−")
+            parts += [ten, piece("sup", str(int(power)).replace("-", "−")), after]
+    return text(*parts)
 
 
-def _powers(words: str) -> Iterable[str | Piece]:
-    before, *powers = _POWER.split(words)
-    yield before
-    for mantissa, power, after in zip(powers[::3], powers[1::3], powers[2::3], strict=True):
-        yield "10" if mantissa == "1" else f"{mantissa}·10".replace("-", "−")
-        yield piece("sup", str(int(power)).replace("-", "−"))
-        yield after
+def table(
+    role: str, heads: Iterable[str], rows: Sequence[Sequence[Text]], title: str = "", *, named: bool = False
+) -> Table:
+    """Table under English headings, which are translated."""
+    return Table(role, text(title), [text(translate(head)) for head in heads], rows, named=named)
 
 
 _POWER = re.compile(r"([\d.]+|\(.* ± .*\))e([+-]\d+)")
@@ -74,23 +78,18 @@ def name_of(path: str) -> str:
 _REST = re.compile(r"; |: | \(")
 
 
-def marks(step: Derivation) -> list[str]:
-    """Numbers of the misprints that a formula corrects, except misprints that the source of the formula names."""
-    return [mark for mark in dict.fromkeys(MISPRINT.findall(step.differs)) if mark not in MISPRINT.findall(step.source)]
-
-
 MISPRINT = re.compile(r"\bM\d+\b")
 
 
 def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
     """Blocks with a number in place of each cited source, and source → number, in the order of first mention."""
     numbers: dict[str, int] = {}
-    sources = citations()
+    known = sources()
 
     def cite(found: re.Match[str]) -> str:
-        key = next(key for key in sources if found[key])
+        key = next(key for key in known if found[key])
         number = numbers.setdefault(key, len(numbers) + 1)
-        name = f"{found[key]} " if sources[key][1] and found[key] != key else ""
+        name = f"{found[key]} " if "name_stays" in known[key] and found[key] != key else ""
         if formulas := found["formulas"]:
             many = formulas.count("(") > 1
             mark = filled(
@@ -100,7 +99,7 @@ def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
             mark = f"[{number}, {found['place']}]" if found["place"] else f"[{number}]"
         return name + mark
 
-    named = "|".join(rf"(?P<{key}>(?<!\w)(?:{pattern})(?!\w))" for key, (pattern, _) in sources.items())
+    named = "|".join(rf"(?P<{key}>(?<!\w)(?:{entry['cited']})(?!\w))" for key, entry in known.items())
     pattern = re.compile(f"(?:{named}){_WHERE}")
     return [_changed(block, lambda words: pattern.sub(cite, words)) for block in blocks], numbers
 
@@ -108,9 +107,12 @@ def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
 def _changed(node: Any, change: Callable[[str], str]) -> Any:
     """Change every text of a block, in the order in which it is read."""
     if isinstance(node, Piece) and node.kind == "sources":
-        return piece("sources", _bracketed(_changed(node.body, change)))
-    if isinstance(node, Drawing):
-        return Drawing(_LETTERING.sub(lambda found: change(found[0]), node.svg))
+        parts: list[Any] = [*_changed(node.body, change)]
+        parts[0], parts[-1] = parts[0][1:], parts[-1][:-1] if parts[1:] else parts[0][1:-1]
+        inside = text(*parts)  # round brackets in place of the square ones, or none before a number in square brackets
+        return piece("sources", inside if str(inside).startswith("[") else text("(", inside, ")"))
+    if isinstance(node, Svg):
+        return Svg(_LETTERING.sub(lambda found: change(found[0]), node))
     if isinstance(node, Text):
         return text(*(change(each) if isinstance(each, str) else _changed(each, change) for each in node))
     if isinstance(node, list | tuple):
@@ -121,14 +123,6 @@ def _changed(node: Any, change: Callable[[str], str]) -> Any:
 
 
 _LETTERING = re.compile("(?<=>)[^<]+")
-
-
-def _bracketed(note: Text) -> Text:
-    """Note on sources in round brackets, or without brackets if it begins with a number in square brackets."""
-    parts: list[Any] = [*note]
-    parts[0], parts[-1] = parts[0][1:], parts[-1][:-1] if parts[1:] else parts[0][1:-1]
-    inside = text(*parts)
-    return inside if str(inside).startswith("[") else text("(", inside, ")")
 
 
 _WHERE = (

@@ -1,4 +1,4 @@
-"""Title block of a report, and the text of the spec as given, for the end of the report."""
+"""Date of a report, and the text of the spec as given, for the end of the report."""
 
 import json
 import os
@@ -6,16 +6,8 @@ from datetime import UTC, datetime
 
 from ...errors import AfmcalcError
 from ...messages import say, spoken
-from ...spec import Spec
-from ...spec.models import TitleBlock
 from ...spec.parse import Source, parse
 from ...spec.write import annotated
-
-
-def title_block(spec: Spec) -> TitleBlock:
-    """The [report] block of the spec, dated today if the block has no date."""
-    block = spec.report or TitleBlock()
-    return block if block.date else block.model_copy(update={"date": today()})
 
 
 def text_as_given(source: Source) -> str:

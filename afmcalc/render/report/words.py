@@ -95,12 +95,10 @@ class Form(NamedTuple):
     """Order of the parts of a report."""
 
     sections: Sequence[str]
-    """Sections in their order; an empty section is left out, unless it is in ``always``."""
+    """Sections in their order; an empty section is left out, but requirements not on framed sheets."""
     appendices: Sequence[str]
     """Appendices in their order, each with a letter; an empty appendix is left out."""
     letters: str
-    always: Sequence[str]
-    """Sections that are shown even if empty."""
     entries: Sequence[str]
     """Entries of the title block, in their order."""
     signed: Sequence[str]
@@ -118,7 +116,6 @@ FORMS = {
         sections=("requirements", "checks", "spec", "calculation", "conclusion", "references"),
         appendices=("symbols", "misprints", "source"),
         letters="ABC",
-        always=(),
         entries=("organisation", "project", "drawing", "revision", "date", "variant", "program"),
         signed=("author", "checked", "approved"),
         paper="plain",
@@ -128,7 +125,6 @@ FORMS = {
         sections=("requirements", "spec", "checks", "calculation", "conclusion", "symbols", "references"),
         appendices=("misprints", "source"),
         letters="АБВ",
-        always=("requirements", "symbols"),
         entries=("drawing", "organisation", "project", "revision", "date", "variant", "program"),
         signed=("drawing", *PEOPLE),
         paper="framed",
