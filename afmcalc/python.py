@@ -236,16 +236,12 @@ class Clutch:
 
     def report(self, path: str | PathLike[str], *, short: bool = False) -> None:
         """Write the calculation report to an HTML file."""
-        from hashlib import sha256
-
         from .analysis.dossier import dossier
         from .render.report import render, subject_of
 
         need("report")
-        source = self.spec.label
-        told, digest = dossier(self.spec, explained=not short), sha256(source.text.encode()).hexdigest()
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(render(subject_of(told, source, digest, short=short)))
+        told = dossier(self.spec, explained=not short)
+        Path(path).write_text(render(subject_of(told, short=short)), encoding="utf-8")
 
     def _summary(self) -> list[tuple[str, str]]:
         """Rows (name, text) of a summary: torques, accuracy, and the verdict of the quick checks."""

@@ -7,7 +7,7 @@ from typer import Option
 from ..analysis.registry import SpringKind, SpringOrder
 from ..errors import AfmcalcError, need
 from ..messages import say
-from .clutch import FrictionOption, SweepOption, axes_of, friction_of
+from .clutch import FrictionOption, SweepOption, axes_of, frictions
 from .files import ending_of, is_drawing, picture_of, refuse, write
 from .options import Common, SaveOption, SpecArgument, with_common
 
@@ -43,8 +43,7 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
 def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = None) -> "tuple[Clutch, str | None]":
     """Clutch of a spec, and the format of the drawing if the file of --output is a drawing, else None."""
     if not is_drawing(common.output):
-        common.keep(spec, save=save)
-        return common.build(spec), None
+        return common.clutch(spec, save=save), None
     drawing = picture_of(common.output, *kinds)
     refuse(common.output, save, force=common.force, inputs=[spec])
     if drawing == "dxf":
@@ -131,8 +130,7 @@ def springs(
         return
     from ..analysis.spring_search import picked
 
-    common.keep(spec, save=save)
-    clutch = common.build(spec)
+    clutch = common.clutch(spec, save=save)
     result, findings = common.ask(clutch, sort, top, kind, tolerance)
     changes, sprung = picked(clutch, result, pick)
     common.emit(result, findings, sprung)
@@ -194,11 +192,10 @@ def simulate(
     """  # noqa: D301
     if history == "-":
         raise AfmcalcError("--history writes a file beside the result: name one")
-    points = [friction_of(text) for text in friction or ()]
-    common.keep(spec, beside=history, save=save)
+    points = frictions(friction)
+    clutch = common.clutch(spec, beside=history, save=save)
     if history:
         ending_of("--history", history, ".csv", ".txt", others=True)
-    clutch = common.build(spec)
     if clutch.spec.drive.event is None:
         for option, given in {"--friction": points, "--sweep": sweep, "--history": history, "--save": save}.items():
             if given:

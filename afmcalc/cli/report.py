@@ -50,16 +50,14 @@ def report(
     from ..analysis.dossier import dossier
     from ..render.report import report as laid_out
     from ..render.report import subject_of
-    from ..spec.read import spec_of
 
     given = {"form": form, "revision": revision}
     common.set = [*common.overrides, *(f"report.{key}={value}" for key, value in given.items() if value)]
 
     def document() -> "Document":
-        source, digest = common.text(spec)
-        told = dossier(spec_of(source, common.overrides), model, explained=not short)
-        shown = {"with_source": with_source, "short": short}
-        return laid_out(subject_of(told, source, digest, common.overrides, **shown))
+        told = dossier(common.read(spec), model, explained=not short)
+        common.note_default()
+        return laid_out(subject_of(told, common.overrides, with_source=with_source, short=short))
 
     _write(common, document, spec=spec, pdf=pdf)
 

@@ -238,9 +238,7 @@ class FrictionGroup(RuledBlock):
 
     def broken_rules(self) -> Iterable[Broken]:
         """Yield the broken rule: the outer radius must exceed the inner radius."""
-        inner, outer = self.inner_radius, self.outer_radius
-        if inner is not None and outer is not None and inner >= outer:
-            yield "outer_radius", say("must be greater than friction_group.inner_radius ({inner:g} m)", inner=inner)
+        return greater("outer_radius", self.outer_radius, "friction_group.inner_radius", self.inner_radius)
 
 
 SHEAR_MODULUS = 81.5e9
@@ -451,10 +449,7 @@ class Drive(Block):
     event: Event | None = None
 
 
-_LINING = ("lining_conductivity", "lining_density", "lining_specific_heat")
-
-
-class Heat(RuledBlock):
+class Heat(Block):
     """Discs that take the heat, air that takes it from them, lining that is worn."""
 
     disc_mass: DiscMass | None = key("mass of all discs that take the heat", "m")
@@ -470,13 +465,6 @@ class Heat(RuledBlock):
     cooling: Cooling | None = key("heat given off per kelvin above the surroundings, α A_c", "α A_c")
     wear: Wear | None = key("volume of lining worn per energy", "w")
     lining: Length | None = key("thickness of lining that a pair may lose by wear", "s_w")
-
-    def broken_rules(self) -> Iterable[Broken]:
-        """Yield the broken rules: a lining must have all its data or no data."""
-        given = [name for name in _LINING if getattr(self, name) is not None]
-        for name in _LINING if given else ():
-            if name not in given:
-                yield name, say("required beside heat.{given}", given=given[0])
 
 
 class Fatigue(Block):
@@ -559,7 +547,7 @@ class TripRatio(RuledBlock):
             yield "max", say("must not be below min ({low:g})", low=self.min)
 
 
-class Required(RuledBlock):
+class Required(Block):
     """Requirements; each key is a row of ``check`` and of the report, and a constraint of ``design``."""
 
     nominal_torque: Torque | None = key("nominal torque of the clutch, at least", "T_н")
@@ -588,11 +576,6 @@ class Required(RuledBlock):
         "least torque in service with the lining worn off, springs as set, at least (effects)", "T_w"
     )
     cycles: Coefficient | None = key("life in cycles on either side of the clutch, at least", "N_ц")
-
-    def broken_rules(self) -> Iterable[Broken]:
-        """Yield the broken rule: a probability of exceedance needs torque_max."""
-        if self.exceedance is not None and getattr(self, "torque_max", None) is None:
-            yield "torque_max", say("required beside {other}", other="exceedance")
 
 
 def _as_text(value: object) -> object:
@@ -709,8 +692,7 @@ class Spec(Block):
 
     def model_post_init(self, context: object) -> None:
         """Remember the file that the spec was read from; "spec" if it is not known."""
-        label = context if isinstance(context, str) else "spec"
-        self._origin = Origin(label if isinstance(label, Source) else Source(label))
+        self._origin = Origin(context if isinstance(context, Source) else Source("spec"))
 
     @property
     def label(self) -> Source:

@@ -1,33 +1,8 @@
-"""Keys of earlier versions that were removed, and their replacements."""
+"""Places in a spec of the keys of a requirements file before 0.4."""
 
 from collections.abc import Iterable, Mapping
 
-from ..messages import deferred, say, translate
-
-_PROFILED = deferred("one sleeve has the curved wall, the other seats the ball; leave the key out")
-_WEIGHT = deferred("the weight of a pack with a vertical axis is not calculated; leave the key out")
-
-REMOVED: Mapping[str, str] = {
-    "control_unit.profiled": _PROFILED,
-    "control_unit.wall_friction": deferred("cams that slide are not calculated, balls roll; leave the key out"),
-    "fatigue.load_low": deferred("every slip swings the load from 0 to T(f); leave the key out"),
-    "friction.unknown": deferred("of a list of materials the worst counts; leave the key out"),
-    "friction_group.discs_mass": _WEIGHT,
-    "friction_group.pressure_disc_mass": _WEIGHT,
-    "friction_group.vertical_axis": _WEIGHT,
-    "tolerance.method": deferred("every sample is random, of tolerance.samples clutches; leave the key out"),
-}
-"""Path of a removed key → advice."""
-
-
-def instead_of(path: str) -> str:
-    """Advice on a removed key, given by path or name, to follow "unknown key" in a message; empty for other keys."""
-    name = path.strip()
-    # the bare name "method" means adjustment.method
-    found = (hint for key, hint in REMOVED.items() if name == key or (key.endswith(f".{name}") and name != "method"))
-    hint = next(found, "")
-    return say(" since 0.4: {instead}", instead=translate(hint)) if hint else ""
-
+from ..messages import deferred
 
 _UNIT = ("balls", "face_gap", "edge_clearance", "hub_diameter", "key_friction", "pocket", "contact")
 _PACK = ("pairs", "driving_pairs", "mean_radius", "inner_radius", "outer_radius")

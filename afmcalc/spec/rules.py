@@ -1,11 +1,12 @@
 """Rules between the keys of a spec: exclusion, dependence, keys foreign to a variant."""
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple, TypeAlias, TypeGuard
+from typing import NamedTuple, TypeAlias
 
 from ..messages import deferred, filled, say
 from ..variants import VARIANTS, foreign_keys, special_keys
 from .fields import Broken
+from .quantity import is_number
 
 Table: TypeAlias = Mapping[str, object]
 """Table of a spec as plain data."""
@@ -65,6 +66,10 @@ required beside [envelope]: both radii of the faces, instead of mean_radius
   + friction_group.inner_radius friction_group.outer_radius | envelope. |
 required beside {other}
   + envelope.hub_diameter | envelope. | control_unit.hub_diameter
+  + requirements.torque_max | requirements.exceedance |
+  + heat.lining_density heat.lining_specific_heat | heat.lining_conductivity |
+  + heat.lining_conductivity heat.lining_specific_heat | heat.lining_density | heat.lining_conductivity
+  + heat.lining_conductivity heat.lining_density | heat.lining_specific_heat | heat.lining_conductivity
 excludes {other}: it is the same hub
   - envelope.hub_diameter | control_unit.hub_diameter |
 required beside {other}
@@ -133,7 +138,7 @@ def given_in(data: Table, prefix: str = "") -> dict[str, object]:
 
 def _static_friction(given: Table) -> Iterator[Broken]:
     ratio = given.get("friction.static_ratio")
-    if isinstance(ratio, int | float) and ratio > 1 and "friction.stribeck_speed" not in given:
+    if is_number(ratio) and ratio > 1 and "friction.stribeck_speed" not in given:
         yield "friction.stribeck_speed", filled(_BESIDE, {"other": "friction.static_ratio"})
 
 
@@ -148,23 +153,16 @@ def _variant(given: Table) -> Iterator[Broken]:
         table = path.partition(".")[0]
         if path not in given and (table in (path, "closing_spring") or table in given):
             yield path, say("required for variant {variant!r}", variant=name)
-    if (
-        VARIANTS[name].travels
-        and "drive.event." in given
-        and given.keys().isdisjoint(("drive.hub_inertia", "envelope."))
-    ):
+    inertia_unknown = "drive.event." in given and given.keys().isdisjoint(("drive.hub_inertia", "envelope."))
+    if VARIANTS[name].travels and inertia_unknown:
         yield "drive.hub_inertia", filled(_BESIDE, {"other": "drive.event"})
-
-
-def _is_number(value: object) -> TypeGuard[float]:
-    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def _pairs(given: Table) -> Iterator[Broken]:
     pairs, driving = given.get("friction_group.pairs"), given.get("friction_group.driving_pairs")
-    if not _is_number(pairs):
+    if not is_number(pairs):
         return
-    if _is_number(driving):
+    if is_number(driving):
         if not driving < pairs:
             message = say("must be less than friction_group.pairs ({pairs})", pairs=pairs)
             yield "friction_group.driving_pairs", message

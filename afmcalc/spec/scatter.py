@@ -1,11 +1,10 @@
 """The [tolerance] block: numbers of a clutch that scatter in manufacture and in service, and their distributions."""
 
 import re
-import sys
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, FailFast, field_validator
+from pydantic import BaseModel, BeforeValidator, FailFast, WithJsonSchema, field_validator
 
 from ..messages import did_you_mean, say
 from .fields import Block, Broken, Torque, key, keys_below, required, rule_error
@@ -22,19 +21,9 @@ _NOT_OF_THE_CLUTCH = ("tolerance.", "requirements.")
 _PERCENT = re.compile(rf"\s*({NUMBER})\s*%\s*")
 
 
-def _number_or_text(value: object) -> object:
-    if isinstance(value, bool):
-        raise ValueError(say("a boolean is not a number"))
-    if not isinstance(value, int | float | str):
-        raise ValueError(say("must be a number, or a text with a unit"))
-    if not isinstance(value, str) and not abs(value) <= sys.float_info.max:
-        raise ValueError(say("must be finite"))
-    return value
-
-
 Number = Annotated[float, BeforeValidator(Quantity("1").read)]
 Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
-Given = Annotated[float | str, BeforeValidator(_number_or_text)]
+Given = Annotated[Any, WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}]})]
 """Number in SI, or text with a unit that suits the scattering key."""
 
 

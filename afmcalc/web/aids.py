@@ -136,13 +136,12 @@ def now(clutch: Clutch, name: str) -> str:
 
 def _target(name: str) -> Key:
     """Field of a result, which is read and shown like the field of a key."""
-    return Key(name, unit_of(name), None, "", Quantity(unit_of(name)))
+    return Key(name, None, "", Quantity(unit_of(name)))
 
 
 def _pdf(state: State) -> bytes:
     need("pdf", "typst")
-    base = state.base
-    return print_pdf(report(subject_of(dossier(state.spec), base.source, base.digest, state.overrides)))[0]
+    return print_pdf(report(subject_of(dossier(state.spec), state.overrides)))[0]
 
 
 def _dxf(state: State) -> bytes:

@@ -25,7 +25,7 @@ from ..spec import Spec
 from ..spec.edit import saved
 from ..spec.parse import PREFIX, example_names, example_text, parse
 from .filled import template
-from .form import RESULTS, TUNED, Base, State, form_of, refusal, search_of
+from .form import RESULTS, TUNED, Base, State, form_of, refusal, refused, search_of
 from .worker import Worker
 
 HERE = Path(__file__).parent
@@ -153,7 +153,7 @@ class Page:
                 self._tabs.end(closed=True)
                 self._check.end(closed=True)
 
-        posts = {"live": self._answer_live, "tab/{name}": self._answer_tab, "open": self._open, "save": self._write}
+        posts = {"live": self._answer, "tab/{name}": self._answer, "open": self._open, "save": self._write}
         routes = [Route("/", self._page), Route("/page.css", _file), Route("/page.js", _file)]
         routes += [Route(f"/{path}", endpoint, methods=["POST"]) for path, endpoint in posts.items()]
         served = Starlette(routes=routes, lifespan=lifespan, exception_handlers={Exception: _fault})
@@ -196,31 +196,25 @@ class Page:
         self._made += _OF_A_FRONT * (name == "design")
         return job
 
-    async def _answer_live(self, request: Request) -> Response:
-        body = await _body(request)
-        job = self._job("live", body)
-        async with aclosing(self._live.ask(job, request.is_disconnected, str(body.get("page"))[:80])) as answers:
-            async for answer in answers:
-                if "progress" not in answer:
-                    return _json(answer)
-        return Response(status_code=204)
-
-    async def _answer_tab(self, request: Request) -> Response:
-        body, name = await _body(request), request.path_params["name"]
-        if name not in _ASKED:
+    async def _answer(self, request: Request) -> Response:
+        """Progress and answer, each a line of JSON."""
+        body, name = await _body(request), request.path_params.get("name", "live")
+        if name not in _ASKED and "name" in request.path_params:
             raise HTTPException(404)
         job = self._job(name, body)
-
-        worker = {"help": self._live, "check": self._check}.get(name, self._tabs)
+        worker = {"live": self._live, "help": self._live, "check": self._check}.get(name, self._tabs)
         # other requests of a page do not end the calculation of a tab or a check
-        page = str(body.get("page"))[:80] + ("" if name in (*_TABS, "check") else f" {name}")
+        page = str(body.get("page"))[:80] + ("" if name in (*_TABS, "live", "check") else f" {name}")
 
         async def lines() -> AsyncIterator[str]:
-            async with aclosing(worker.ask(job, request.is_disconnected, page)) as answers:
-                async for answer in answers:
-                    for at, base in enumerate(answer.pop("bases", [])[:_OF_A_FRONT]):
-                        self._keep(job["first"] + at, Base(*base))
-                    yield json.dumps(answer) + "\n"
+            try:
+                async with aclosing(worker.ask(job, request.is_disconnected, page)) as answers:
+                    async for answer in answers:
+                        for at, base in enumerate(answer.pop("bases", [])[:_OF_A_FRONT]):
+                            self._keep(job["first"] + at, Base(*base))
+                        yield json.dumps(answer) + "\n"
+            except Exception as error:
+                yield json.dumps(refusal(*unexpected(error)[1])) + "\n"
 
         return StreamingResponse(lines(), media_type="application/x-ndjson")
 
@@ -240,7 +234,7 @@ class Page:
                 self._others.discard(body["base"])
             return _json(answer)
         except AfmcalcError as error:
-            return _json(refusal(error))
+            return _json(refused(error))
 
     async def _open(self, request: Request) -> Response:
         """Form of a clutch, and its heading, for the number of a base, an example, or the text of a file."""
@@ -256,7 +250,7 @@ class Page:
                     raise AfmcalcError("{label}: names lists of its own: start afmcalc serve with it", label=label)
                 _ = State(base).spec
             except AfmcalcError as error:
-                return _json(refusal(error))
+                return _json(refused(error))
             number, self._made = self._made, self._made + 1
             self._keep(number, base)
             self._others.add(number)
@@ -298,7 +292,7 @@ def _json(answer: Mapping[str, Any], status: int = 200) -> Response:
 
 
 async def _fault(request: Request, error: Exception) -> Response:
-    return _json({"errors": {}, "problems": unexpected(error)[1]}, 500)
+    return _json(refusal(*unexpected(error)[1]), 500)
 
 
 async def _file(request: Request) -> Response:

@@ -5,8 +5,7 @@ from collections import namedtuple
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import lru_cache
-from types import UnionType
-from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
+from typing import Any, NamedTuple
 
 from tomli_w import dumps
 
@@ -16,7 +15,7 @@ from ..messages import translate
 from ..render.amounts import display
 from ..spec import Spec, resolved
 from ..spec.catalogues import friction_materials
-from ..spec.fields import Key, block_at
+from ..spec.fields import Key, block_at, words_of
 from ..spec.keys import keys
 from ..spec.parse import PREFIX, Source
 from ..spec.read import as_override, data_of, spec_of
@@ -45,7 +44,7 @@ class Base(NamedTuple):
     @property
     def source(self) -> Source:
         """Text of the clutch with its label, ready to be read as a spec."""
-        return Source(f"{PREFIX}default" if self.argument is None else self.label, self.text)
+        return Source(f"{PREFIX}default" if self.argument is None else self.label, self.text, digest=self.digest)
 
 
 class State(NamedTuple):
@@ -149,17 +148,21 @@ TUNED += ("friction_group.mean_radius", "friction_group.outer_radius", "adjustme
 """Results that the page can hold constant, and keys that it can change for this."""
 
 
-def refusal(error: AfmcalcError, option: str = "") -> dict[str, Any]:
-    """Answer to an error: ``errors``, field or option → sentence, and ``problems``, all other sentences."""
+def refusal(*problems: str, **errors: str) -> dict[str, Any]:
+    """Answer with sentences about fields or options (``errors``) and other sentences (``problems``)."""
+    return {"errors": errors, "problems": problems}
+
+
+def refused(error: AfmcalcError, option: str = "") -> dict[str, Any]:
+    """Answer to an error, which is about an ``option`` or about the keys of a spec."""
     if option:
-        return {"errors": {option: str(error)}, "problems": []}
+        return refusal(**{option: str(error)})
     if not isinstance(error, SpecError):
-        return {"errors": {}, "problems": str(error).split("\n")}
+        return refusal(*str(error).split("\n"))
     known = {*editable(), *(table.removesuffix(".") for table in _tables(editable()))}
-    sentences = [(problem.path, str(problem)) for problem in error.problems]
-    errors = {path: sentence for path, sentence in sentences[::-1] if path in known}  # first sentence of each path
-    problems = [sentence for path, sentence in sentences if path not in known]
-    return {"errors": dict(reversed(errors.items())), "problems": problems}
+    first = {problem.path: str(problem) for problem in error.problems[::-1] if problem.path in known}
+    problems = (str(problem) for problem in error.problems if problem.path not in known)
+    return refusal(*problems, **dict(reversed(first.items())))
 
 
 Field = namedtuple(
@@ -206,27 +209,14 @@ def _field(path: str, info: Any, text: str) -> Field:
     if about := key.about:
         unit = unit_at_field(key)
         least, most = (in_unit(limit, unit) if unit else limit for limit in about.limits)
-        ends = ((">", about.gt), ("≥", about.ge), ("<", about.lt), ("≤", about.le))
-        bounds = ", ".join(f"{sign} {display(end, about.unit)}" for sign, end in ends if end is not None)
+        signs = {"gt": ">", "ge": "≥", "lt": "<", "le": "≤"}
+        bounds = ", ".join(f"{signs[kind]} {display(end, about.unit)}" for kind, end in about.bounds)
         return field._replace(kind="number", whole=about.whole, bounds=bounds, least=least, most=most)
-    choices = _choices(path, info.annotation)
-    kind: Any = "flag" if "true" in choices else "choice" if choices else "text"
-    return field._replace(kind=kind, choices=[(choice, translate(choice, "value")) for choice in choices])
-
-
-def _choices(path: str, annotation: Any) -> list[str]:
-    """Words allowed as the value of a key; empty if any text is allowed."""
-    if path == "variant":
-        return list(VARIANTS)
+    words = [*VARIANTS] if path == "variant" else words_of(info.annotation)
     if path.startswith("friction.") and path.endswith(".material"):
-        return list(friction_materials())
-    if get_origin(annotation) is Literal:
-        return [str(word) for word in get_args(annotation)]
-    if get_origin(annotation) is Annotated:
-        annotation = get_args(annotation)[0]
-    if get_origin(annotation) in (Union, UnionType):
-        return [word for part in get_args(annotation) for word in _choices(path, part)]
-    return ["true", "false"] if annotation is bool else []
+        words = [*friction_materials()]
+    choices = [(word, translate(word, "value")) for word in words]
+    return field._replace(kind="choice" if choices else "text", choices=choices)
 
 
 def search_of(spec: Spec) -> str:

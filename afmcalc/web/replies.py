@@ -37,7 +37,7 @@ from .aids import FILES, formulas, held, mendings, now, sketch
 from .curve import curve
 from .entered import unit_shown
 from .filled import template
-from .form import Base, State, editable, refusal
+from .form import Base, State, editable, refused
 from .strip import tiles, values
 
 Job = Mapping[str, Any]
@@ -50,7 +50,7 @@ def answer(state: State, job: Job) -> Answer:
     try:
         return _ANSWERS[job["name"]](state, job)
     except AfmcalcError as error:
-        return refusal(error)
+        return refused(error)
 
 
 def fragment(name: str, *arguments: object) -> str:
@@ -67,7 +67,7 @@ def _live(state: State, job: Job) -> Answer:
         except SpecError:
             raise
         except AfmcalcError as error:
-            return refusal(error, "hold-as")
+            return refused(error, "hold-as")
     answers = Answers(build(state.spec))
     checked, findings = check_at_once(answers)
     without = simulating(answers.clutch)
@@ -181,7 +181,7 @@ def _analysed(state: State, job: Job) -> Answer:
         axes = [parse_axis(sweep, answers.clutch.spec)] if sweep else []
         result, findings = ANALYSES[name].function(answers.clutch, axes) if sweep else answers.ask(name)
     except AfmcalcError as error:
-        return refusal(error, "sweep" if sweep else "")
+        return refused(error, "sweep" if sweep else "")
     plot = ANALYSES[name].plot
     if plot and plot.applies(answers.clutch):
         with suppress(CalculationError):  # there is nothing to plot
@@ -193,8 +193,7 @@ def _analysed(state: State, job: Job) -> Answer:
 
 def _report(state: State, job: Job) -> Answer:
     """Answer with the report."""
-    base = state.base
-    page = render(subject_of(dossier(state.spec), base.source, base.digest, state.overrides))
+    page = render(subject_of(dossier(state.spec), state.overrides))
     return {"html": fragment("report", page), "command": state.command("report", "--output", "report.html")}
 
 
@@ -208,7 +207,7 @@ def _design(state: State, job: Job) -> Answer:
         spec = make_spec(resolved(state.spec) | given, source)
         result, findings = ANALYSES["design"].function(spec)
     except AfmcalcError as error:
-        return refusal(error, "requirements")
+        return refused(error, "requirements")
     front = shown(result)
     bases = [
         Base(say("number {pick} of the front", pick=row.number), to_toml(resolved(candidate(spec, row.changes))), "-")

@@ -18,7 +18,6 @@ from ...papers.register import Misprint, misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
-from ...spec.parse import Source
 from ..amounts import display, display_unit, measured, worded
 from ..plot import sheet_of
 from ..plot.chart import Sheet
@@ -55,16 +54,11 @@ class Subject:
 
 
 def subject_of(
-    dossier: Dossier,
-    source: Source,
-    digest: str,
-    overrides: Sequence[str] = (),
-    *,
-    with_source: bool = False,
-    short: bool = False,
+    dossier: Dossier, overrides: Sequence[str] = (), *, with_source: bool = False, short: bool = False
 ) -> Subject:
     """Subject of the report on a clutch that was read from a source."""
-    texts = text_as_given(source), title_block(dossier.spec), digest, source, overrides
+    source = dossier.spec.label
+    texts = text_as_given(source), title_block(dossier.spec), source.digest, source, overrides
     return Subject(dossier, *texts, with_source, short)
 
 
@@ -455,12 +449,12 @@ def _entries(subject: Subject) -> blocks.Entries:
     long = {
         say("Spec"): subject.source,
         say("SHA-256 of the spec as given"): subject.digest,
-        **({say("Overridden on the command line"): changed} if changed else {}),
+        say("Overridden on the command line"): changed,
     }
     return blocks.Entries(
         [
             *((told(name), printable(title[name] or ""), False) for name in entries),
-            *((name, printable(value), True) for name, value in long.items()),
+            *((name, printable(value), True) for name, value in long.items() if value),
         ]
     )
 
