@@ -12,7 +12,7 @@ from typer import Argument, Option
 from typer.core import TyperGroup
 
 from .. import __version__
-from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
+from ..errors import OPTION, AfmcalcError, chosen_language, reason, unexpected
 from ..messages import did_you_mean, say, speaking, translate
 from ..units import table
 from .files import drop_output, prepare, tell
@@ -72,7 +72,7 @@ def _run(given: list[str]) -> int:
     except OSError as error:
         drop_output()
         named = error.filename or say("standard output")
-        _complain(say("{named}: cannot be written: {why}", named=named, why=translate(error.strerror or str(error))))
+        _complain(say("{named}: cannot be written: {why}", named=named, why=reason(error)))
         return 3
     except Exception as error:
         return _misused(error, given) if hasattr(error, "format_message") else _unexpected(error)
@@ -191,16 +191,17 @@ def help(
     if topic not in TOPICS:
         hint = did_you_mean(topic, [*TOPICS, *COMMANDS])
         raise AfmcalcError("no help on {topic!r:.80}{hint}; topics: {topics}", topic=topic, hint=hint, topics=[*TOPICS])
-    match topic:
-        case "options":
-            rows = _common_options()
-        case "keys":
-            rows = [*names_of("swept"), *names_of("path")]
-        case "quantities":
-            rows = names_of("target")
-        case _:
-            rows = names_of("plot")
-    _print(rows)
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    from ..render.formats.table import columns
+
+    kinds = {"options": [], "keys": ["swept", "path"], "quantities": ["target"], "plots": ["plot"]}[topic]
+    grid = Table.grid(padding=(0, 2))
+    for name, about in (row for kind in kinds for row in names_of(kind)) if kinds else _common_options():
+        grid.add_row(Text(name, no_wrap=True), Text(about))
+    Console(width=columns(terminal=True), height=1, highlight=False).print(grid)
 
 
 def _common_options() -> Named:
@@ -208,20 +209,6 @@ def _common_options() -> Named:
     options = [each for each in application(["torque", "--help"]).commands["torque"].params if each.name in COMMON]
     rows = [(f"{', '.join(each.opts)} {each.metavar or ''}", each.help) for each in options]
     return [*rows, ("--lang NAME", translate(LANG))]
-
-
-def _print(rows: Named) -> None:
-    """Print names in a column, and their meanings in a second column."""
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
-
-    from ..render.formats.table import columns
-
-    grid = Table.grid(padding=(0, 2))
-    for name, about in rows:
-        grid.add_row(Text(name, no_wrap=True), Text(about))
-    Console(width=columns(terminal=True), height=1, highlight=False).print(grid)
 
 
 def without_lang(arguments: list[str]) -> tuple[list[str], str]:
