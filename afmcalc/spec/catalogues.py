@@ -184,13 +184,8 @@ def _columns(cells: Mapping[str, Any], keys: Mapping[str, Key]) -> Iterator[tupl
         elif cell != "":
             of_unit = (each for each, key in keys.items() if key.unit and f"{heading}_".startswith(f"{each}_"))
             column = next(of_unit, heading)
-            yield column, _measured(cell, heading[len(column) + 1 :])
-
-
-def _measured(cell: object, unit: str) -> object:
-    """Cell of a list; a number without a unit gets the unit of its column."""
-    unit = "degC" if unit == "C" else unit
-    return f"{cell} {unit}" if unit and re.fullmatch(NUMBER, str(cell)) else cell
+            unit = heading[len(column) + 1 :].replace("C", "degC")
+            yield column, f"{cell} {unit}" if unit and re.fullmatch(NUMBER, str(cell)) else cell
 
 
 def balls_in(file: str | PathLike[str]) -> tuple[float, ...]:
@@ -210,7 +205,7 @@ def balls_in(file: str | PathLike[str]) -> tuple[float, ...]:
     sizes = []
     for item in listed:
         try:
-            sizes.append(Quantity("m", gt=0).read(_measured(item, "mm")))
+            sizes.append(Quantity("m", gt=0).read(float(item) / 1000 if re.fullmatch(NUMBER, str(item)) else item))
         except ValueError as error:
             raise AfmcalcError("{label}: {item!r:.80}: {why}", label=source, item=item, why=error) from None
     return (*sorted(sizes),)

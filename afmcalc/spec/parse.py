@@ -237,7 +237,8 @@ def check_size(data: object, label: str) -> None:
             left += [(path, depth + 1, inner) for inner in value]
 
 
-_KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
+_NAME = r"""(?:[\w-]+|"[^"]*"|'[^']*')"""
+_KEY = rf"\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*="
 
 
 def _toml_line(lines: Iterable[str], path: str) -> int:
@@ -246,7 +247,7 @@ def _toml_line(lines: Iterable[str], path: str) -> int:
     for at, line in enumerate(lines, start=1):
         if line.lstrip()[:1] == "[" and (head := line.split("#")[0].strip()).endswith("]"):
             name = table = _bare(head.strip("[]"))
-        elif match := _KEY.match(line):
+        elif match := re.match(_KEY, line):
             name = f"{table}.{_bare(match[1])}" if table else _bare(match[1])
         else:
             continue

@@ -92,9 +92,6 @@ def allowed(unit: str) -> str:
 
 _LONGEST = 100
 """Largest number of characters of a text that is read as a quantity."""
-_QUANTITY = re.compile(rf"\s*({NUMBER})(.*)", re.DOTALL)
-_COMMA = re.compile(r"\s*([+-]?)(\d+),(\d+)(?![\d.,])(.*)", re.DOTALL)
-"""Pattern of a number with one comma: sign, digits before and after the comma, the rest."""
 
 _RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
     "N": (lambda force: 0 < force < 20, "kN", math.inf), "m": (lambda length: length >= 0.5, "mm", 10.0),
@@ -157,7 +154,8 @@ def with_point(text: str) -> str:
     >>> with_point("2,5 kN"), with_point("0,125"), with_point("2 kN")
     ('2.5 kN', '0.125', '2 kN')
     """
-    if (match := _COMMA.fullmatch(text)) is None:
+    # sign, digits before and after the comma, the rest
+    if (match := re.fullmatch(r"(?s)\s*([+-]?)(\d+),(\d+)(?![\d.,])(.*)", text)) is None:
         return text
     sign, whole, decimals, unit = match.groups()
     if len(decimals) == 3 and 0 < int(whole) < 1000:
@@ -167,7 +165,7 @@ def with_point(text: str) -> str:
 
 
 def _parse_text(text: str, unit: str) -> float:
-    match = _QUANTITY.fullmatch(with_point(text)) if len(text) <= _LONGEST else None
+    match = re.fullmatch(rf"(?s)\s*({NUMBER})(.*)", with_point(text)) if len(text) <= _LONGEST else None
     if match is None:
         raise wrong("cannot be read as a number with a unit; {allowed}", unit)
     number, written = match[1], match[2].strip()

@@ -18,8 +18,6 @@ FRICTION = ("friction", "friction.driving", "friction.driven")
 
 _NOT_OF_THE_CLUTCH = ("tolerance.", "requirements.")
 
-_PERCENT = re.compile(rf"\s*({NUMBER})\s*%\s*")
-
 
 Number = Annotated[float, BeforeValidator(Quantity("1").read)]
 Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
@@ -115,7 +113,7 @@ def percentage(value: object) -> float | None:
     >>> percentage("5 %"), percentage("5 mm")
     (0.05, None)
     """
-    matched = _PERCENT.fullmatch(value) if isinstance(value, str) else None
+    matched = re.fullmatch(rf"\s*({NUMBER})\s*%\s*", value) if isinstance(value, str) else None
     return float(matched[1]) / 100 if matched else None
 
 
