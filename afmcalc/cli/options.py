@@ -15,7 +15,7 @@ from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, need
 from ..messages import is_unicode, say
-from ..progress import Bar
+from ..progress import bar
 from .files import ending_of, format_of, refuse, tell, write
 from .names import completing
 
@@ -107,7 +107,7 @@ class Common:
 
     def bar(self) -> AbstractContextManager[object]:
         """Context that shows progress on a terminal."""
-        return nullcontext() if self.quiet or not sys.stderr.isatty() else Bar()
+        return nullcontext() if self.quiet or not sys.stderr.isatty() else bar()
 
     def note(self, text: str) -> None:
         """Print a note on standard error, unless ``--quiet``."""

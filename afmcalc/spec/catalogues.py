@@ -1,7 +1,7 @@
 """Catalogues of friction materials with sources, disc springs and balls: lists that ship, or the user's own lists."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from csv import DictReader, Error
 from decimal import Decimal
 from functools import cache
@@ -215,13 +215,8 @@ def _lines(source: Source) -> list[str]:
     return [line for line in source.text.splitlines() if line.strip() and not line.startswith("#")]
 
 
-def own_lists(named: object) -> Lists:
-    """Lists read from the files named in a table [catalogues]."""
-    given: Mapping[str, object] = named if isinstance(named, Mapping) else {}
-    return Lists(**{name: read(file) for name, read in _READ.items() if isinstance(file := given.get(name), str)})
-
-
-_READ: dict[str, Any] = {"materials": materials_in, "discs": discs_in, "balls": balls_in}
+READ: dict[str, Any] = {"materials": materials_in, "discs": discs_in, "balls": balls_in}
+"""Key of [catalogues] → function that reads its file."""
 
 
 def ball_designation(diameter: float) -> str | None:
@@ -241,13 +236,3 @@ def material_named(name: str, listed: Mapping[str, Material]) -> Material | None
 def plain(name: str) -> str:
     """Name reduced to small letters, digits and decimal points, for comparison."""
     return re.sub(r"(?!(?<=\d)[.,]\d)[\W_]", "", name.casefold().replace("ё", "е"))
-
-
-def worst_of(materials: Sequence[Material]) -> Material:
-    """Worst case of several materials: widest friction range, lowest limits; None for a limit that no material has."""
-    least: dict[str, Any] = {}
-    for name in ("friction_min", "pressure_min", "pressure_max", "temperature_min", "temperature_max"):
-        told = (getattr(each, name) for each in materials)
-        least[name] = min((value for value in told if value is not None), default=None)
-    names, most = ", ".join(each.name for each in materials), max(each.friction_max for each in materials)
-    return materials[0].model_copy(update={"name": names, "friction_max": most, **least})

@@ -106,12 +106,8 @@ def candidate(spec: Spec, changes: Mapping[str, Any]) -> Spec:
 
     Raises SpecError if the changed spec is invalid.
     """
-    data = resolved(without_replaced(spec, changes)) | {"search": None}
-    for path, value in changes.items():
-        put(data, path, value)
-    for path in foreign_keys(given_in(data), data["variant"]):
-        put(data, path, None)
-    return make_spec(data, spec.label.but(changes))
+    foreign = foreign_keys({**given_in(spec.model_dump()), **changes}, changes.get("variant", spec.variant))
+    return respecified(spec, {**changes, "search": None, **dict.fromkeys(foreign)})
 
 
 def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, path: str | PathLike[str]) -> str:

@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 from pydantic.fields import FieldInfo
 
 from ..messages import say
-from .quantity import Quantity
+from .quantity import Quantity, positive
 
 Broken: TypeAlias = tuple[str, str]
 """Violation of a rule: dotted path of the key, relative to the table, and message."""
@@ -74,10 +74,10 @@ def _one_line(value: object) -> object:
     return value
 
 
-Torque = Annotated[float, Quantity("N*m", gt=0)]
-Coefficient = Annotated[float, Quantity("1", gt=0)]
-Length = Annotated[float, Quantity("m", gt=0)]
-Stress = Annotated[float, Quantity("Pa", gt=0)]
+Torque = Annotated[float, positive("N*m")]
+Coefficient = Annotated[float, positive("1")]
+Length = Annotated[float, positive("m")]
+Stress = Annotated[float, positive("Pa")]
 Name = Annotated[str, BeforeValidator(_one_line)]
 
 

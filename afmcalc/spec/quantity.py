@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import cache
+from functools import cache, partial
 from typing import Any, TypeGuard
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -247,3 +247,7 @@ class Quantity:
         number = handler(core)
         as_text = self.unit != "1" and handler.mode == "validation"
         return {"anyOf": [number, {"type": "string"}]} if as_text else number
+
+
+positive, not_negative = partial(Quantity, gt=0), partial(Quantity, ge=0)
+"""Unit of a number greater than 0, and of one that is at least 0."""

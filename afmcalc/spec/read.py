@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from ..errors import AfmcalcError, Problem
 from ..findings import Finding
 from ..messages import did_you_mean, say
-from .catalogues import own_lists
+from .catalogues import READ, Lists
 from .fields import Broken, names_in
 from .keys import elsewhere, key_of_number, names, path_of
 from .models import Spec
@@ -96,8 +96,9 @@ def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -
     if not OLD.isdisjoint(data) and (moved := moved_in(given_in(data))):
         told = ((path, say("is now {place}, in a spec with [search]", place=place)) for path, place in moved.items())
         raise source.refused(Problem(path, None, message) for path, message in told)
-    if named := data.get("catalogues"):
-        source.lists = own_lists(named)
+    if isinstance(named := data.get("catalogues"), Mapping):
+        files = {name: file for name, file in named.items() if isinstance(file, str)}
+        source.lists = Lists(**{name: read(files[name]) for name, read in READ.items() if name in files})
     problems, more = [Problem(path, given_at(path, data), message) for path, message in broken], 0
     try:
         spec = Spec.model_validate(dict(data), context=source)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple, TypeAlias
 
-from ..messages import deferred, filled, say
+from ..messages import filled, say
 from ..variants import VARIANTS, foreign_keys, special_keys
 from .fields import Broken
 from .quantity import is_number
@@ -12,7 +12,6 @@ Table: TypeAlias = Mapping[str, object]
 """Table of a spec as plain data."""
 
 
-_BESIDE = deferred("required beside {other}")
 _KIND = "drive.event.kind"
 
 
@@ -122,7 +121,7 @@ def broken_rules(data: Table) -> list[Broken]:
     keys = {*given, f"{_KIND}={given.get(_KIND)}"}
     wrong = (rule for rule in KEY_RULES if keys >= rule.given and keys.isdisjoint(rule.absent))
     of_keys = {(rule.key, filled(rule.message, {"other": rule.other})): None for rule in wrong}
-    return [*of_keys, *_static_friction(given), *_variant(given), *_pairs(given)]
+    return [*of_keys, *_variant(given), *_pairs(given)]
 
 
 def given_in(data: Table, prefix: str = "") -> dict[str, object]:
@@ -136,14 +135,10 @@ def given_in(data: Table, prefix: str = "") -> dict[str, object]:
     return given
 
 
-def _static_friction(given: Table) -> Iterator[Broken]:
-    ratio = given.get("friction.static_ratio")
-    if is_number(ratio) and ratio > 1 and "friction.stribeck_speed" not in given:
-        yield "friction.stribeck_speed", filled(_BESIDE, {"other": "friction.static_ratio"})
-
-
 def _variant(given: Table) -> Iterator[Broken]:
-    name = given.get("variant")
+    name, ratio = given.get("variant"), given.get("friction.static_ratio")
+    if is_number(ratio) and ratio > 1 and "friction.stribeck_speed" not in given:
+        yield "friction.stribeck_speed", say("required beside {other}", other="friction.static_ratio")
     if not isinstance(name, str) or name not in VARIANTS:
         return
     for path in foreign_keys(given, name):
@@ -155,7 +150,7 @@ def _variant(given: Table) -> Iterator[Broken]:
             yield path, say("required for variant {variant!r}", variant=name)
     inertia_unknown = "drive.event." in given and given.keys().isdisjoint(("drive.hub_inertia", "envelope."))
     if VARIANTS[name].travels and inertia_unknown:
-        yield "drive.hub_inertia", filled(_BESIDE, {"other": "drive.event"})
+        yield "drive.hub_inertia", say("required beside {other}", other="drive.event")
 
 
 def _pairs(given: Table) -> Iterator[Broken]:

@@ -2,9 +2,9 @@
 
 import shlex
 from collections import namedtuple
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
 from tomli_w import dumps
@@ -56,14 +56,10 @@ class State(NamedTuple):
     @property
     def overrides(self) -> list[str]:
         """Overrides, as for ``--set``, that give this state; raises AfmcalcError for a key not in the form."""
-        for path in self.fields:
-            if path not in editable():
-                raise AfmcalcError("{path:.80}: is no key of the form", path=path)
         texts = self._of_base
         changed = {path: text.strip() for path, text in self.fields.items() if text.strip() != texts.get(path, "")}
         gone = _emptied(texts, changed)
-        left = [f"{path}={as_spec(editable()[path], text)}" for path, text in changed.items()]
-        left = [override for override in left if not override.startswith(gone)]
+        left = (f"{path}={as_spec(key_at(path), text)}" for path, text in changed.items() if not path.startswith(gone))
         return [*self.base.overrides, *(table.removesuffix(".") + "=" for table in gone), *left]
 
     @property
@@ -79,11 +75,12 @@ class State(NamedTuple):
     @property
     def calculated(self) -> dict[str, str]:
         """Path of each key at whose field a sum or product is typed → the result of the sum or product."""
-        given = {path: as_spec(editable()[path], text) for path, text in self.fields.items()}
+        pairs = ((key_at(path), text.strip()) for path, text in self.fields.items())
+        given = ((key, text, as_spec(key, text)) for key, text in pairs)
         return {
-            path: text.removesuffix(f" {unit_at_field(editable()[path])}")
-            for path, text in given.items()
-            if not text.startswith(self.fields[path].strip())
+            key.path: told.removesuffix(f" {unit_at_field(key)}")
+            for key, text, told in given
+            if not told.startswith(text)
         }
 
     @property
@@ -105,10 +102,17 @@ class State(NamedTuple):
         return f"{line} <<'{end}'\n{self.base.text.rstrip()}\n{end}"
 
 
-@lru_cache(maxsize=1)
+@cache
 def editable() -> dict[str, Key]:
     """Path → key, for every key of the form."""
     return {path: key for path, key in keys().items() if not path.startswith(_REFUSED)}
+
+
+def key_at(path: str) -> Key:
+    """Key of the form at a path; raises AfmcalcError if the form has none."""
+    if path not in editable():
+        raise AfmcalcError("{path:.80}: is no key of the form", path=path)
+    return editable()[path]
 
 
 @lru_cache(maxsize=32)
@@ -125,19 +129,18 @@ def _text(key: Key, value: Any) -> str:
     return as_override(value)
 
 
-def _tables(paths: Mapping[str, Any]) -> set[str]:
+def _tables(paths: Iterable[str]) -> set[str]:
     """Paths of the tables that contain the keys, each with a final dot."""
     return {path[: at + 1] for path in paths for at, sign in enumerate(path) if sign == "."}
 
 
 def _emptied(texts: Mapping[str, str], changed: Mapping[str, str]) -> tuple[str, ...]:
     """Optional tables that have no key left, outermost first."""
-    left, gone = [path for path, text in {**texts, **changed}.items() if text], tuple[str, ...]()
-    for table in sorted(_tables(texts)):
+    gone, left = tuple[str, ...](), _tables([path for path, text in {**texts, **changed}.items() if text])
+    for table in sorted(_tables(texts) - left):
         *outer, name = table.removesuffix(".").split(".")
         model = block_at(outer, Spec)
-        may_go = model is not None and not model.model_fields[name].is_required()
-        if may_go and not table.startswith(gone) and not any(path.startswith(table) for path in left):
+        if model and not model.model_fields[name].is_required() and not table.startswith(gone):
             gone += (table,)
     return gone
 
@@ -204,8 +207,7 @@ def _group(texts: Mapping[str, str], table: str) -> Group:
 
 def _field(path: str, info: Any, text: str) -> Field:
     key = editable()[path]
-    about_key = translate(key.description), key.symbol or "", unit_shown(key)
-    field = Field(path, *about_key, text, info.is_required())
+    field = Field(path, translate(key.description), key.symbol or "", unit_shown(key), text, info.is_required())
     if about := key.about:
         unit = unit_at_field(key)
         least, most = (in_unit(limit, unit) if unit else limit for limit in about.limits)

@@ -37,7 +37,7 @@ from .aids import FILES, formulas, held, mendings, now, sketch
 from .curve import curve
 from .entered import unit_shown
 from .filled import template
-from .form import Base, State, editable, refused
+from .form import Base, State, editable, key_at, refused
 from .strip import tiles, values
 
 Job = Mapping[str, Any]
@@ -115,13 +115,11 @@ def _pinned(state: str, *, quick: bool) -> dict[str, list[Any]]:
 
 def _help(state: State, job: Job) -> Answer:
     """Answer with the formulas for a key, or with the drawing that shows the dimension of the key."""
-    path = job["options"].get("key", "")
-    if path not in editable():
-        raise AfmcalcError("{path:.80}: is no key of the form", path=path)
+    key = key_at(path := job["options"].get("key", ""))
     steps, drawn = formulas(state.spec, path), ""
     if (name := sketch(path)) and not steps:
         drawn = _figure(name, Answers(build(state.spec)), 100 + list(editable()).index(path))
-    return {"html": fragment("help", editable()[path], steps, drawn)}
+    return {"html": fragment("help", key, steps, drawn)}
 
 
 def _mend(state: State, job: Job) -> Answer:

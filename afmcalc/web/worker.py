@@ -17,7 +17,7 @@ from typing import Any, TextIO
 
 from ..errors import reason, unexpected
 from ..messages import language, say, speaking, spoken
-from ..progress import Bar
+from ..progress import watched
 from ..render.amounts import shown_in
 from ..spec.parse import example_text
 from .form import Base, State, refusal
@@ -136,21 +136,6 @@ class Worker:
                 self.end()
 
 
-class _Progress(Bar):
-    """Progress of a calculation, written at most ten times a second."""
-
-    def __init__(self, out: TextIO) -> None:
-        """Write to ``out``."""
-        super().__init__()
-        self._out, self._last = out, 0.0
-
-    def advance(self, work: str, done: int, total: int) -> None:
-        """Write the progress as a line of JSON."""
-        if time.monotonic() - self._last >= 0.1:
-            self._last = time.monotonic()
-            _write(self._out, {"progress": done / total if total else None, "text": work})
-
-
 def main(language_name: str, units: str, nice: int) -> None:
     """Answer the jobs on standard input until its end; ``nice`` lowers the priority of the process."""
     from .replies import answer
@@ -165,17 +150,25 @@ def main(language_name: str, units: str, nice: int) -> None:
     sys.stdout = sys.stderr  # what a library prints must not mix with the answers
     warnings.simplefilter("error", RuntimeWarning)
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
+    told = 0.0
+
+    def advance(work: str, done: int, total: int) -> None:
+        nonlocal told
+        if time.monotonic() - told >= 0.1:
+            told = time.monotonic()
+            _write(out, {"progress": done / total if total else None, "text": work})
+
     with speaking(language(language_name)), shown_in(units), suppress(BrokenPipeError):  # if the server has ended
         answer(State(Base("", example_text("default"), None)), {"name": "live", "pinned": None, "options": {}})
         _write(out, {})  # tells the server that the process is ready
         for line in sys.stdin.buffer:
             job, began = json.loads(line), time.perf_counter()
             state, pinned = (each and State(Base(*each[0]), each[1]) for each in (job["state"], job["pinned"]))
-            with _Progress(out):
-                try:
+            try:
+                with watched(advance):
                     answered = answer(state, job | {"pinned": pinned})
-                except Exception as error:
-                    answered = refusal(*unexpected(error)[1])
+            except Exception as error:
+                answered = refusal(*unexpected(error)[1])
             _write(out, answered | {"ms": round(1e3 * (time.perf_counter() - began), 1)})
 
 
