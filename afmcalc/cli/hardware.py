@@ -31,11 +31,7 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
     clutch, drawing = _clutch(common, spec, "svg", "dxf", save=save)
     if drawing:
         _draw(clutch, drawing, common)
-        if not save:
-            return
-        result = common.ask(clutch)[0]
-    else:
-        result = common.calculate(clutch).result
+    result = common.ask(clutch)[0] if drawing else common.calculate(clutch).result
     if save:
         common.save_spec(clutch.spec, completed(result), save)
 
@@ -66,13 +62,13 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
         if common.command == "pocket":
             drawing = shop_sheet.pocket(gathered("pocket", request))
             content = dxf(drawing) if kind == "dxf" else svg(drawing).encode()
+        elif kind == "dxf":
+            content = dxf(shop_sheet.section(gathered("section", request), clutch.spec))
         else:
             from ..render.plot import sheet_of
             from ..render.plot.figure import save
 
-            section = gathered("section", request)
-            sheet = sheet_of("section", section)
-            content = dxf(shop_sheet.section(section, clutch.spec)) if kind == "dxf" else save(sheet, kind)
+            content = save(sheet_of("section", gathered("section", request)), kind)
     common.save(content, common.output)
 
 
@@ -217,7 +213,7 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
     from ..result import Output
 
     with common.bar():
-        output = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
+        output = Output("history", __version__, None, history(clutch, points), [])
     write(renderer("csv")(output, False), path, force=common.force)
     common.note(say("wrote the history to {output}", output=path))
 

@@ -116,11 +116,8 @@ def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, path: str | Pat
     A spec read from TOML keeps its comments, its order and the units of unchanged values, unless the new file is JSON;
     any other spec is written anew.
 
-    Args:
-        spec: as it was read.
-        changes: path → value, None to remove the key.
-        changed: the spec with these values.
-        path: the new file; paths of catalogues become relative to its folder.
+    ``changes``: path → value, None to remove the key; ``changed``: the spec with these values; ``path``: the new file,
+    to whose folder paths of catalogues become relative.
     """
     source = spec.label
     if os.fspath(path).lower().endswith(".json"):

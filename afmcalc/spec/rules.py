@@ -1,7 +1,7 @@
 """Rules between the keys of a spec: exclusion, dependence, keys foreign to a variant."""
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
 from ..messages import filled, say
 from ..variants import VARIANTS, foreign_keys, special_keys
@@ -10,20 +10,6 @@ from .quantity import is_number
 
 Table: TypeAlias = Mapping[str, object]
 """Table of a spec as plain data."""
-
-
-_KIND = "drive.event.kind"
-
-
-class KeyRule(NamedTuple):
-    """Rule: a key is wrong or missing if the spec has all keys ``given`` and no key ``absent``; tables end in a dot."""
-
-    key: str
-    given: frozenset[str]
-    absent: frozenset[str]
-    message: str
-    """Template of the message, in which ``{other}`` is replaced by ``other``."""
-    other: str
 
 
 _TABLE = """\
@@ -96,10 +82,11 @@ only for an event of kind load
   - drive.event.torque drive.event.rise_time | drive.event.kind=stop |
 """
 """Messages, each with its rules in the lines below: keys that are wrong (-) or missing (+) | keys that are all given |
-keys of which no key is given. ``drive.event.kind=VALUE`` stands for an event of that kind."""
+keys of which no key is given; tables end in a dot. ``drive.event.kind=VALUE`` stands for an event of that kind."""
 
 
-def _rules_of(table: str) -> Iterator[KeyRule]:
+def _rules_of(table: str) -> Iterator[tuple[str, set[str], set[str], str, str]]:
+    """Yield rules: key that is wrong or missing, keys all given, keys none of which is, message and its ``other``."""
     message = ""
     for line in table.splitlines():
         if line[0] != " ":
@@ -108,19 +95,21 @@ def _rules_of(table: str) -> Iterator[KeyRule]:
         sign, *cells = line[2], *map(str.split, line[3:].split("|"))
         for key in cells[0]:
             given, absent = (cells[1], [key, *cells[2]]) if sign == "+" else ([key, *cells[1]], cells[2])
-            yield KeyRule(key, frozenset(given), frozenset(absent), message, "".join(cells[1][:1]).rstrip("."))
+            yield key, {*given}, {*absent}, message, "".join(cells[1][:1]).rstrip(".")
 
 
-KEY_RULES = (*_rules_of(_TABLE),)
-"""Rules that depend only on the presence of keys."""
+_RULES = (*_rules_of(_TABLE),)
 
 
 def broken_rules(data: Table) -> list[Broken]:
     """Violations of the rules between keys; values are checked by the models."""
     given = given_in(data)
-    keys = {*given, f"{_KIND}={given.get(_KIND)}"}
-    wrong = (rule for rule in KEY_RULES if keys >= rule.given and keys.isdisjoint(rule.absent))
-    of_keys = {(rule.key, filled(rule.message, {"other": rule.other})): None for rule in wrong}
+    keys = {*given, f"drive.event.kind={given.get('drive.event.kind')}"}
+    of_keys = {
+        (key, filled(message, {"other": other})): None
+        for key, present, absent, message, other in _RULES
+        if keys >= present and keys.isdisjoint(absent)
+    }
     return [*of_keys, *_variant(given), *_pairs(given)]
 
 
@@ -157,16 +146,12 @@ def _pairs(given: Table) -> Iterator[Broken]:
     pairs, driving = given.get("friction_group.pairs"), given.get("friction_group.driving_pairs")
     if not is_number(pairs):
         return
-    if is_number(driving):
-        if not driving < pairs:
-            message = say("must be less than friction_group.pairs ({pairs})", pairs=pairs)
-            yield "friction_group.driving_pairs", message
-        return
     variant = VARIANTS.get(str(given.get("variant")))
-    if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()):
-        bypass = least - 1
+    if is_number(driving) and not driving < pairs:
+        yield "friction_group.driving_pairs", say("must be less than friction_group.pairs ({pairs})", pairs=pairs)
+    elif driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()):
         message = say(
             "must be at least {least} for variant {variant!r}: driving pairs {bypass}, driven pairs 1",
-            least=least, variant=variant.name, bypass=bypass,
+            least=least, variant=variant.name, bypass=least - 1,
         )  # fmt: skip
         yield "friction_group.pairs", message

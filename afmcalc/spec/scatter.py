@@ -70,11 +70,7 @@ class Tolerance(Block):
 
 
 def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
-    """Tolerances in which the numbers of each field are converted to SI, by the unit of its key.
-
-    Raises:
-        ValidationError: every problem found.
-    """
+    """Tolerances with the numbers of each field in SI, by the unit of its key; ValidationError with every problem."""
     broken: list[Broken] = []
     fields: dict[str, Distribution] = {}
     for path, distribution in given.fields.items():

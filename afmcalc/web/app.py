@@ -33,9 +33,10 @@ _LARGEST = 64 << 10
 """Largest body of a request, bytes."""
 _SLOWEST, _LONG = 10.0, 120.0
 """Time limits, s: for receiving the body of a request and for a live calculation; for the calculation of a tab."""
-_TABS = ("accuracy", "drive", "heat", "tolerance", "design", "report")
 _FILES = ("pdf", "dxf", "csv")
-_ASKED = (*_TABS, *_FILES, "check", "help", "mend")
+_CALCULATED = ("accuracy", "drive", "heat", "tolerance", "design", "report", "check", "live")
+_ASKED = {*_CALCULATED, *_FILES, "help", "mend"}
+"""Calculations, of which a newer one ends that of the same page; and what else a worker is asked."""
 _MOST_BASES, _OF_A_FRONT = 200, 100
 """Largest number of clutches kept besides that of the command line; how many numbers a front of a design reserves."""
 _POLICY = (
@@ -190,16 +191,22 @@ class Page:
 
     async def _answer(self, request: Request) -> Response:
         """Progress and answer, each a line of JSON."""
-        body, name = await _body(request), request.path_params.get("name", "live")
-        if name not in _ASKED and "name" in request.path_params:
+        body, tab = await _body(request), request.path_params.get("name")
+        if tab == "live" or (name := tab or "live") not in _ASKED:
             raise HTTPException(404)
         pinned, options = body.get("pinned"), _table(body.get("options", {}), str)
         pinned = self._state(pinned) if pinned else None
-        job = {"name": name, "state": self._state(body), "pinned": pinned, "options": options, "first": self._made}
+        job: dict[str, Any] = {
+            "name": name,
+            "state": self._state(body),
+            "pinned": pinned,
+            "options": options,
+            "first": self._made,
+        }
         self._made += _OF_A_FRONT * (name == "design")
         worker = {"live": self._live, "help": self._live, "check": self._check}.get(name, self._tabs)
         # other requests of a page do not end the calculation of a tab or a check
-        page = str(body.get("page"))[:80] + ("" if name in (*_TABS, "live", "check") else f" {name}")
+        page = str(body.get("page"))[:80] + ("" if name in _CALCULATED else f" {name}")
 
         async def lines() -> AsyncIterator[str]:
             try:

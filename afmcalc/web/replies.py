@@ -143,11 +143,10 @@ def _numbers(result: Result, pinned: Result | None) -> tuple[list[Quantity], lis
 
     def row(column: Column, ends: Sequence[str]) -> Quantity:
         other, none = before.get(column.path), [None] * len(ends)
-        values, texts = (other.values, cells(other)) if other else (none, none)
+        texts, shares = (cells(other), map(change, column.values, other.values)) if other else (none, none)
         each = [
             Cell(column.path + end, value, text, old, share and localized(f"{share:+.1%}"))
-            for end, value, text, old, was in zip(ends, column.values, cells(column), texts, values, strict=True)
-            for share in [change(value, was) or None]
+            for end, value, text, old, share in zip(ends, column.values, cells(column), texts, shares, strict=True)
         ]
         return Quantity(column.symbol, column.name, display_unit((column.units or [column.unit])[0]), each)
 
