@@ -16,9 +16,7 @@ MOST_SHOWN = 20
 LONGEST_LINE = 390
 """Largest length of a line of an error, characters; with its prefix the line stays below 400."""
 
-
 BEYOND_NUMBERS = deferred("a result is not finite (beyond the range of numbers): check the magnitudes in the spec")
-
 
 T = TypeVar("T")
 

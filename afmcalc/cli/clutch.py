@@ -17,17 +17,15 @@ if TYPE_CHECKING:
 SweepOption = Annotated[
     list[str] | None,
     Option(
-        "--sweep",
         metavar="NAME[=RANGE]",
         autocompletion=completing("swept"),
         help="Sweep a key (afmcalc help keys) over start:stop:count or v1,v2,...; several make a grid.",
     ),
 ]
 
-
 FrictionOption = Annotated[
     list[str] | None,
-    Option("--friction", metavar="F", help="Calculate at this friction too (unlike materials: F1,F2); repeatable."),
+    Option(metavar="F", help="Calculate at this friction too (unlike materials: F1,F2); repeatable."),
 ]
 
 
@@ -60,7 +58,7 @@ def accuracy(
     sweep: SweepOption = None,
     columns: Annotated[
         list[str] | None,
-        Option("--columns", metavar="NAME,…", help="More columns of the sweep: quantities, such as torque_at_f_max."),
+        Option(metavar="NAME,…", help="More columns of the sweep: quantities, such as torque_at_f_max."),
     ] = None,
     *,
     common: Common,

@@ -155,18 +155,14 @@ def _written(value: object, key: str) -> str:
     return ", ".join(f"{name} = {each}" for name, each in shown.items()) if isinstance(shown, dict) else str(shown)
 
 
-HistoryOption = Annotated[
-    str | None,
-    Option("--history", metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI)."),
-]
-
-
 @with_common
 def simulate(
     spec: SpecArgument = None,
     friction: FrictionOption = None,
     sweep: SweepOption = None,
-    history: HistoryOption = None,
+    history: Annotated[
+        str | None, Option(metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI).")
+    ] = None,
     save: SaveOption = None,
     *,
     common: Common,

@@ -29,7 +29,7 @@ SpecArgument = Annotated[
     str | None,
     Argument(metavar="SPEC", help="TOML or JSON file, - for standard input, example:NAME; without it an example."),
 ]
-SaveOption = Annotated[str | None, Option("--save", metavar="FILE", help="Write a spec with the values found to FILE.")]
+SaveOption = Annotated[str | None, Option(metavar="FILE", help="Write a spec with the values found to FILE.")]
 
 
 def output_option(help: str) -> Any:
@@ -58,7 +58,6 @@ class Common:
     set: Annotated[
         list[str] | None,
         Option(
-            "--set",
             metavar="PATH=VALUE",
             help="Override a spec key; repeatable. Empty VALUE removes it.",
             autocompletion=completing("path", "="),
@@ -68,7 +67,6 @@ class Common:
     format: Annotated[
         Literal["table", "json", "csv", "markdown"] | None,
         Option(
-            "--format",
             help="table, json, csv or markdown; JSON and CSV are SI in full precision. In Russian CSV has decimal "
             "commas and semicolons, as spreadsheets there read it.",
         ),

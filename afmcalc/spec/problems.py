@@ -16,14 +16,12 @@ from .rules import Table
 _MOST_TOLD = 100
 """Largest number of problems listed; other problems are only counted."""
 
-
 _SENTENCES = {
     "string_type": deferred("must be text in quotes"),
     "tuple_type": deferred("must be a list in brackets"),
     "too_short": deferred("must not be empty"),
 }
 """Pydantic's type of an error → message, if the message needs no details."""
-
 
 Elsewhere: TypeAlias = Callable[[str], str]
 """Function from the name of an unknown key to a hint on other tables that have a key of this name."""

@@ -36,7 +36,6 @@ _FOREIGN = {"J": deferred("an energy"), "m^2": deferred("an area"), "K": deferre
 _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН", "мм", "см", "МПа", "мс", "кг")
 """Units that are suggested before others."""
 
-
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 """Pattern of a number."""
 

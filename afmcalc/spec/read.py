@@ -139,7 +139,7 @@ def apply_overrides(data: dict[str, object], overrides: Overrides) -> dict[str, 
         path = _path(override)
         changed[path] = value
         if path.startswith(_SEARCH) and isinstance(table := data.setdefault("search", {}), dict):
-            data["search"] = dict(flat(table)) | {path.removeprefix(_SEARCH): value}
+            data["search"] = flat(table) | {path.removeprefix(_SEARCH): value}
             continue
         try:
             put(data, path, value)

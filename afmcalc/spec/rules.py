@@ -11,7 +11,6 @@ from .quantity import is_number
 Table: TypeAlias = Mapping[str, object]
 """Table of a spec as plain data."""
 
-
 _TABLE = """\
 give friction for all pairs or per group (friction.driving, friction.driven), not both
   - friction.min friction.mean friction.max friction.material | friction.driving |

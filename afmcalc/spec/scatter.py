@@ -18,7 +18,6 @@ FRICTION = ("friction", "friction.driving", "friction.driven")
 
 _NOT_OF_THE_CLUTCH = ("tolerance.", "requirements.")
 
-
 Number = Annotated[float, BeforeValidator(Quantity("1").read)]
 Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
 Given = Annotated[Any, WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}]})]

@@ -51,7 +51,6 @@ _HEADERS = {
     "Cross-Origin-Resource-Policy": "same-origin",
 }
 
-
 _OPENED = ("navigate", "document")
 """Values of Sec-Fetch-Mode and Sec-Fetch-Dest when the page is opened in a browser tab."""
 

@@ -4,7 +4,7 @@ import shlex
 from collections import namedtuple
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from functools import cache, lru_cache
+from functools import cache
 from typing import Any, NamedTuple
 
 from tomli_w import dumps
@@ -75,17 +75,14 @@ class State(NamedTuple):
     @property
     def calculated(self) -> dict[str, str]:
         """Path of each key at whose field a sum or product is typed → the result of the sum or product."""
-        pairs = ((key_at(path), text.strip()) for path, text in self.fields.items())
-        given = ((key, text, as_spec(key, text)) for key, text in pairs)
-        return {
-            key.path: told.removesuffix(f" {unit_at_field(key)}")
-            for key, text, told in given
-            if not told.startswith(text)
-        }
+        known = {path: key_at(path) for path in self.fields}
+        told = {path: as_spec(key, self.fields[path]) for path, key in known.items()}
+        changed = {path: text for path, text in told.items() if not text.startswith(self.fields[path].strip())}
+        return {path: text.removesuffix(f" {unit_at_field(known[path])}") for path, text in changed.items()}
 
     @property
     def _of_base(self) -> dict[str, str]:
-        given = _given(*self.base[:3], tuple(self.base.overrides))
+        given = given_in(data_of(self.base.source, self.base.overrides)[0])
         return {path: _text(key, given[path]) for path, key in keys().items() if path in given}
 
     def command(self, *words: str) -> str:
@@ -113,12 +110,6 @@ def key_at(path: str) -> Key:
     if path not in editable():
         raise AfmcalcError("{path:.80}: is no key of the form", path=path)
     return editable()[path]
-
-
-@lru_cache(maxsize=32)
-def _given(label: str, text: str, argument: str | None, overrides: tuple[str, ...]) -> dict[str, Any]:
-    """Path → value of every key given in a base."""
-    return given_in(data_of(Base(label, text, argument).source, overrides)[0])
 
 
 def _text(key: Key, value: Any) -> str:
@@ -175,7 +166,6 @@ Field = namedtuple(
 """Field of one key; the limits of its slider are in the unit of the text."""
 Group = namedtuple("Group", "key fields groups given")
 """Table of the spec with its fields and subtables; ``given``: number of keys given."""
-
 
 _ORDER = (
     *("machine", "requirements", "envelope", "shaft", "friction", "friction_group", "control_unit", "closing_spring"),
