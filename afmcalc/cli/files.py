@@ -27,8 +27,10 @@ def format_of(output: str | None, asked: str | None) -> str:
         )
     named = _FORMATS.get(ending)
     if named and asked not in (None, named):
-        message = "--output {output} is the name of a file of format {named}, not {asked}"
-        raise AfmcalcError(message, output=output, named=named, asked=asked)
+        raise AfmcalcError(
+            "--output {output} is the name of a file of format {named}, not {asked}",
+            output=output, named=named, asked=asked,
+        )  # fmt: skip
     return asked or named or "table"
 
 

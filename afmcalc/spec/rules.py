@@ -97,7 +97,7 @@ def _rules_of(table: str) -> Iterator[tuple[str, set[str], set[str], str, str]]:
             yield key, {*given}, {*absent}, message, "".join(cells[1][:1]).rstrip(".")
 
 
-_RULES = (*_rules_of(_TABLE),)
+KEY_RULES = (*_rules_of(_TABLE),)
 
 
 def broken_rules(data: Table) -> list[Broken]:
@@ -106,7 +106,7 @@ def broken_rules(data: Table) -> list[Broken]:
     keys = {*given, f"drive.event.kind={given.get('drive.event.kind')}"}
     of_keys = {
         (key, filled(message, {"other": other})): None
-        for key, present, absent, message, other in _RULES
+        for key, present, absent, message, other in KEY_RULES
         if keys >= present and keys.isdisjoint(absent)
     }
     return [*of_keys, *_variant(given), *_pairs(given)]
