@@ -16,9 +16,7 @@ MOST_SHOWN = 20
 LONGEST_LINE = 390
 """Largest length of a line of an error, characters; with its prefix the line stays below 400."""
 
-
 BEYOND_NUMBERS = deferred("a result is not finite (beyond the range of numbers): check the magnitudes in the spec")
-
 
 T = TypeVar("T")
 
@@ -109,10 +107,6 @@ class CalculationError(AfmcalcError, ValueError):
     """Error of a calculation that has no answer although its input is valid."""
 
 
-_WIDTH = 100
-"""Largest number of characters of a spec's line that an error shows."""
-
-
 class Place(NamedTuple):
     """Line of the text of a spec; ``line`` counts from 1."""
 
@@ -120,8 +114,8 @@ class Place(NamedTuple):
     text: str
 
     def shown(self) -> str:
-        """Line with its number as an error shows it, cut at ``_WIDTH`` characters."""
-        cut = "".join(sign if sign.isprintable() else " " for sign in self.text[:_WIDTH])
+        """Line with its number as an error shows it, cut at 100 characters."""
+        cut = "".join(sign if sign.isprintable() else " " for sign in self.text[:100])
         return f"  {self.line} | {cut.rstrip()}"
 
 
@@ -157,7 +151,7 @@ class SpecError(AfmcalcError, ValueError):
 
     def __init__(self, source: str, problems: list[Problem], more: int = 0) -> None:
         """Collect ``problems`` of the spec read from ``source``; ``more``: number of further problems not listed."""
-        self.source, self.more = source, more
+        self.more = more
         self.problems = [problem._replace(origin=problem.origin or source) for problem in problems]
         lines: list[str] = []
         for problem in self.problems[:MOST_SHOWN]:
@@ -175,8 +169,7 @@ _LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
 def chosen_language(lang: str, environment: Mapping[str, str]) -> Language:
     """Language of the option ``lang``, else of AFMCALC_LANG, else of the system, else English.
 
-    Raises:
-        AfmcalcError: the language is unknown, or its texts are missing.
+    Raises AfmcalcError if the language is unknown, or its texts are missing.
     """
     by, asked = (OPTION, lang) if lang else (VARIABLE, environment.get(VARIABLE, ""))
     if asked and asked not in LANGUAGES:

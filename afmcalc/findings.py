@@ -36,19 +36,14 @@ def finding(
 ) -> Finding:
     """Finding with the sentence of its code in ``FINDINGS``, filled with ``value``, ``limit``, ``path`` and ``values``.
 
-    Args:
-        code: as in ``Finding``, or ``code/case`` if the code has several sentences.
-        values: further fields of the sentence, SI.
-
-    Raises:
-        OverflowError: a number is not finite.
+    ``code``: as in ``Finding``, or ``code/case`` if the code has several sentences; ``values``: further fields of the
+    sentence, SI. Raises OverflowError if a number is not finite.
     """
     # NumPy floats become Python floats
-    given = {"value": value, "limit": limit, "path": path, **values}
-    values = {name: float(number) if isinstance(number, float) else number for name, number in given.items()}
+    value, limit = (number if number is None or type(number) is int else float(number) for number in (value, limit))
+    values |= {"value": value, "limit": limit, "path": path}
     if not all(isfinite(number) for number in values.values() if isinstance(number, float)):
         raise OverflowError
-    value, limit = (number if number is None or type(number) is int else float(number) for number in (value, limit))
     return Finding(level, code.partition("/")[0], filled(FINDINGS[code], values), value, limit, path)
 
 

@@ -59,7 +59,9 @@ class Language(string.Formatter):
         """Number written by Python ('0.5') in the notation of this language ('0,5')."""
         if self is ENGLISH:
             return shown
-        shown = _LONG.sub(lambda digits: f"{int(digits[0]):,}", shown.replace(",", "").replace("inf", "∞"))
+        # five or more digits before a decimal point are written in groups of three
+        plain = shown.replace(",", "").replace("inf", "∞")
+        shown = re.sub(r"(?<![\d.])\d{5,}", lambda digits: f"{int(digits[0]):,}", plain)
         mantissa, ten, exponent = shown.translate(self._signs).replace("%", "\xa0%").partition("e")
         mantissa = mantissa.replace("-", "−")
         if not ten:
@@ -67,8 +69,6 @@ class Language(string.Formatter):
         return f"{'' if mantissa == '1' else f'{mantissa}·'}10{str(int(exponent)).translate(RAISED)}"
 
 
-_LONG = re.compile(r"(?<![\d.])\d{5,}")
-"""Pattern of five or more digits before a decimal point, which are written in groups of three."""
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 ENGLISH = Language("en", NullTranslations())
@@ -131,9 +131,7 @@ def filled(template: str, values: Mapping[str, object]) -> str:
 def translate(text: str, context: str = "") -> str:
     """Text of the program, with its symbols, in the user's language; English if the catalogue lacks the text.
 
-    Args:
-        text: the text; a name given by the user is translated by ``named`` instead.
-        context: context in the catalogue: ``unit``, ``value``, …
+    ``context``: context in the catalogue, such as ``unit`` or ``value``. A name given by the user is for ``named``.
     """
     if _current() is ENGLISH:
         return latin(text) if context in ("", "comment", "symbol") else text
@@ -189,14 +187,9 @@ _LATIN = table("""\
 """Index of a symbol in the papers → Latin abbreviation of its English meaning."""
 _LATIN_OF = table("F_п = cl; T_п = pot; K_п = n; m_п = st; T_муф = exp; T_маш = mach; σ_т τ_т = y")
 """Symbol whose index has another meaning than in ``_LATIN`` → its Latin index."""
-_INDEX_WORD = re.compile(r"[а-яё]+|(?<![^\W\d_])cp(?![^\W\d_])")
-_INDEXED = re.compile(r"(?<![^\W_])[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*")
-_QUOTED = re.compile("(«[^»]*»)")
-_SYMBOL = re.compile(
-    r"\b\w+ wanted|(?<=\)_)opt\b| or (?=κ)|"
-    r"(?<![^\W_])(?:[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*|(?:arc)?tanh?|cot)(?![^\W_])"
-)
-_WORD = re.compile(r"[^\W\d_]{2,}")
+_INDEXED = r"(?<![^\W_])[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*"
+_SYMBOL = rf"\b\w+ wanted|(?<=\)_)opt\b| or (?=κ)|(?:{_INDEXED}|(?<![^\W_])(?:(?:arc)?tanh?|cot))(?![^\W_])"
+"""Patterns of symbols; compiled at their first use, which takes milliseconds."""
 
 
 @lru_cache(4096)  # most texts are templates in tables, which are used again and again
@@ -213,8 +206,9 @@ def _latin_symbol(symbol: re.Match[str]) -> str:
     letter, _, index = symbol[0].partition("_")
     first, *others = re.split("[.,]", index)
     own = _LATIN_OF.get(f"{letter.rstrip(chr(39))}_{first}")
-    parts = [_INDEX_WORD.sub(lambda word: _LATIN.get(word[0], word[0]), part) for part in (own or first, *others)]
-    return f"{letter}_{','.join(parts)}"
+    index = ",".join((own or first, *others))
+    words = re.sub(r"[а-яё]+|(?<![^\W\d_])cp(?![^\W\d_])", lambda word: _LATIN.get(word[0], word[0]), index)
+    return f"{letter}_{words}"
 
 
 def native(text: str) -> str:
@@ -227,13 +221,14 @@ def native(text: str) -> str:
     return _unquoted(_SYMBOL, _native, text)
 
 
-def _unquoted(pattern: re.Pattern[str], replace: Callable[[re.Match[str]], str], text: str) -> str:
-    return "".join(part if part[:1] == "«" else pattern.sub(replace, part) for part in _QUOTED.split(text))
+def _unquoted(pattern: str, replace: Callable[[re.Match[str]], str], text: str) -> str:
+    parts = re.split("(«[^»]*»)", text)
+    return "".join(part if part[:1] == "«" else re.sub(pattern, replace, part) for part in parts)
 
 
 def _native(symbol: re.Match[str]) -> str:
     whole = translate(symbol[0], "symbol")
-    return whole if whole != symbol[0] else _WORD.sub(lambda word: translate(word[0], "symbol"), whole)
+    return whole if whole != symbol[0] else re.sub(r"[^\W\d_]{2,}", lambda word: translate(word[0], "symbol"), whole)
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
@@ -243,7 +238,7 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     "; did you mean 'friction'?"
     """
     known = list(known)
-    if word in known or len(word) > _LONGEST_WORD:
+    if word in known or len(word) > 60:
         return ""
     from difflib import get_close_matches
 
@@ -252,11 +247,7 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     return say("; did you mean {near!r}?", near=lower[near[0]]) if near else ""
 
 
-_LONGEST_WORD = 60
-"""Largest length of a word that is compared with known words, characters."""
-
-
-_HIDDEN = re.compile(
+_HIDDEN = (
     "[\x00-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb"
     "\ud800-\udfff\U000e0000-\U000e007f]"
 )
@@ -266,9 +257,7 @@ _HIDDEN = re.compile(
 def printable(text: str, *, lines: bool = False) -> str:
     r"""Text from outside (names, keys, arguments) with its hidden characters escaped as in JSON.
 
-    Args:
-        text: any text.
-        lines: True to keep line breaks.
+    ``lines``: keep line breaks.
 
     >>> print(printable("a\x1b[31m \u202eb\n"))
     a\u001b[31m \u202eb\n
@@ -279,7 +268,7 @@ def printable(text: str, *, lines: bool = False) -> str:
 
         return hidden[0] if lines and hidden[0] == "\n" else json.dumps(hidden[0])[1:-1]
 
-    return _HIDDEN.sub(escaped, text)
+    return re.sub(_HIDDEN, escaped, text)
 
 
 def is_unicode(stream: Any) -> bool:

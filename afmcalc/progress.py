@@ -4,34 +4,39 @@ The bar appears after one second; Ctrl-C ends the calculation.
 """
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from types import TracebackType
+from functools import partial
 from typing import Any, TypeVar
 
 T = TypeVar("T")
+Watcher = Callable[[str, int, int], None]
+"""Function that is told of progress: work, steps done, steps in all."""
 
 PATIENCE = 1.0
 """Seconds before the bar appears."""
-WATCHER: "ContextVar[Bar | None]" = ContextVar("watcher", default=None)
-"""Bar that shows the running calculation; None: progress is not shown."""
+_WATCHER: ContextVar[Watcher | None] = ContextVar("watcher", default=None)
 
 
 def tell(work: str, done: int, total: int) -> None:
     """Report ``done`` of ``total`` steps of ``work`` to the watcher, if there is one."""
-    if watcher := WATCHER.get():
-        watcher.advance(work, done, total)
+    if watcher := _WATCHER.get():
+        watcher(work, done, total)
 
 
 @contextmanager
-def unwatched() -> Iterator[None]:
-    """Report no progress inside the ``with`` block, which is one step of a larger calculation."""
-    token = WATCHER.set(None)
+def watched(watcher: Watcher | None) -> Iterator[None]:
+    """Report progress inside the ``with`` block to ``watcher``."""
+    token = _WATCHER.set(watcher)
     try:
         yield
     finally:
-        WATCHER.reset(token)
+        _WATCHER.reset(token)
+
+
+unwatched = partial(watched, None)
+"""Context in which no progress is reported, as for one step of a larger calculation."""
 
 
 def counted(work: str, parts: Sequence[T]) -> Iterator[T]:
@@ -43,36 +48,27 @@ def counted(work: str, parts: Sequence[T]) -> Iterator[T]:
         tell(work, len(parts), len(parts))
 
 
-class Bar:
-    """Progress bar with the time left, on standard error after ``PATIENCE`` seconds; removed at the end."""
+@contextmanager
+def bar() -> Iterator[None]:
+    """Show a progress bar with the time left, on standard error after ``PATIENCE`` seconds; remove it at the end."""
+    begun, tasks, shown = time.monotonic(), dict[str, Any](), list[Any]()
 
-    def __init__(self) -> None:
-        """Start the clock."""
-        self._begun = time.monotonic()
-        self._shown: Any = None
-        self._tasks: dict[str, Any] = {}
-
-    def advance(self, work: str, done: int, total: int) -> None:
-        """Show ``done`` of ``total`` steps of ``work``."""
-        if time.monotonic() - self._begun < PATIENCE:
+    def show(work: str, done: int, total: int) -> None:
+        if time.monotonic() - begun < PATIENCE:
             return
-        if self._shown is None:
+        if not shown:
             from rich.console import Console
             from rich.progress import Progress
 
-            self._shown = Progress(console=Console(stderr=True), transient=True)
-            self._shown.start()
-        if work not in self._tasks:
-            self._tasks[work] = self._shown.add_task(work)
-        self._shown.update(self._tasks[work], completed=done, total=total)
+            shown.append(Progress(console=Console(stderr=True), transient=True))
+            shown[0].start()
+        if work not in tasks:
+            tasks[work] = shown[0].add_task(work)
+        shown[0].update(tasks[work], completed=done, total=total)
 
-    def __enter__(self) -> "Bar":
-        """Become the watcher."""
-        self._token = WATCHER.set(self)
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
-        """Remove the bar, even after an error."""
-        WATCHER.reset(self._token)
-        if self._shown is not None:
-            self._shown.stop()
+    try:
+        with watched(show):
+            yield
+    finally:
+        for one in shown:
+            one.stop()

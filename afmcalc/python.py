@@ -1,6 +1,5 @@
 """The calculator from Python: a clutch with a method for each calculation, and answers for notebooks."""
 
-import os
 import typing
 from collections.abc import Mapping, Sequence
 from os import PathLike
@@ -135,14 +134,9 @@ class Clutch:
     def solve(self, target: str, value: float | str, *, for_: str = "C", beyond_limit: bool = False) -> "SolveResult":
         """Value of one key that gives a wanted quantity; ``Clutch(answer.spec)`` is the clutch with this value.
 
-        Args:
-            target: name of the wanted quantity.
-            value: wanted value, a number in SI or a text with a unit.
-            for_: key to solve for, by symbol or path.
-            beyond_limit: True to search beyond the gain limit of the variant.
-
-        Raises:
-            CalculationError: no value of the key gives the wanted value; the message names the nearest.
+        ``value``: a number in SI or a text with a unit; ``for_``: key to solve for, by symbol or path; with
+        ``beyond_limit`` also beyond the gain limit of the variant. Raises CalculationError if no value of the key gives
+        the wanted value; the message names the nearest.
         """
         from .analysis.solve import parse_target
 
@@ -184,16 +178,14 @@ class Clutch:
     def at(self, case: str = "", /, **values: Any) -> Quantities:
         """Quantities in a case (``f_max``), or with some quantities (``friction``) set to numbers or arrays.
 
-        Raises:
-            LookupError: there is no such case or quantity; the message names the nearest name.
+        Raises LookupError if there is no such case or quantity; the message names the nearest name.
         """
         return self._engine.at(case, **values)
 
     def __getitem__(self, name: str) -> Any:
         """Quantity by its name; if it depends on friction, the name ends in a case: ``clutch["torque_at_f_max"]``.
 
-        Raises:
-            LookupError: there is no such quantity, or it needs a case; the message has the nearest name, or the cases.
+        Raises LookupError if there is no such quantity, or it needs a case; the message has the nearest, or the cases.
         """
         return self._engine[name]
 
@@ -216,8 +208,7 @@ class Clutch:
     def plot(self, name: str, path: str | PathLike[str] | None = None, *, sweep: str | None = None) -> "Picture":
         """Plot as SVG, which a notebook shows; with ``path`` the plot is also written, as .svg, .png or .pdf.
 
-        Raises:
-            AfmcalcError: the plot is unknown, or the file has another extension.
+        Raises AfmcalcError if the plot is unknown, or the file has another extension.
         """
         from .analysis.asking import Answers
         from .analysis.plot_data import Request, gathered
@@ -227,50 +218,46 @@ class Clutch:
         need("plot")
         sheet = sheet_of(name, gathered(name, Request([Answers(self._engine)], sweep)))
         if path is not None:
-            ending = os.path.splitext(path)[1].removeprefix(".")
+            ending = Path(path).suffix.removeprefix(".")
             if ending not in ("svg", "png", "pdf"):
                 raise AfmcalcError("{path}: end it in .svg, .png or .pdf", path=str(path))
-            with open(path, "wb") as file:
-                file.write(save(sheet, ending))
+            Path(path).write_bytes(save(sheet, ending))
         return Picture(save(sheet, "svg").decode())
 
     def report(self, path: str | PathLike[str], *, short: bool = False) -> None:
         """Write the calculation report to an HTML file."""
-        from hashlib import sha256
-
         from .analysis.dossier import dossier
         from .render.report import Subject, render
 
         need("report")
         told = dossier(self.spec, explained=not short)
-        digest = sha256(self.spec.label.text.encode()).hexdigest()
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(render(Subject(told, digest, short=short)))
+        Path(path).write_text(render(Subject(told, short=short)), encoding="utf-8")
 
-    def _summary(self) -> list[tuple[str, str]]:
-        """Rows (name, text) of a summary: torques, accuracy, and the verdict of the quick checks."""
+    def _summary(self) -> dict[str, str]:
+        """Name → text of a summary: torques, accuracy, and the verdict of the quick checks."""
         from .analysis.asking import Answers
         from .analysis.check import check_at_once
         from .render.amounts import measured
 
         torque, (check, _) = self.torque(), check_at_once(Answers(self._engine))
         low, high = (measured(end, "N*m") for end in (torque.torque_range.low, torque.torque_range.high))
-        title = ", ".join(filter(None, [named(self.spec.name), translate(self.spec.variant, "value")]))
-        return [
-            (translate("clutch"), title),
-            ("T", f"{low} … {high}"),
-            (native("K_т"), localized(f"{torque.accuracy_factor:.4g}")),
-            (translate("verdict"), check.verdict.sentence),
-        ]
+        return {
+            translate("clutch"): ", ".join(
+                filter(None, [named(self.spec.name), translate(self.spec.variant, "value")])
+            ),
+            "T": f"{low} … {high}",
+            native("K_т"): localized(f"{torque.accuracy_factor:.4g}"),
+            translate("verdict"): check.verdict.sentence,
+        }
 
     def __repr__(self) -> str:
         """Summary, one line each: clutch, torques, accuracy, verdict."""
-        return "\n".join(f"{name}: {text}" for name, text in self._summary())
+        return "\n".join(f"{name}: {text}" for name, text in self._summary().items())
 
     def _repr_html_(self) -> str:
         from html import escape
 
-        rows = (f"<tr><th>{escape(name)}</th><td>{escape(text)}</td></tr>" for name, text in self._summary())
+        rows = (f"<tr><th>{escape(name)}</th><td>{escape(text)}</td></tr>" for name, text in self._summary().items())
         return f"<table>{''.join(rows)}</table>"
 
     def _ask(self, command: str, *arguments: object, **options: object) -> Any:
@@ -320,11 +307,7 @@ def _pairs(friction: Friction) -> "list[Pair]":
 
 
 def loads(text: str, set: Overrides = ()) -> Clutch:
-    """Build the clutch of a spec given as TOML or JSON text.
-
-    Raises:
-        SpecError: the spec is invalid.
-    """
+    """Build the clutch of a spec given as TOML or JSON text; raises SpecError if the spec is invalid."""
     from .spec.parse import Source
     from .spec.read import spec_of
 
@@ -332,15 +315,11 @@ def loads(text: str, set: Overrides = ()) -> Clutch:
 
 
 def load(source: str | PathLike[str] | Mapping[str, object] | None = None, set: Overrides = ()) -> Clutch:
-    """Read a spec and build its clutch.
+    """Read a spec and build its clutch; raises SpecError if the spec is invalid, FileError if it cannot be read.
 
     Args:
         source: a path, ``"-"`` for standard input, ``"example:NAME"``, a mapping of keys; None for ``example:default``.
         set: other values of spec keys, by name, symbol or path; None removes a key.
-
-    Raises:
-        SpecError: the spec is invalid.
-        FileError: the file cannot be read.
     """
     return Clutch(read_spec(source, set))
 
@@ -363,11 +342,8 @@ def design(
 ) -> "DesignResult":
     """Pareto front of the clutches that the [search] of a spec allows and that pass every check.
 
-    ``pick``: number of the only clutch wanted, or ``"compromise"``; ``Clutch(answer.spec)`` builds this clutch.
-
-    Raises:
-        SpecError: the spec is invalid, or searches too many candidates.
-        AfmcalcError: there is no clutch of that number, or no compromise.
+    ``pick``: number of the only clutch wanted, or ``"compromise"``; ``Clutch(answer.spec)`` builds this clutch. Raises
+    SpecError if the spec is invalid or searches too many candidates, AfmcalcError if there is no clutch of that number.
     """
     from .analysis.design import picked
 

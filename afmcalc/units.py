@@ -76,7 +76,6 @@ def words() -> dict[str, UnitProduct]:
 
 _SIGNS = str.maketrans({"·": "*", "⋅": "*", "×": "*", "⁻": "-", "−": "-", "¹": "1", "²": "2", "³": "3", "⁴": "4"})
 _FACTOR = re.compile(r"(\s*[*/]\s*|\s+|)([^\W\d_]+|°)(?:\^?(-?[1-4])(?!\d))?")
-_DIVISOR = re.compile(r"/\s*\(([^()/]*)\)")
 
 
 @cache
@@ -90,7 +89,8 @@ def product(text: str) -> UnitProduct:
 
 def _product(text: str, words: Mapping[str, UnitProduct]) -> UnitProduct:
     plain = text.translate(_SIGNS).replace("**", "^").strip()
-    plain = _DIVISOR.sub(lambda match: "/" + re.sub(r"\s*\*\s*|\s+", "/", match[1].strip()), plain)
+    divisor = r"/\s*\(([^()/]*)\)"
+    plain = re.sub(divisor, lambda match: "/" + re.sub(r"\s*\*\s*|\s+", "/", match[1].strip()), plain)
     plain = re.sub(r"^1\s*(?=/)", "", plain)
     factor, exponents, latin, at = Decimal(1), [0] * len(BASES), "", 0
     while at < len(plain) or not at:

@@ -47,11 +47,6 @@ class Variant:
         """True if the variant has a control unit."""
         return "control_unit" in self.keys
 
-    @property
-    def chooses_bypass(self) -> bool:
-        """True if the spec chooses the pairs that bypass the control unit."""
-        return "friction_group.driving_pairs" in self.keys
-
     def least_pairs(self, driving_pairs: Values | None = None) -> Any:
         """Smallest number of pairs z: a control unit needs at least one pair that does not bypass it."""
         return self.bypass(1, driving_pairs) + 1 if self.controlled else 1

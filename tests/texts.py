@@ -63,7 +63,7 @@ def _tables() -> Iterator[Key]:
 
     tables = (FINDINGS.values(), words.REPORT.values(), map(os.strerror, FAILURES))
     abouts = (kind for kind, _ in EXAMPLES.values()), (plot.about for plot in PLOTS.values())
-    rules = (rule.message for rule in KEY_RULES)
+    rules = (message for *_, message, _ in KEY_RULES)
     checks = (text for check in (*CHECKS, *RULES) for text in (check.name, check.symbol))
     sections = [each.section for each in ANALYSES.values() if each.section]
     titles = (text for each in sections for text in (each.title, each.about, *each.conclusion.values()))

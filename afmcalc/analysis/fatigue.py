@@ -21,6 +21,7 @@ from ..messages import say, translate
 from ..result import Answer, Result, Series, described, quantity
 from ..spec.fields import Key
 from ..spec.models import Method, Spec
+from ..spec.quantity import Quantity
 from .adjust import METHODS
 from .asking import Answers, Asking, answer, asked
 from .clutch_findings import clutch_findings
@@ -236,7 +237,7 @@ def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> l
 
 def band_axis(text: str, clutch: Clutch) -> Axis:
     """Read ``dT[=RANGE]``, the axis of the scatter band: by default from half to twice the band of the clutch."""
-    key = Key("scatter", "N*m", "ΔT", "torque scatter band")
+    key = Key("scatter", "ΔT", "torque scatter band", Quantity("N*m"))
     band = clutch["scatter"]
     _, separator, values_given = text.partition("=")
     values = parse_values(text, values_given, "N*m") if separator else np.linspace(0.5 * band, 2 * band, 26)

@@ -1,7 +1,6 @@
 """Commands that calculate one clutch."""
 
-from contextlib import nullcontext
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Argument, Option
 
@@ -12,22 +11,21 @@ from .options import Common, SpecArgument, with_common
 
 if TYPE_CHECKING:
     from ..analysis.sweep import Axis
+    from ..analysis.torque import Pair
     from ..engines import Clutch
 
 SweepOption = Annotated[
     list[str] | None,
     Option(
-        "--sweep",
         metavar="NAME[=RANGE]",
         autocompletion=completing("swept"),
         help="Sweep a key (afmcalc help keys) over start:stop:count or v1,v2,...; several make a grid.",
     ),
 ]
 
-
 FrictionOption = Annotated[
     list[str] | None,
-    Option("--friction", metavar="F", help="Calculate at this friction too (unlike materials: F1,F2); repeatable."),
+    Option(metavar="F", help="Calculate at this friction too (unlike materials: F1,F2); repeatable."),
 ]
 
 
@@ -50,9 +48,8 @@ def torque(
     """  # noqa: D301
     from ..render.document import with_details
 
-    points = [friction_of(text) for text in friction or ()]
-    with with_details(details) if details else nullcontext():
-        common.calculate(common.clutch(spec), friction=points)
+    with with_details(details):
+        common.calculate(common.clutch(spec), friction=frictions(friction))
 
 
 @with_common
@@ -61,7 +58,7 @@ def accuracy(
     sweep: SweepOption = None,
     columns: Annotated[
         list[str] | None,
-        Option("--columns", metavar="NAME,…", help="More columns of the sweep: quantities, such as torque_at_f_max."),
+        Option(metavar="NAME,…", help="More columns of the sweep: quantities, such as torque_at_f_max."),
     ] = None,
     *,
     common: Common,
@@ -111,8 +108,7 @@ def overload(
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
     clutch = common.clutch(spec)
-    points = [friction_of(text) for text in friction or ()]
-    common.calculate(clutch, sweeps=axes_of(sweep, clutch), friction=points)
+    common.calculate(clutch, sweeps=axes_of(sweep, clutch), friction=frictions(friction))
 
 
 @with_common
@@ -168,14 +164,18 @@ def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) ->
     return parse_axes(sweep, clutch, band=band)
 
 
-def friction_of(text: str) -> tuple[float, float | None]:
-    """Frictions f_1 and f_2 in a text ``F`` or ``F1,F2``; f_2 is None if the text has one friction for all pairs."""
-    try:
-        values = [float(part) for part in text.split(",")]
-    except ValueError:
-        values = []
-    if len(values) not in (1, 2) or not all(0 <= value < float("inf") for value in values):
-        raise AfmcalcError(
-            "--friction {text:.80}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text
-        )
-    return values[0], values[1] if len(values) == 2 else None
+def frictions(texts: list[str] | None) -> "list[Pair]":
+    """Frictions f_1 and f_2 in texts ``F`` or ``F1,F2``; f_2 is None if a text has one friction for all pairs."""
+    points: list[Pair] = []
+    for text in texts or ():
+        try:
+            values: list[Any] = [float(part) for part in text.split(",")]
+            first, second = values if len(values) > 1 else (*values, None)
+        except ValueError:
+            values = []
+        if not all(0 <= value < float("inf") for value in values or [-1]):
+            raise AfmcalcError(
+                "--friction {text:.80}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text
+            )
+        points.append((first, second))
+    return points

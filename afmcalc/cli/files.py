@@ -5,6 +5,7 @@ import sys
 from collections.abc import Iterable
 from contextlib import suppress
 from errno import EISDIR
+from io import TextIOWrapper
 from itertools import combinations
 
 from ..errors import LONGEST_LINE, AfmcalcError, FileError, reason
@@ -28,10 +29,8 @@ def format_of(output: str | None, asked: str | None) -> str:
     if named and asked not in (None, named):
         raise AfmcalcError(
             "--output {output} is the name of a file of format {named}, not {asked}",
-            output=output,
-            named=named,
-            asked=asked,
-        )
+            output=output, named=named, asked=asked,
+        )  # fmt: skip
     return asked or named or "table"
 
 
@@ -88,9 +87,11 @@ def _is_open(path: str) -> bool:
 
 def _is_same(path: str, other: str | None) -> bool:
     """True if two paths name the same file, existing or not."""
-    if other in (None, "-") or os.path.exists(path) != os.path.exists(other):
+    if other is None or other == "-":
         return False
-    return os.path.samefile(path, other) if os.path.exists(path) else os.path.realpath(path) == os.path.realpath(other)
+    with suppress(OSError):
+        return os.path.samefile(path, other)
+    return os.path.realpath(path) == os.path.realpath(other)
 
 
 def _exists(path: str) -> AfmcalcError:
@@ -105,26 +106,19 @@ def write(content: str | bytes, path: str | None, *, force: bool = False, utf8: 
     """Write to a file or to standard output; with ``utf8`` text on standard output is in UTF-8 whatever the locale."""
     if path is None or path in _STANDARD_OUTPUT:
         put(content, utf8=utf8)
+    elif isinstance(content, str):
+        write_file(path, content.encode("utf-8", "backslashreplace"), force=force)
     else:
-        content = content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content
         write_file(path, content, force=force)
 
 
 def write_file(path: str, content: bytes, *, force: bool = False) -> None:
-    """Write a file whole or not at all; an existing file is replaced only with ``force``.
-
-    Raises:
-        AfmcalcError: the file exists.
-        FileError: the file cannot be written.
-    """
+    """Write a file whole or not at all, an existing one only with ``force``; errors as of ``refuse``."""
     try:
         target = os.path.realpath(path)
         if os.path.islink(target):
             os.stat(target)  # raises an error for links that form a circle
-        if path in _STANDARD_OUTPUT:
-            sys.stdout.buffer.write(content)
-            sys.stdout.flush()
-        elif _is_open(path):
+        if _is_open(path):
             with open(path, "ab") as file:
                 file.write(content)
         else:
@@ -166,8 +160,8 @@ def prepare() -> None:
     sys.stdout = sys.stdout or open(os.devnull, encoding="utf-8")  # noqa: SIM115  # a write raises an error
     sys.stderr = sys.stderr or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
-        if reconfigure := getattr(stream, "reconfigure", None):
-            reconfigure(errors="backslashreplace")
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
 
 
 def put(content: str | bytes, *, utf8: bool = False) -> None:

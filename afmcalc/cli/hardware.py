@@ -7,7 +7,7 @@ from typer import Option
 from ..analysis.registry import SpringKind, SpringOrder
 from ..errors import AfmcalcError, need
 from ..messages import say
-from .clutch import FrictionOption, SweepOption, axes_of, friction_of
+from .clutch import FrictionOption, SweepOption, axes_of, frictions
 from .files import ending_of, is_drawing, picture_of, refuse, write
 from .options import Common, SaveOption, SpecArgument, with_common
 
@@ -31,11 +31,7 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
     clutch, drawing = _clutch(common, spec, "svg", "dxf", save=save)
     if drawing:
         _draw(clutch, drawing, common)
-        if not save:
-            return
-        result = common.ask(clutch)[0]
-    else:
-        result = common.calculate(clutch).result
+    result = common.ask(clutch)[0] if drawing else common.calculate(clutch).result
     if save:
         common.save_spec(clutch.spec, completed(result), save)
 
@@ -43,8 +39,7 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
 def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = None) -> "tuple[Clutch, str | None]":
     """Clutch of a spec, and the format of the drawing if the file of --output is a drawing, else None."""
     if not is_drawing(common.output):
-        common.keep(spec, save=save)
-        return common.build(spec), None
+        return common.clutch(spec, save=save), None
     drawing = picture_of(common.output, *kinds)
     refuse(common.output, save, force=common.force, inputs=[spec])
     if drawing == "dxf":
@@ -67,13 +62,13 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
         if common.command == "pocket":
             drawing = shop_sheet.pocket(gathered("pocket", request))
             content = dxf(drawing) if kind == "dxf" else svg(drawing).encode()
+        elif kind == "dxf":
+            content = dxf(shop_sheet.section(gathered("section", request), clutch.spec))
         else:
             from ..render.plot import sheet_of
             from ..render.plot.figure import save
 
-            section = gathered("section", request)
-            sheet = sheet_of("section", section)
-            content = dxf(shop_sheet.section(section, clutch.spec)) if kind == "dxf" else save(sheet, kind)
+            content = save(sheet_of("section", gathered("section", request)), kind)
     common.save(content, common.output)
 
 
@@ -131,8 +126,7 @@ def springs(
         return
     from ..analysis.spring_search import picked
 
-    common.keep(spec, save=save)
-    clutch = common.build(spec)
+    clutch = common.clutch(spec, save=save)
     result, findings = common.ask(clutch, sort, top, kind, tolerance)
     changes, sprung = picked(clutch, result, pick)
     common.emit(result, findings, sprung)
@@ -161,18 +155,14 @@ def _written(value: object, key: str) -> str:
     return ", ".join(f"{name} = {each}" for name, each in shown.items()) if isinstance(shown, dict) else str(shown)
 
 
-HistoryOption = Annotated[
-    str | None,
-    Option("--history", metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI)."),
-]
-
-
 @with_common
 def simulate(
     spec: SpecArgument = None,
     friction: FrictionOption = None,
     sweep: SweepOption = None,
-    history: HistoryOption = None,
+    history: Annotated[
+        str | None, Option(metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI).")
+    ] = None,
     save: SaveOption = None,
     *,
     common: Common,
@@ -194,11 +184,10 @@ def simulate(
     """  # noqa: D301
     if history == "-":
         raise AfmcalcError("--history writes a file beside the result: name one")
-    points = [friction_of(text) for text in friction or ()]
-    common.keep(spec, beside=history, save=save)
+    points = frictions(friction)
+    clutch = common.clutch(spec, beside=history, save=save)
     if history:
         ending_of("--history", history, ".csv", ".txt", others=True)
-    clutch = common.build(spec)
     if clutch.spec.drive.event is None:
         for option, given in {"--friction": points, "--sweep": sweep, "--history": history, "--save": save}.items():
             if given:
@@ -220,7 +209,7 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
     from ..result import Output
 
     with common.bar():
-        output = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
+        output = Output("history", __version__, None, history(clutch, points), [])
     write(renderer("csv")(output, False), path, force=common.force)
     common.note(say("wrote the history to {output}", output=path))
 

@@ -12,8 +12,8 @@ from typer import Argument, Option
 from typer.core import TyperGroup
 
 from .. import __version__
-from ..errors import OPTION, AfmcalcError, chosen_language, unexpected
-from ..messages import deferred, did_you_mean, say, speaking, translate
+from ..errors import OPTION, AfmcalcError, chosen_language, reason, unexpected
+from ..messages import did_you_mean, say, speaking, translate
 from ..units import table
 from .files import drop_output, prepare, tell
 from .names import Named, names_of
@@ -37,17 +37,6 @@ FORMER = table("""\
 synthesize = pocket; heat = simulate; equations = papers; reproduce = papers --claims;
 materials = list materials; examples = list examples""")
 """Command of an earlier version → the command that replaces it."""
-_TITLE = "organisation project drawing author checked norm_control approved date"
-FORMER_OPTIONS = {
-    **{f"--{name.replace('_', '-')}": f"--set report.{name}=TEXT" for name in _TITLE.split()},
-    **{f"--{name}": f"--set catalogues.{name}=FILE" for name in ("materials", "discs", "balls")},
-    "--excel": "--format csv --lang ru",
-    "--top": "--all",
-    "--variant": "--from EXAMPLE, --set variant=NAME",
-    "--yes": deferred("a progress bar, and Ctrl-C to stop"),
-    "--symbols": deferred("the language of the report, --lang"),
-}
-"""Option of an earlier version → its replacement."""
 LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
 FAULT = 70
 """Exit code if afmcalc itself is at fault (EX_SOFTWARE of sysexits.h)."""
@@ -83,7 +72,7 @@ def _run(given: list[str]) -> int:
     except OSError as error:
         drop_output()
         named = error.filename or say("standard output")
-        _complain(say("{named}: cannot be written: {why}", named=named, why=translate(error.strerror or str(error))))
+        _complain(say("{named}: cannot be written: {why}", named=named, why=reason(error)))
         return 3
     except Exception as error:
         return _misused(error, given) if hasattr(error, "format_message") else _unexpected(error)
@@ -202,16 +191,17 @@ def help(
     if topic not in TOPICS:
         hint = did_you_mean(topic, [*TOPICS, *COMMANDS])
         raise AfmcalcError("no help on {topic!r:.80}{hint}; topics: {topics}", topic=topic, hint=hint, topics=[*TOPICS])
-    match topic:
-        case "options":
-            rows = _common_options()
-        case "keys":
-            rows = [*names_of("swept"), *names_of("path")]
-        case "quantities":
-            rows = names_of("target")
-        case _:
-            rows = names_of("plot")
-    _print(rows)
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    from ..render.formats.table import columns
+
+    kinds = {"options": [], "keys": ["swept", "path"], "quantities": ["target"], "plots": ["plot"]}[topic]
+    grid = Table.grid(padding=(0, 2))
+    for name, about in (row for kind in kinds for row in names_of(kind)) if kinds else _common_options():
+        grid.add_row(Text(name, no_wrap=True), Text(about))
+    Console(width=columns(terminal=True), height=1, highlight=False).print(grid)
 
 
 def _common_options() -> Named:
@@ -219,20 +209,6 @@ def _common_options() -> Named:
     options = [each for each in application(["torque", "--help"]).commands["torque"].params if each.name in COMMON]
     rows = [(f"{', '.join(each.opts)} {each.metavar or ''}", each.help) for each in options]
     return [*rows, ("--lang NAME", translate(LANG))]
-
-
-def _print(rows: Named) -> None:
-    """Print names in a column, and their meanings in a second column."""
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
-
-    from ..render.formats.table import columns
-
-    grid = Table.grid(padding=(0, 2))
-    for name, about in rows:
-        grid.add_row(Text(name, no_wrap=True), Text(about))
-    Console(width=columns(terminal=True), height=1, highlight=False).print(grid)
 
 
 def without_lang(arguments: list[str]) -> tuple[list[str], str]:
@@ -265,10 +241,7 @@ def _misused(error: Any, given: list[str]) -> int:
         tell(context.get_usage())
         tell(say("Try '{path} --help' for help.", path=context.command_path))
     message = " ".join(error.format_message().split())  # the parser puts choices on separate lines
-    message = message.rstrip(".").replace("Value error, ", "")  # pydantic adds this prefix
-    if new := FORMER_OPTIONS.get(getattr(error, "option_name", "")):
-        message = say("{name} is no option any more; instead: {new}", name=error.option_name, new=translate(new))
-    _complain(message)
+    _complain(message.rstrip(".").replace("Value error, ", ""))  # pydantic adds this prefix
     return 2
 
 

@@ -5,7 +5,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import wraps
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -15,7 +15,7 @@ from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, need
 from ..messages import is_unicode, say
-from ..progress import Bar
+from ..progress import bar
 from .files import ending_of, format_of, refuse, tell, write
 from .names import completing
 
@@ -24,13 +24,12 @@ if TYPE_CHECKING:
     from ..findings import Finding
     from ..result import Output
     from ..spec import Spec
-    from ..spec.parse import Source
 
 SpecArgument = Annotated[
     str | None,
     Argument(metavar="SPEC", help="TOML or JSON file, - for standard input, example:NAME; without it an example."),
 ]
-SaveOption = Annotated[str | None, Option("--save", metavar="FILE", help="Write a spec with the values found to FILE.")]
+SaveOption = Annotated[str | None, Option(metavar="FILE", help="Write a spec with the values found to FILE.")]
 
 
 def output_option(help: str) -> Any:
@@ -59,7 +58,6 @@ class Common:
     set: Annotated[
         list[str] | None,
         Option(
-            "--set",
             metavar="PATH=VALUE",
             help="Override a spec key; repeatable. Empty VALUE removes it.",
             autocompletion=completing("path", "="),
@@ -69,7 +67,6 @@ class Common:
     format: Annotated[
         Literal["table", "json", "csv", "markdown"] | None,
         Option(
-            "--format",
             help="table, json, csv or markdown; JSON and CSV are SI in full precision. In Russian CSV has decimal "
             "commas and semicolons, as spreadsheets there read it.",
         ),
@@ -96,21 +93,10 @@ class Common:
             raise AfmcalcError("--json and --format {name} exclude each other", name=self.format)
         return format_of(self.output, "json" if self.json else self.format)
 
-    def shown(self) -> AbstractContextManager[None]:
-        """Context in which quantities are shown in the units of ``--units``."""
-        if self.units == "engineer":
-            return nullcontext()
-        from ..render.amounts import shown_in
-
-        return shown_in(self.units)
-
     def keep(self, *sources: str | None, beside: str | None = None, save: str | None = None) -> None:
         """Check the output paths: they are no inputs, exist only with ``--force``, and have an extension that fits.
 
-        Args:
-            sources: input paths.
-            beside: a second file to write.
-            save: path of a spec to write.
+        ``sources``: input paths; ``beside``: a second file to write; ``save``: path of a spec to write.
         """
         self.chosen_format  # noqa: B018
         if save:
@@ -119,42 +105,28 @@ class Common:
 
     def bar(self) -> AbstractContextManager[object]:
         """Context that shows progress on a terminal."""
-        return nullcontext() if self.quiet or not sys.stderr.isatty() else Bar()
+        return nullcontext() if self.quiet or not sys.stderr.isatty() else bar()
 
     def note(self, text: str) -> None:
         """Print a note on standard error, unless ``--quiet``."""
         if not self.quiet:
             tell(say("note: {text}", text=text))
 
-    def source(self, given: str | None, of: str = "") -> str:
-        """Source of the spec: SPEC, else the default example of the analysis ``of`` (by default, of the command)."""
-        if given is None:
-            analysis = ANALYSES.get(of or self.command)
-            self.default = f"example:{analysis and analysis.example or 'default'}"
-        elif given == "-" and sys.stdin.isatty():
-            self.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
-        return given or self.default
-
     def note_default(self) -> None:
         """Print the name of the default example, for output that does not contain the name."""
         if self.default:
             self.note(_no_spec(self.default))
 
-    def text(self, given: str | None) -> "tuple[Source, str]":
-        """Text of SPEC or of the default example, and the SHA-256 of its bytes; a file is read only once."""
-        from hashlib import sha256
-
-        from ..spec.parse import bytes_of, decoded
-
-        raw, name = bytes_of(self.source(given))
-        self.note_default()
-        return decoded(raw, name), sha256(raw).hexdigest()
-
     def read(self, source: str | None, of: str = "") -> "Spec":
-        """Spec from SPEC or the default example, with overrides; ``of``: analysis that is plotted or explained."""
+        """Spec with overrides, from SPEC, else from the default example of the analysis ``of`` or of the command."""
         from ..spec import read_spec
 
-        return read_spec(self.source(source, of), self.overrides)
+        if source is None:
+            analysis = ANALYSES.get(of or self.command)
+            self.default = f"example:{analysis and analysis.example or 'default'}"
+        elif source == "-" and sys.stdin.isatty():
+            self.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
+        return read_spec(source or self.default, self.overrides)
 
     def build(self, source: str | None, of: str = "") -> "Clutch":
         """Clutch of a spec; arguments as in ``read``."""
@@ -170,9 +142,9 @@ class Common:
             self.note(question.message)
         return clutch
 
-    def clutch(self, source: str | None) -> "Clutch":
-        """Clutch of a spec, after ``keep`` has checked the output path."""
-        self.keep(source)
+    def clutch(self, source: str | None, **others: str | None) -> "Clutch":
+        """Clutch of a spec, after ``keep`` has checked the output paths."""
+        self.keep(source, **others)
         return self.build(source)
 
     def calculate(self, clutch: "Clutch", **options: object) -> "Output":
@@ -206,8 +178,7 @@ class Common:
         if self.quiet and chosen != "json" and not result.findings_first:
             findings = [each for each in findings if each.level == "error" or each.code == "number-without-unit"]
         output = Output(self.command, __version__, resolved(spec) if spec else None, result, findings)
-        terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
-        text = self._rendered(output, chosen, terminal)
+        text = self._rendered(output, chosen)
         if self.default and chosen in ("table", "markdown"):
             text = f"{_no_spec(self.default)}\n\n{text}"
         if chosen == "json" and self.output in (None, "-") and not is_unicode(sys.stdout):
@@ -222,14 +193,12 @@ class Common:
                 print(line, file=sys.stderr)
         return output
 
-    def _rendered(self, output: "Output", chosen: str, terminal: bool) -> str:  # noqa: FBT001
+    def _rendered(self, output: "Output", chosen: str) -> str:
         """Text of an output; the heat of an event follows it in a separate table."""
-        from dataclasses import replace
-
         from ..render import renderer
 
-        render = renderer(chosen)
-        heat = getattr(output.result, "heat", None)
+        terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+        render, heat = renderer(chosen), getattr(output.result, "heat", None)
         if chosen not in ("table", "markdown") or heat is None:
             return render(output, terminal)
         event = replace(output, result=output.result.model_copy(update={"heat": None}), findings=[])
@@ -276,8 +245,12 @@ def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Cal
         @wraps(function)
         def command(**arguments: Any) -> None:
             common = Common(function.__name__.rstrip("_"), **{name: arguments.pop(name) for name in options})
-            with common.shown():
-                function(**arguments, common=common)
+            if common.units == "engineer":
+                return function(**arguments, common=common)
+            from ..render.amounts import shown_in
+
+            with shown_in(common.units):
+                return function(**arguments, common=common)
 
         command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
         command.__annotations__ = {p.name: p.annotation for p in parameters}

@@ -9,8 +9,6 @@ from ..errors import AfmcalcError
 from .files import write
 from .options import Common, SpecArgument, with_common
 
-PaperOption = Annotated[list[str] | None, Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")]
-
 
 @with_common
 def explain(
@@ -49,7 +47,7 @@ def explain(
 
 @with_common
 def papers(
-    paper: PaperOption = None,
+    paper: Annotated[list[str] | None, Option(metavar="KEY", help="F11, S19, S21 or S22; repeatable.")] = None,
     id_: Annotated[
         list[str] | None, Option("--id", metavar="ID", help='A formula, e.g. "S21 (15)"; repeatable.')
     ] = None,

@@ -1,6 +1,5 @@
 """The command that writes a calculation report."""
 
-import os
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -20,7 +19,6 @@ if TYPE_CHECKING:
 @common_options("HTML file, or PDF by its name; without it HTML to standard output.")
 def report(
     spec: SpecArgument = None,
-    pdf: Annotated[bool, Option("--pdf", help="PDF too, beside FILE.")] = False,
     short: Annotated[
         bool, Option("--short", help="Two pages: task, limits and their use, section, peaks and heat, conclusions.")
     ] = False,
@@ -41,7 +39,6 @@ def report(
     \b
     afmcalc report clutch.toml -o report.html
     afmcalc report clutch.toml -o report.pdf
-    afmcalc report clutch.toml -o report.html --pdf
     afmcalc report clutch.toml -o report.html --set report.author="A. N. Other"
 
     The block [report] of the spec fills the title block; its date is today's if it has none.
@@ -50,25 +47,20 @@ def report(
     from ..analysis.dossier import dossier
     from ..render.report import Subject
     from ..render.report import report as laid_out
-    from ..spec.read import spec_of
 
     given = {"form": form, "revision": revision}
     common.set = [*common.overrides, *(f"report.{key}={value}" for key, value in given.items() if value)]
 
     def document() -> "Document":
-        source, digest = common.text(spec)
-        told = dossier(spec_of(source, common.overrides), model, explained=not short)
-        return laid_out(Subject(told, digest, common.overrides, with_source, short))
+        told = dossier(common.read(spec), model, explained=not short)
+        common.note_default()
+        return laid_out(Subject(told, common.overrides, with_source, short))
 
-    _write(common, document, spec=spec, pdf=pdf)
+    _write(common, document, spec)
 
 
 @common_options("HTML file, or PDF by its name; without it HTML to standard output.")
-def handbook(
-    pdf: Annotated[bool, Option("--pdf", help="PDF too, beside FILE.")] = False,
-    *,
-    common: Common,
-) -> None:
+def handbook(*, common: Common) -> None:
     """Handbook: the theory behind every number, one HTML file.
 
     \b
@@ -81,35 +73,26 @@ def handbook(
 
     if common.overrides:
         raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=common.command)
-    _write(common, lambda: book(gathered(spoken())), pdf=pdf)
+    _write(common, lambda: book(gathered(spoken())))
 
 
-def _write(common: Common, lay_out: Callable[[], "Document"], *, spec: str | None = None, pdf: bool) -> None:
-    """Write a document as HTML, as PDF, or as both; no file is written if either fails."""
-    from ..render.report.html import page
-
-    output, target = common.output, None
-    alone = output is not None and ending_of("--output", output, ".html", ".htm", ".pdf", others=True) == ".pdf"
-    if alone:
-        target = output
-    elif pdf:
-        if output in (None, "-"):
-            raise AfmcalcError("--pdf writes beside the HTML file: name that with -o FILE.html")
-        target = f"{os.path.splitext(output)[0]}.pdf"
-    if target:
+def _write(common: Common, lay_out: Callable[[], "Document"], spec: str | None = None) -> None:
+    """Write a document as HTML or, if its file is named so, as PDF."""
+    sheets = ending_of("--output", common.output, ".html", ".htm", ".pdf", others=True) == ".pdf"
+    if sheets:
         need("pdf", "typst")
-    refuse(*dict.fromkeys((output, target)), force=common.force, inputs=[spec])
+    refuse(common.output, force=common.force, inputs=[spec])
     with common.bar():
         document = lay_out()
-        progress.tell("report", 1, 2 if target else 1)
-        sheets = b""
-        if target:
+        progress.tell("report", 1, 1 + sheets)
+        if sheets:
             from ..render.report.sheets import print_pdf
 
-            sheets, missing = print_pdf(document)
+            content, missing = print_pdf(document)
             if missing:
                 common.note(say("the PDF has boxes in the place of {signs}: no font for them", signs=missing))
-    if not alone:
-        common.save(page(document).encode(), output)
-    if target:
-        common.save(sheets, target)
+        else:
+            from ..render.report.html import page
+
+            content = page(document).encode()
+    common.save(content, common.output)

@@ -53,9 +53,8 @@ def solve(
 
     if spec is not None and "=" in spec and "=" not in target:
         target, spec = spec, target
-    common.keep(spec, save=save)
     name, wanted, questions = parse_target(target)
-    clutch = common.build(spec)
+    clutch = common.clutch(spec, save=save)
     result, solved, findings = common.ask(clutch, key, name, wanted, beyond_limit=beyond_limit)
     if result.roots or common.chosen_format == "json":
         common.emit(result, [*questions, *findings], solved.spec)

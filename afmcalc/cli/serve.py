@@ -48,14 +48,14 @@ def serve(
     from ..render.amounts import shown_in
     from ..web.app import Page, Target
     from ..web.connections import protocol
-    from ..web.form import Base, State
+    from ..web.form import Base
 
     if common.output or common.json or common.format:
         raise AfmcalcError("serve shows a page: it has no --output, --format and --json")
     common.keep(spec, save=save)
-    source, digest = common.text(spec)
-    base = Base(source, source.text, spec, tuple(common.overrides), digest)
-    _ = State(base).spec  # raises SpecError if the spec is no clutch
+    source = common.read(spec).label
+    common.note_default()
+    base = Base(source, source.text, spec, tuple(common.overrides), source.digest)
     target = save or (spec if common.force and spec and os.path.isfile(spec) else "")
 
     def write(changed: "Spec", force: bool) -> None:  # noqa: FBT001

@@ -61,17 +61,10 @@ def init(
         Common("init", quiet=quiet).note(message)
 
 
-def _described(part: Any) -> Any:
-    """Part of a schema with descriptions and symbols in the user's language; other names are not translated."""
-    if isinstance(part, list):
-        return [_described(each) for each in part]
-    if not isinstance(part, dict):
-        return part
+def _described(part: dict[str, Any]) -> dict[str, Any]:
+    """Part of a schema with its description and symbol in the user's language; other names are not translated."""
     said = {"description": translate, "symbol": native}
-    return {
-        name: said[name](each) if name in said and isinstance(each, str) else _described(each)
-        for name, each in part.items()
-    }
+    return {name: said[name](each) if name in said and isinstance(each, str) else each for name, each in part.items()}
 
 
 @with_common
@@ -130,4 +123,5 @@ def schema(
     from ..analysis.registry import schema as schema_of
 
     refuse(output, force=force)
-    write(json.dumps(_described(schema_of(command)), indent=2, ensure_ascii=False) + "\n", output, force=force)
+    described = json.loads(json.dumps(schema_of(command)), object_hook=_described)
+    write(json.dumps(described, indent=2, ensure_ascii=False) + "\n", output, force=force)

@@ -1,7 +1,7 @@
 """Catalogues of friction materials with sources, disc springs and balls: lists that ship, or the user's own lists."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from csv import DictReader, Error
 from decimal import Decimal
 from functools import cache
@@ -26,9 +26,9 @@ from .fields import (
     keys_below,
     required,
 )
-from .parse import Source, check_size, text_of, toml_of
+from .parse import Source, parse, text_of
 from .problems import problems_in
-from .quantity import Quantity
+from .quantity import NUMBER, Quantity
 
 Celsius = Annotated[float, Quantity("K abs", gt=0), AfterValidator(lambda kelvin: round(kelvin - 273.15, 6))]
 Names = Annotated[
@@ -145,18 +145,14 @@ def discs_in(file: str | PathLike[str]) -> tuple[Disc, ...]:
 
 def _rows(source: Source, table: str, model: type[R]) -> Iterator[R]:
     """Validated rows of a list, TOML or CSV."""
-    given: list[tuple[str, Mapping[str, object]]] = []
     if source.lower().endswith(".csv"):
         try:
             given = [(row.pop("name", ""), row) for row in DictReader(_lines(source), restkey="", restval="")]
         except Error as error:
             raise AfmcalcError("{label}: is no CSV: {why}", label=source, why=error) from None
     else:
-        data = toml_of(source)
-        check_size(data, source)
-        listed = data.pop(table, {})
-        if isinstance(listed, dict) and not data:
-            given = [(name, row) for name, row in listed.items() if isinstance(row, dict)]
+        listed: Any = (data := parse(source)).pop(table, {})
+        given = [(name, row) for name, row in listed.items() if isinstance(row, dict)] if listed and not data else []
     if not given:
         raise AfmcalcError(
             "{label}: is no list of {table}: TOML has a table [{table}.NAME] for each and nothing else, CSV a heading "
@@ -179,67 +175,48 @@ def _rows(source: Source, table: str, model: type[R]) -> Iterator[R]:
         yield row
 
 
-def _columns(cells: Mapping[str, object], keys: Mapping[str, Key]) -> Iterator[tuple[str, object]]:
+def _columns(cells: Mapping[str, Any], keys: Mapping[str, Key]) -> Iterator[tuple[str, object]]:
     """Names and values of a row; the unit in a heading is added to the value, a pair becomes _min and _max."""
     for heading, cell in cells.items():
         name, _, unit = heading.partition("_")
         if isinstance(cell, list) and cell and f"{name}_min" in keys:
             yield from _columns({f"{name}_min_{unit}": cell[0], f"{name}_max_{unit}": cell[-1]}, keys)
-            continue
-        column = next((each for each in keys if f"{heading}_".startswith(f"{each}_")), heading)
-        unit, text = heading[len(column) + 1 :], str(cell).strip()
-        if column not in keys or (unit and keys[column].unit is None):
-            yield heading, cell
-        elif unit and text:
-            yield column, f"{text} {'degC' if unit == 'C' else unit}"
-        elif text:
-            number = keys[column].unit and re.fullmatch(r"\d+(\.\d+)?", text)
-            yield column, float(text) if number else text if isinstance(cell, str) else cell
+        elif cell != "":
+            of_unit = (each for each, key in keys.items() if key.unit and f"{heading}_".startswith(f"{each}_"))
+            column = next(of_unit, heading)
+            unit = heading[len(column) + 1 :].replace("C", "degC")
+            yield column, f"{cell} {unit}" if unit and re.fullmatch(NUMBER, str(cell)) else cell
 
 
 def balls_in(file: str | PathLike[str]) -> tuple[float, ...]:
-    """Ball diameters of a file in ascending order, m; numbers are in mm.
-
-    Raises:
-        FileError: the file cannot be read.
-        AfmcalcError: the file is no list of balls.
-    """
+    """Ball diameters of a file in ascending order, m; numbers are in mm."""
     source = text_of(file)
-    listed: object
     if source.lower().endswith(".csv"):
         heading, *cells = [line.strip() for line in _lines(source)] or [""]
-        listed = [float(cell) if re.fullmatch(r"[\d.]+", cell) else cell for cell in cells if heading == "diameter_mm"]
+        listed: Any = cells if heading == "diameter_mm" else None
     else:
-        listed = toml_of(source).get("diameters")
-    if not isinstance(listed, list) or not listed:
+        listed = parse(source).get("diameters")
+    if not listed or not isinstance(listed, list):
         raise AfmcalcError(
             "{label}: is no list of balls: TOML has diameters = [5, 6, 6.35] in mm, CSV the heading diameter_mm "
             "and a line for each",
             label=source,
         )
-    return (*sorted(_diameter(item, source) for item in listed),)
-
-
-def _diameter(item: object, label: str) -> float:
-    """Diameter of a ball, m, from a number in mm or a string with a unit."""
-    try:
-        size = Quantity("m", gt=0).read(item)
-    except ValueError as error:
-        raise AfmcalcError("{label}: {item!r:.80}: {why}", label=label, item=item, why=error) from None
-    return size if isinstance(item, str) else size / 1000
+    sizes = []
+    for item in listed:
+        try:
+            sizes.append(Quantity("m", gt=0).read(float(item) / 1000 if re.fullmatch(NUMBER, str(item)) else item))
+        except ValueError as error:
+            raise AfmcalcError("{label}: {item!r:.80}: {why}", label=source, item=item, why=error) from None
+    return (*sorted(sizes),)
 
 
 def _lines(source: Source) -> list[str]:
     return [line for line in source.text.splitlines() if line.strip() and not line.startswith("#")]
 
 
-def own_lists(named: object) -> Lists:
-    """Lists read from the files named in a table [catalogues]."""
-    given: Mapping[str, object] = named if isinstance(named, Mapping) else {}
-    return Lists(**{name: read(file) for name, read in _READ.items() if isinstance(file := given.get(name), str)})
-
-
-_READ: dict[str, Any] = {"materials": materials_in, "discs": discs_in, "balls": balls_in}
+READ: dict[str, Any] = {"materials": materials_in, "discs": discs_in, "balls": balls_in}
+"""Key of [catalogues] → function that reads its file."""
 
 
 def ball_designation(diameter: float) -> str | None:
@@ -259,13 +236,3 @@ def material_named(name: str, listed: Mapping[str, Material]) -> Material | None
 def plain(name: str) -> str:
     """Name reduced to small letters, digits and decimal points, for comparison."""
     return re.sub(r"(?!(?<=\d)[.,]\d)[\W_]", "", name.casefold().replace("ё", "е"))
-
-
-def worst_of(materials: Sequence[Material]) -> Material:
-    """Worst case of several materials: widest friction range, lowest limits; None for a limit that no material has."""
-    least: dict[str, Any] = {}
-    for name in ("friction_min", "pressure_min", "pressure_max", "temperature_min", "temperature_max"):
-        told = (getattr(each, name) for each in materials)
-        least[name] = min((value for value in told if value is not None), default=None)
-    names, most = ", ".join(each.name for each in materials), max(each.friction_max for each in materials)
-    return materials[0].model_copy(update={"name": names, "friction_max": most, **least})

@@ -106,12 +106,8 @@ def candidate(spec: Spec, changes: Mapping[str, Any]) -> Spec:
 
     Raises SpecError if the changed spec is invalid.
     """
-    data = resolved(without_replaced(spec, changes)) | {"search": None}
-    for path, value in changes.items():
-        put(data, path, value)
-    for path in foreign_keys(given_in(data), data["variant"]):
-        put(data, path, None)
-    return make_spec(data, spec.label.but(changes))
+    foreign = foreign_keys({**given_in(spec.model_dump()), **changes}, changes.get("variant", spec.variant))
+    return respecified(spec, {**changes, "search": None, **dict.fromkeys(foreign)})
 
 
 def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, path: str | PathLike[str]) -> str:
@@ -120,11 +116,8 @@ def saved(spec: Spec, changes: Mapping[str, Any], changed: Spec, path: str | Pat
     A spec read from TOML keeps its comments, its order and the units of unchanged values, unless the new file is JSON;
     any other spec is written anew.
 
-    Args:
-        spec: as it was read.
-        changes: path → value, None to remove the key.
-        changed: the spec with these values.
-        path: the new file; paths of catalogues become relative to its folder.
+    ``changes``: path → value, None to remove the key; ``changed``: the spec with these values; ``path``: the new file,
+    to whose folder paths of catalogues become relative.
     """
     source = spec.label
     if os.fspath(path).lower().endswith(".json"):

@@ -3,20 +3,13 @@
 from abc import abstractmethod
 from collections.abc import Iterable, Sequence
 from functools import cache
-from typing import Annotated, Any, NamedTuple, Self, TypeAlias, get_args, get_origin
+from typing import Annotated, Any, Literal, NamedTuple, Self, TypeAlias, get_args, get_origin
 
-from pydantic import (
-    BaseModel,
-    BeforeValidator,
-    ConfigDict,
-    Field,
-    ValidationError,
-    model_validator,
-)
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic.fields import FieldInfo
 
 from ..messages import say
-from .quantity import Quantity
+from .quantity import Quantity, positive
 
 Broken: TypeAlias = tuple[str, str]
 """Violation of a rule: dotted path of the key, relative to the table, and message."""
@@ -81,10 +74,10 @@ def _one_line(value: object) -> object:
     return value
 
 
-Torque = Annotated[float, Quantity("N*m", gt=0)]
-Coefficient = Annotated[float, Quantity("1", gt=0)]
-Length = Annotated[float, Quantity("m", gt=0)]
-Stress = Annotated[float, Quantity("Pa", gt=0)]
+Torque = Annotated[float, positive("N*m")]
+Coefficient = Annotated[float, positive("1")]
+Length = Annotated[float, positive("m")]
+Stress = Annotated[float, positive("Pa")]
 Name = Annotated[str, BeforeValidator(_one_line)]
 
 
@@ -92,12 +85,15 @@ class Key(NamedTuple):
     """One key of the spec."""
 
     path: str
-    unit: str | None
-    """SI unit of a number; None for text."""
     symbol: str | None
     description: str
     about: Quantity | None = None
     """Unit and bounds of a number; None for text."""
+
+    @property
+    def unit(self) -> str | None:
+        """SI unit of a number; None for text."""
+        return self.about.unit if self.about else None
 
 
 @cache
@@ -106,18 +102,16 @@ def keys_below(model: type[BaseModel], prefix: str = "") -> dict[str, Key]:
     keys: dict[str, Key] = {}
     for name, field in model.model_fields.items():
         path = prefix + name
-        extra = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
-        symbol, about = extra.get("symbol"), _quantity(field)
-        if block := _block_of(field):
-            below = keys_below(block, path + ".")
-            # f_min in a table with the symbol f_1 becomes f_1min
-            letter = f"{str(symbol or '').partition('_')[0]}_"
-            for each, key in below.items():
-                own = key.symbol.replace(letter, str(symbol)) if symbol and key.symbol else key.symbol
-                keys[each] = key._replace(symbol=own)
+        extra: Any = field.json_schema_extra or {}
+        symbol = extra.get("symbol")
+        if not (block := _block_of(field)):
+            keys[path] = Key(path, symbol, field.description or "", _quantity(field))
             continue
-        unit = about.unit if about else None
-        keys[path] = Key(path, unit, str(symbol) if symbol else None, field.description or "", about)
+        # f_min in a table with the symbol f_1 becomes f_1min
+        letter = f"{(symbol or '').partition('_')[0]}_"
+        for each, key in keys_below(block, path + ".").items():
+            own = key.symbol.replace(letter, symbol) if symbol and key.symbol else key.symbol
+            keys[each] = key._replace(symbol=own)
     return keys
 
 
@@ -129,24 +123,25 @@ def names_in(path: Sequence[str], model: type[BaseModel]) -> list[str]:
 
 def block_at(path: Sequence[str], model: type[BaseModel]) -> type[BaseModel] | None:
     """Model of the block at ``path``; None if there is no such block."""
+    block: type[BaseModel] | None = model
     for name in path:
-        field = model.model_fields.get(name)
+        field = block.model_fields.get(name) if block else None
         block = _block_of(field) if field else None
-        if block is None:
-            return None
-        model = block
-    return model
+    return block
 
 
 def _block_of(field: FieldInfo) -> type[BaseModel] | None:
     """Model of a field that is a table, ``Model`` or ``Model | None``; None for other fields (dictionaries as well)."""
-    for candidate in (field.annotation, *get_args(field.annotation)):
-        if isinstance(candidate, type) and issubclass(candidate, BaseModel):
-            return None if get_origin(field.annotation) is dict else candidate
-    return None
+    kinds = [] if get_origin(field.annotation) is dict else [field.annotation, *get_args(field.annotation)]
+    return next((kind for kind in kinds if isinstance(kind, type) and issubclass(kind, BaseModel)), None)
 
 
 def _quantity(field: FieldInfo) -> Quantity | None:
     nested = (item for part in get_args(field.annotation) for item in getattr(part, "__metadata__", ()))
-    of = (getattr(item, "about", item) for item in (*field.metadata, *nested))
-    return next((item for item in of if isinstance(item, Quantity)), None)
+    return next((item for item in (*field.metadata, *nested) if isinstance(item, Quantity)), None)
+
+
+def words_of(annotation: Any) -> list[str]:
+    """Words allowed as a value of a type; empty if it is not restricted to a few words."""
+    parts = get_args(annotation)
+    return [*parts] if get_origin(annotation) is Literal else [word for part in parts for word in words_of(part)]

@@ -20,7 +20,6 @@ f1 = control_unit.key_friction; d = control_unit.hub_diameter; gain_slope = cont
 speed = drive.speed""")
 """Symbol that the command line accepts → path."""
 
-
 _APART = ("catalogues.", "tolerance.", "requirements.")
 """Tables whose keys have the same names as keys of the clutch; a bare name never means a key of these tables."""
 

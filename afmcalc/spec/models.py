@@ -1,5 +1,6 @@
 """Pydantic models of a spec: the clutch and its surroundings. Values in SI."""
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import date
@@ -21,7 +22,7 @@ from ..errors import Problem, SpecError
 from ..messages import did_you_mean, say
 from ..variants import VARIANTS, Variant
 from . import rules
-from .catalogues import DiscSpring, Lists, Material, friction_materials, material_named, worst_of
+from .catalogues import DiscSpring, Lists, Material, friction_materials, material_named
 from .fields import (
     Block,
     Broken,
@@ -37,44 +38,34 @@ from .fields import (
     rule_error,
 )
 from .parse import Source
-from .quantity import Quantity
+from .quantity import Quantity, not_negative, positive
 from .scatter import Tolerance, in_si
 from .search import Search, axes_of
 
-Ratio = Annotated[float, Quantity("1", ge=0)]
+Ratio = Annotated[float, not_negative("1")]
 AtLeastOne = Annotated[float, Quantity("1", ge=1)]
 Count = Annotated[int, Quantity("1", ge=1, whole=True)]
-Force = Annotated[float, Quantity("N", gt=0)]
-Gap = Annotated[float, Quantity("m", ge=0)]
-TorqueOrNone = Annotated[float, Quantity("N*m", ge=0)]
-Stiffness = Annotated[float, Quantity("N/m", gt=0)]
-StiffnessOrNone = Annotated[float, Quantity("N/m", ge=0)]
+Force = Annotated[float, positive("N")]
+Gap = Annotated[float, not_negative("m")]
+TorqueOrNone = Annotated[float, not_negative("N*m")]
+Stiffness = Annotated[float, positive("N/m")]
 WallAngle = Annotated[float, Quantity("rad", ge=0, lt=1.5707963267948966)]
-Time = Annotated[float, Quantity("s", gt=0)]
-TimeOrNone = Annotated[float, Quantity("s", ge=0)]
-COLDEST = 173.15
-Temperature = Annotated[float, Quantity("K abs", ge=COLDEST)]
+Time = Annotated[float, positive("s")]
+TimeOrNone = Annotated[float, not_negative("s")]
+Temperature = Annotated[float, Quantity("K abs", ge=173.15)]
 """Temperature, K; 20 without a unit, which is meant in °C, is below the bound and thus an error."""
-SectionModulus = Annotated[float, Quantity("m^3", gt=0)]
+SectionModulus = Annotated[float, positive("m^3")]
 PoissonRatio = Annotated[float, Quantity("1", ge=0, le=0.5)]
 Probability = Annotated[float, Quantity("1", gt=0, lt=1)]
-SpecificWork = Annotated[float, Quantity("J/m^2", gt=0)]
-Slope = Annotated[float, Quantity("1/m", ge=0)]
-SlidingSpeed = Annotated[float, Quantity("m/s", gt=0)]
-Mass = Annotated[float, Quantity("kg", ge=0)]
-Turns = Annotated[float, Quantity("1", ge=2)]
-Inertia = Annotated[float, Quantity("kg*m^2", gt=0)]
-Speed = Annotated[float, Quantity("rad/s", gt=0)]
-TorsionalStiffness = Annotated[float, Quantity("N*m/rad", gt=0)]
-Slip = Annotated[float, Quantity("1", gt=0, le=1)]
-Power = Annotated[float, Quantity("W", gt=0)]
-Efficiency = Annotated[float, Quantity("1", gt=0, le=1)]
-DiscMass = Annotated[float, Quantity("kg", gt=0)]
-Density = Annotated[float, Quantity("kg/m^3", gt=0)]
-SpecificHeat = Annotated[float, Quantity("J/kg/K", gt=0)]
-Conductivity = Annotated[float, Quantity("W/m/K", gt=0)]
-Cooling = Annotated[float, Quantity("W/K", gt=0)]
-Wear = Annotated[float, Quantity("m^3/J", gt=0)]
+Mass = Annotated[float, not_negative("kg")]
+Inertia = Annotated[float, positive("kg*m^2")]
+Speed = Annotated[float, positive("rad/s")]
+TorsionalStiffness = Annotated[float, positive("N*m/rad")]
+Share = Annotated[float, Quantity("1", gt=0, le=1)]
+Density = Annotated[float, positive("kg/m^3")]
+SpecificHeat = Annotated[float, positive("J/kg/K")]
+Conductivity = Annotated[float, positive("W/m/K")]
+Cooling = Annotated[float, positive("W/K")]
 EventKind = Literal["stop", "load"]
 
 
@@ -132,7 +123,7 @@ class FrictionRange(RuledBlock):
 
     def broken_rules(self) -> Iterable[Broken]:
         """Yield the broken rules: a material is in the catalogue and excludes min, mean and max; min ≤ mean ≤ max."""
-        low, mean, high = self.min, self.mean, self.max
+        low, mean, high = self.min or 0.0, self.mean, self.max or math.inf
         if self.material is not None:
             if missing := [name for name in self.material_names if name not in self.materials]:
                 hint, listed = did_you_mean(missing[0], self._catalogue), ", ".join(self._catalogue)
@@ -144,11 +135,11 @@ class FrictionRange(RuledBlock):
                 name=worst.name, low=worst.friction_min, high=worst.friction_max,
             )  # fmt: skip
             yield from ((name, message) for name in ("min", "mean", "max") if getattr(self, name) is not None)
-        elif low is not None and high is not None and low > high:
+        elif low > high:
             yield "max", say("must not be below min ({low:g})", low=low)
-        elif mean is not None and low is not None and mean < low:
+        elif mean is not None and mean < low:
             yield "mean", say("must not be below min ({low:g})", low=low)
-        elif mean is not None and high is not None and mean > high:
+        elif mean is not None and mean > high:
             yield "mean", say("must not be above max ({high:g})", high=high)
 
     @property
@@ -167,8 +158,16 @@ class FrictionRange(RuledBlock):
 
     @property
     def lining(self) -> Material:
-        """Material, or the worst case of a list of materials."""
-        return worst_of([*self.materials.values()])
+        """Material; of several, the widest friction range and the lowest limits, None for a limit that none has."""
+        first, *others = materials = [*self.materials.values()]
+        if not others:
+            return first
+        least: dict[str, Any] = {}
+        for name in ("friction_min", "pressure_min", "pressure_max", "temperature_min", "temperature_max"):
+            values = (getattr(each, name) for each in materials)
+            least[name] = min((value for value in values if value is not None), default=None)
+        names, most = ", ".join(each.name for each in materials), max(each.friction_max for each in materials)
+        return first.model_copy(update={"name": names, "friction_max": most, **least})
 
     @property
     def range(self) -> Range:
@@ -187,7 +186,7 @@ class Friction(FrictionRange):
     driving: FrictionRange | None = key("friction of the driving (bypass) pairs", "f_1")
     driven: FrictionRange | None = key("friction of the driven (controlled) pairs", "f_2")
     static_ratio: AtLeastOne | None = key("static over sliding friction; default 1", "r_s")
-    stribeck_speed: SlidingSpeed | None = key(
+    stribeck_speed: Annotated[float, positive("m/s")] | None = key(
         "sliding speed over which static friction falls to sliding friction", "v_s"
     )
 
@@ -238,9 +237,7 @@ class FrictionGroup(RuledBlock):
 
     def broken_rules(self) -> Iterable[Broken]:
         """Yield the broken rule: the outer radius must exceed the inner radius."""
-        inner, outer = self.inner_radius, self.outer_radius
-        if inner is not None and outer is not None and inner >= outer:
-            yield "outer_radius", say("must be greater than friction_group.inner_radius ({inner:g} m)", inner=inner)
+        return greater("outer_radius", self.outer_radius, "friction_group.inner_radius", self.inner_radius)
 
 
 SHEAR_MODULUS = 81.5e9
@@ -273,7 +270,7 @@ class CoilSprings(RuledBlock):
 
     wire_diameter: Length = required("diameter of the wire", "d")
     coil_diameter: Length = required("mean diameter of the coil", "D")
-    turns: Turns = required("active turns", "n")
+    turns: Annotated[float, Quantity("1", ge=2)] = required("active turns", "n")
     free_length: Length = required("length without load", "L_0")
     count: Count = key("springs around the shaft", "j", default=1)
 
@@ -305,13 +302,11 @@ class _Spring(RuledBlock):
 
     def broken_rules(self) -> Iterable[Broken]:
         """Yield the broken rules: a spring must not have both ``disc`` and ``coil``; a stiffness must fit ``coil``."""
-        given = getattr(self, "stiffness", None)
-        if self.disc is not None and self.coil is not None:
+        given, rate = getattr(self, "stiffness", None), self.coil and self.coil.rate
+        if self.disc and self.coil:
             yield "coil", say("excludes disc: a spring is one or the other")
-        elif self.coil is not None and given is not None and abs(given / self.coil.rate - 1) > ROUNDED:
-            message = say(
-                "is not the stiffness of the coil named, {own:.5g} N/m: leave it out, or the coil", own=self.coil.rate
-            )
+        elif rate and given is not None and abs(given / rate - 1) > ROUNDED:
+            message = say("is not the stiffness of the coil named, {own:.5g} N/m: leave it out, or the coil", own=rate)
             yield "stiffness", message
 
     @property
@@ -330,7 +325,7 @@ class ClosingSpring(_Spring):
 class ControlSpring(_Spring):
     """The spring that holds the thrust sleeve at its stop (11 in S21)."""
 
-    stiffness: StiffnessOrNone = required("stiffness of the control spring", "c_2")
+    stiffness: Annotated[float, not_negative("N/m")] = required("stiffness of the control spring", "c_2")
     force: Force | None = key("control-spring force as made; default so that the sleeve just rests at T_н", "F_п2")
 
 
@@ -362,7 +357,7 @@ class ControlUnit(Block):
     """Balls in pockets with inclined walls."""
 
     gain: Ratio | None = key("feedback gain", "C")
-    gain_slope: Slope | None = key(
+    gain_slope: Annotated[float, not_negative("1/m")] | None = key(
         "how the gain grows with the sleeve's travel, pockets with a curved wall (indirect only); default 0", "C_1"
     )
     pocket: PocketShape | None = key(
@@ -404,7 +399,7 @@ class Motor(Block):
     """An induction motor by Kloss, M_1 = 2 M_b/(s/s_b + s_b/s)."""
 
     breakdown_torque: Torque = required("breakdown torque of the motor", "M_b")
-    breakdown_slip: Slip = required("slip at breakdown", "s_b")
+    breakdown_slip: Share = required("slip at breakdown", "s_b")
     synchronous_speed: Speed = required("synchronous speed, reduced to the clutch", "ω_s")
 
 
@@ -451,13 +446,10 @@ class Drive(Block):
     event: Event | None = None
 
 
-_LINING = ("lining_conductivity", "lining_density", "lining_specific_heat")
-
-
-class Heat(RuledBlock):
+class Heat(Block):
     """Discs that take the heat, air that takes it from them, lining that is worn."""
 
-    disc_mass: DiscMass | None = key("mass of all discs that take the heat", "m")
+    disc_mass: Annotated[float, positive("kg")] | None = key("mass of all discs that take the heat", "m")
     specific_heat: SpecificHeat | None = key("specific heat of the discs", "c_p")
     conductivity: Conductivity | None = key("thermal conductivity of the discs", "k_t")
     density: Density | None = key("density of the discs", "ρ")
@@ -468,15 +460,8 @@ class Heat(RuledBlock):
     lining_specific_heat: SpecificHeat | None = key("specific heat of the lining", "c_l")
     ambient: Temperature | None = key("temperature around the clutch, and of the discs before a trip", "Θ_0")
     cooling: Cooling | None = key("heat given off per kelvin above the surroundings, α A_c", "α A_c")
-    wear: Wear | None = key("volume of lining worn per energy", "w")
+    wear: Annotated[float, positive("m^3/J")] | None = key("volume of lining worn per energy", "w")
     lining: Length | None = key("thickness of lining that a pair may lose by wear", "s_w")
-
-    def broken_rules(self) -> Iterable[Broken]:
-        """Yield the broken rules: a lining must have all its data or no data."""
-        given = [name for name in _LINING if getattr(self, name) is not None]
-        for name in _LINING if given else ():
-            if name not in given:
-                yield name, say("required beside heat.{given}", given=given[0])
 
 
 class Fatigue(Block):
@@ -513,11 +498,11 @@ class Envelope(RuledBlock):
 class Machine(Block):
     """The plate of the motor that drives the machine, and what is between it and the clutch."""
 
-    power: Power = required("rated power of the motor", "P_н")
+    power: Annotated[float, positive("W")] = required("rated power of the motor", "P_н")
     speed: Speed = required("rated speed of the motor", "ω_н")
     service_factor: AtLeastOne | None = key("service factor of the machine; default 1", "K_р")
     ratio: Coefficient = key("speed of the motor over that of the clutch", "i", default=1.0)
-    efficiency: Efficiency = key("efficiency between motor and clutch", "η", default=1.0)
+    efficiency: Share = key("efficiency between motor and clutch", "η", default=1.0)
     starting_torque_ratio: Coefficient | None = key(
         "largest torque of the motor at the start over its rated torque, where it is switched on directly", "m_п"
     )
@@ -555,11 +540,11 @@ class TripRatio(RuledBlock):
 
     def broken_rules(self) -> Iterable[Broken]:
         """Yield the broken rule: min ≤ max."""
-        if self.min is not None and self.max is not None and self.min > self.max:
-            yield "max", say("must not be below min ({low:g})", low=self.min)
+        if (low := self.min or 1.0) > (self.max or math.inf):
+            yield "max", say("must not be below min ({low:g})", low=low)
 
 
-class Required(RuledBlock):
+class Required(Block):
     """Requirements; each key is a row of ``check`` and of the report, and a constraint of ``design``."""
 
     nominal_torque: Torque | None = key("nominal torque of the clutch, at least", "T_н")
@@ -577,7 +562,7 @@ class Required(RuledBlock):
     reduced_gain: Ratio | None = key("reduced gain, at most", "z_2 C")
     peak_torque: Torque | None = key("peak torque in the shaft, at most (simulate)", "T_peak")
     exceedance: Probability | None = key("probability that the torque exceeds T_max, at most (tolerance)", "P(T>T_max)")
-    work: SpecificWork | None = key("specific work of a trip, at most (heat)", "q_A")
+    work: Annotated[float, positive("J/m^2")] | None = key("specific work of a trip, at most (heat)", "q_A")
     temperature: Temperature | None = key("mean temperature of the discs after one trip, at most (heat)", "Θ")
     face_temperature: Temperature | None = key("largest temperature of the faces in one trip, at most (heat)", "Θ_s")
     trips_per_hour: Coefficient | None = key(
@@ -588,11 +573,6 @@ class Required(RuledBlock):
         "least torque in service with the lining worn off, springs as set, at least (effects)", "T_w"
     )
     cycles: Coefficient | None = key("life in cycles on either side of the clutch, at least", "N_ц")
-
-    def broken_rules(self) -> Iterable[Broken]:
-        """Yield the broken rule: a probability of exceedance needs torque_max."""
-        if self.exceedance is not None and getattr(self, "torque_max", None) is None:
-            yield "torque_max", say("required beside {other}", other="exceedance")
 
 
 def _as_text(value: object) -> object:
@@ -709,8 +689,7 @@ class Spec(Block):
 
     def model_post_init(self, context: object) -> None:
         """Remember the file that the spec was read from; "spec" if it is not known."""
-        label = context if isinstance(context, str) else "spec"
-        self._origin = Origin(label if isinstance(label, Source) else Source(label))
+        self._origin = Origin(context if isinstance(context, Source) else Source("spec"))
 
     @property
     def label(self) -> Source:
@@ -766,7 +745,7 @@ def resolved(spec: Spec) -> dict[str, Any]:
     """
     data = spec.model_dump(exclude_none=True)
     group = data["friction_group"]
-    if spec.kind.chooses_bypass:
+    if "friction_group.driving_pairs" in spec.kind.keys:
         group.setdefault("driving_pairs", spec.bypass_pairs)
     if "inner_radius" in group:
         group.setdefault("radius_model", "uniform-wear")

@@ -7,13 +7,14 @@ import sys
 import tomllib
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
+from hashlib import sha256
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import AfmcalcError, FileError, Place, Problem, SpecError, reason
 from ..findings import Finding
-from ..messages import deferred, did_you_mean, say, translate
+from ..messages import did_you_mean, say
 
 if TYPE_CHECKING:
     from .catalogues import Lists
@@ -23,26 +24,26 @@ class Source(str):
     """Name of a text in messages: a str that also has the text, so that an error can show a line."""
 
     text: str
-    overridden: Mapping[str, str]
+    digest: str = ""
+    """SHA-256 of the file; empty if the text was not read from a file."""
+    overridden: Mapping[str, str] = {}
     """Dotted paths whose values were overridden → origin of the new value, or empty."""
-    findings: tuple[Finding, ...]
+    findings: tuple[Finding, ...] = ()
     """Warnings about numbers without a unit that are probably not meant in SI."""
     lists: "Lists | None" = None
     """The user's own lists that the text names, for validation."""
 
-    def __new__(
-        cls, label: str, text: str = "", overridden: Mapping[str, str] | None = None, findings: Iterable[Finding] = ()
-    ) -> "Source":
-        """Create the name of a text."""
+    def __new__(cls, label: str, text: str = "", **more: Any) -> "Source":
+        """Create the name of a text; ``more``: the other attributes."""
         source = str.__new__(cls, label)
-        source.text, source.overridden, source.findings = text, dict(overridden or {}), tuple(findings)
+        vars(source).update(text=text, **more)
         return source
 
     def but(self, paths: Iterable[str]) -> "Source":
         """Copy that marks the values at some paths as overridden."""
         gone = dict.fromkeys(paths, "")
-        findings = (finding for finding in self.findings if finding.path not in gone)
-        return Source(self, self.text, {**self.overridden, **gone}, findings)
+        findings = tuple(finding for finding in self.findings if finding.path not in gone)
+        return Source(self, **vars(self) | {"overridden": {**self.overridden, **gone}, "findings": findings})
 
     def refused(self, problems: Iterable[Problem], more: int = 0) -> SpecError:
         """Error about this text; each problem has the origin and the line of its value."""
@@ -64,7 +65,6 @@ class Source(str):
         return Place(number, lines[number - 1]) if number else None
 
 
-_STANDARD_INPUT = deferred("standard input")
 PREFIX = "example:"
 """Prefix of the name of an example that is given as a source."""
 
@@ -110,23 +110,16 @@ def too_long() -> str:
 
 
 def text_of(source: str | PathLike[str] | None) -> Source:
-    """Text of a spec, with its name in messages.
+    """Text of a spec in UTF-8, or in UTF-16 with byte order mark; with its name in messages.
 
-    Raises:
-        FileError: the file cannot be read.
-        SpecError: the source is not a text, or too long for a spec.
+    Raises FileError if the file cannot be read, SpecError if it is no text, or too long for a spec.
     """
-    return decoded(*bytes_of(source))
-
-
-def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
-    """Bytes of the file of a spec, and its name in messages; errors as in ``text_of``."""
     source = f"{PREFIX}default" if source is None else source
-    label = translate(_STANDARD_INPUT) if source == "-" else str(source)
-    if label.startswith(PREFIX):
-        return example_text(label.removeprefix(PREFIX)).encode(), label
+    label = say("standard input") if source == "-" else str(source)
     try:
-        if source == "-":
+        if label.startswith(PREFIX):
+            raw = example_text(label.removeprefix(PREFIX)).encode()
+        elif source == "-":
             raw = sys.stdin.buffer.read(LONGEST + 1)
         else:
             with open(source, "rb") as file:
@@ -139,7 +132,14 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
         raise FileError("{label}: cannot be read: {why}", label=label, why=why) from None
     if len(raw) > LONGEST:
         raise _refused(label, say("is larger than {most} MiB, the most that is read", most=LONGEST >> 20))
-    return raw, label
+    if raw.startswith(b"%PDF"):
+        raise _refused(label, say("is a PDF; a spec is a text in TOML or JSON"))
+    wide = raw.startswith((b"\xff\xfe", b"\xfe\xff"))
+    try:
+        return Source(label, raw.decode("utf-16" if wide else "utf-8-sig"), digest=sha256(raw).hexdigest())
+    except UnicodeDecodeError as error:
+        line = raw.count(b"\n", 0, error.start) + 1
+        raise _refused(label, say("is not UTF-8 text (line {line}): save it as UTF-8", line=line)) from None
 
 
 def _nearest(path: str) -> str:
@@ -148,18 +148,6 @@ def _nearest(path: str) -> str:
     with suppress(OSError):
         return did_you_mean(name, os.listdir(folder or "."))
     return ""
-
-
-def decoded(raw: bytes, label: str) -> Source:
-    """Text of a file in UTF-8, or in UTF-16 with byte order mark; raises ``SpecError`` for any other file."""
-    if raw.startswith(b"%PDF"):
-        raise _refused(label, say("is a PDF; a spec is a text in TOML or JSON"))
-    wide = raw.startswith((b"\xff\xfe", b"\xfe\xff"))
-    try:
-        return Source(label, raw.decode("utf-16" if wide else "utf-8-sig"))
-    except UnicodeDecodeError as error:
-        line = raw.count(b"\n", 0, error.start) + 1
-        raise _refused(label, say("is not UTF-8 text (line {line}): save it as UTF-8", line=line)) from None
 
 
 def _refused(label: str, message: str, path: str = "") -> SpecError:
@@ -179,7 +167,7 @@ def parse(source: Source) -> dict[str, object]:
     if not source.text.strip():
         raise _refused(source, say("is empty; a clutch spec in TOML or JSON is wanted"))
     try:
-        data = _json_of(source) if is_json(source) else toml_of(source)
+        data = _json_of(source) if is_json(source) else _toml_of(source)
     except RecursionError:
         raise _refused(source, too_deep()) from None
     check_size(data, source)
@@ -191,8 +179,7 @@ def is_json(source: Source) -> bool:
     return source.text.lstrip()[:1] == "{" or source.endswith(".json")
 
 
-def toml_of(source: Source) -> dict[str, object]:
-    """Data of a TOML text; raises ``SpecError`` if it is invalid or too long."""
+def _toml_of(source: Source) -> dict[str, object]:
     if len(source.text) > LONGEST_TOML:
         raise _refused(source, say("is larger than {most} KiB, the most for TOML", most=LONGEST_TOML >> 10))
     # a dotted key of very many parts would take gigabytes to parse
@@ -237,11 +224,7 @@ def _json_of(source: Source) -> dict[str, object]:
 
 
 def check_size(data: object, label: str) -> None:
-    """Check the depth of parsed data and the size of its whole numbers.
-
-    Raises:
-        SpecError: a depth or number exceeds its limit.
-    """
+    """Check the depth of parsed data and the size of its whole numbers; raises SpecError if one exceeds its limit."""
     left: list[tuple[str, int, object]] = [("", 0, data)]
     for path, depth, value in left:
         if depth > DEEPEST:
@@ -254,7 +237,8 @@ def check_size(data: object, label: str) -> None:
             left += [(path, depth + 1, inner) for inner in value]
 
 
-_KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
+_NAME = r"""(?:[\w-]+|"[^"]*"|'[^']*')"""
+_KEY = rf"\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*="
 
 
 def _toml_line(lines: Iterable[str], path: str) -> int:
@@ -263,7 +247,7 @@ def _toml_line(lines: Iterable[str], path: str) -> int:
     for at, line in enumerate(lines, start=1):
         if line.lstrip()[:1] == "[" and (head := line.split("#")[0].strip()).endswith("]"):
             name = table = _bare(head.strip("[]"))
-        elif match := _KEY.match(line):
+        elif match := re.match(_KEY, line):
             name = f"{table}.{_bare(match[1])}" if table else _bare(match[1])
         else:
             continue

@@ -1,8 +1,8 @@
 """Problems that pydantic found in plain data, as messages for users: path, value as written, what is allowed."""
 
 import json
-from collections.abc import Callable, Iterable, Mapping
-from typing import Literal, TypeAlias, get_args, get_origin
+from collections.abc import Callable, Mapping
+from typing import TypeAlias
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
@@ -10,13 +10,11 @@ from pydantic_core import ErrorDetails
 from ..errors import Problem
 from ..messages import deferred, did_you_mean, say, translate
 from ..variants import VARIANTS
-from .fields import block_at, names_in
-from .removed import instead_of
+from .fields import block_at, names_in, words_of
 from .rules import Table
 
 _MOST_TOLD = 100
 """Largest number of problems listed; other problems are only counted."""
-
 
 _SENTENCES = {
     "string_type": deferred("must be text in quotes"),
@@ -24,7 +22,6 @@ _SENTENCES = {
     "too_short": deferred("must not be empty"),
 }
 """Pydantic's type of an error → message, if the message needs no details."""
-
 
 Elsewhere: TypeAlias = Callable[[str], str]
 """Function from the name of an unknown key to a hint on other tables that have a key of this name."""
@@ -56,25 +53,18 @@ def given_at(path: str, data: object) -> str | None:
     return next((given_at(below, data[block]) for block, below in splits if block in data), None)
 
 
-def _choices(table: type[BaseModel], name: str) -> Iterable[str]:
-    """Words allowed as the value of a key; empty if the value is not restricted to a few words."""
-    annotation = table.model_fields[name].annotation
-    if name == "variant":
-        return VARIANTS
-    return get_args(annotation) if get_origin(annotation) is Literal else ()
-
-
 def _message(detail: ErrorDetails, location: tuple[str, ...], root: type[BaseModel], elsewhere: Elsewhere) -> str:
     context = detail.get("ctx", {})
     match detail["type"]:
         case "missing":
-            table = block_at(location[:-1], root)
-            choices = ", ".join(_choices(table, location[-1])) if table else ""
+            table, name = block_at(location[:-1], root), location[-1]
+            words = VARIANTS if name == "variant" else words_of(table.model_fields[name].annotation) if table else ()
+            choices = ", ".join(words)
             return say("required: one of {choices}", choices=choices) if choices else say("required")
         case "extra_forbidden":
             *block, name = location
             names = names_in(block, root)
-            if hint := instead_of(".".join(location)) or did_you_mean(name, names) or elsewhere(name):
+            if hint := did_you_mean(name, names) or elsewhere(name):
                 return say("unknown key{hint}", hint=hint)
             return say("unknown key; allowed here: {names}", names=", ".join(names))
         case "model_type" | "model_attributes_type" | "dict_type":

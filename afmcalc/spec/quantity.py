@@ -7,7 +7,8 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import cache
+from functools import cache, partial
+from typing import Any, TypeGuard
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
@@ -35,7 +36,6 @@ _FOREIGN = {"J": deferred("an energy"), "m^2": deferred("an area"), "K": deferre
 _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН", "мм", "см", "МПа", "мс", "кг")
 """Units that are suggested before others."""
 
-
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 """Pattern of a number."""
 
@@ -49,8 +49,7 @@ def wrong(template: str, unit: str, **values: object) -> ValueError:
 def factor(text: str, unit: str) -> Decimal:
     """Factor from the unit ``text`` to a field's SI ``unit``, as a decimal: for cm^3 exactly 1e-6.
 
-    Raises:
-        ValueError: ``text`` is no unit, or a unit of another dimension.
+    Raises ValueError if ``text`` is no unit, or a unit of another dimension.
     """
     try:
         given = product(text)
@@ -92,9 +91,6 @@ def allowed(unit: str) -> str:
 
 _LONGEST = 100
 """Largest number of characters of a text that is read as a quantity."""
-_QUANTITY = re.compile(rf"\s*({NUMBER})(.*)", re.DOTALL)
-_COMMA = re.compile(r"\s*([+-]?)(\d+),(\d+)(?![\d.,])(.*)", re.DOTALL)
-"""Pattern of a number with one comma: sign, digits before and after the comma, the rest."""
 
 _RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
     "N": (lambda force: 0 < force < 20, "kN", math.inf), "m": (lambda length: length >= 0.5, "mm", 10.0),
@@ -112,25 +108,28 @@ def asked_unit(value: object, unit: str | None, path: str = "") -> Finding | Non
     >>> asked_unit(2, "N", "force").message, asked_unit("2 N", "N")
     ('force: a number without a unit is in SI, 2 N; 2 kN? Write "2 kN" or "2 N"', None)
     """
-    if unit not in _RARELY_SI or isinstance(value, bool) or not isinstance(value, int | float):
+    if unit not in _RARELY_SI or not is_number(value) or not value <= sys.float_info.max:
         return None
     rare, other, largest = _RARELY_SI[unit]
-    if not rare(value) or not value <= sys.float_info.max:
-        return None
     given, meant = f"{value:g} {unit}", f"{value:g} {other}"
     if value > largest:
-        message = say(
-            'a number without a unit is in SI, and {given} is too large: write "{meant}"', given=given, meant=meant
+        raise ValueError(
+            say('a number without a unit is in SI, and {given} is too large: write "{meant}"', given=given, meant=meant)
         )
-        raise ValueError(message)
-    return finding("number-without-unit", "warning", value=float(value), path=path, given=given, meant=meant)
+    if rare(value):
+        return finding("number-without-unit", "warning", value=float(value), path=path, given=given, meant=meant)
+    return None
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """True for a number, not for a boolean."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def parse_quantity(value: object, unit: str) -> float:
     """Number in the SI ``unit``, from a number or a string such as ``"20 N/mm"``.
 
-    Raises:
-        ValueError: the value is not a number, not finite, or has an unknown unit or a unit of another dimension.
+    Raises ValueError if it is not a number, not finite, or has an unknown unit or a unit of another dimension.
 
     >>> parse_quantity("20 N/mm", "N/m")
     20000.0
@@ -149,15 +148,13 @@ def parse_quantity(value: object, unit: str) -> float:
 
 
 def with_point(text: str) -> str:
-    """Text of a number with its decimal comma replaced by a point.
-
-    Raises:
-        ValueError: the comma may separate thousands.
+    """Text of a number with its decimal comma replaced by a point; ValueError if it may separate thousands.
 
     >>> with_point("2,5 kN"), with_point("0,125"), with_point("2 kN")
     ('2.5 kN', '0.125', '2 kN')
     """
-    if (match := _COMMA.fullmatch(text)) is None:
+    # sign, digits before and after the comma, the rest
+    if (match := re.fullmatch(r"(?s)\s*([+-]?)(\d+),(\d+)(?![\d.,])(.*)", text)) is None:
         return text
     sign, whole, decimals, unit = match.groups()
     if len(decimals) == 3 and 0 < int(whole) < 1000:
@@ -167,22 +164,20 @@ def with_point(text: str) -> str:
 
 
 def _parse_text(text: str, unit: str) -> float:
-    match = _QUANTITY.fullmatch(with_point(text)) if len(text) <= _LONGEST else None
+    match = re.fullmatch(rf"(?s)\s*({NUMBER})(.*)", with_point(text)) if len(text) <= _LONGEST else None
     if match is None:
         raise wrong("cannot be read as a number with a unit; {allowed}", unit)
     number, written = match[1], match[2].strip()
-    if not written and unit == "1":
+    if unit == "1" and not written:
         return float(number)
-    if not written:
-        raise wrong("has no unit; {allowed}", unit)
     if unit == "1":
         raise wrong("is dimensionless and takes no unit; {allowed}", unit)
-    absolute = unit == "K abs"
-    if absolute and written not in ZEROS:
+    if not written:
+        raise wrong("has no unit; {allowed}", unit)
+    if unit == "K abs" and written not in ZEROS:
         raise wrong("{text!r} is no unit of {kind}; {allowed}", unit, text=written)
-    zero, times = (ZEROS[written], Decimal(1)) if absolute else (Decimal(0), factor(written, unit))
     try:
-        return float(Decimal(number) * times + zero)
+        return float(Decimal(number) + ZEROS[written] if unit == "K abs" else Decimal(number) * factor(written, unit))
     except ArithmeticError:  # the exponent is outside the range of Decimal; float gives 0 or inf
         return float(number)
 
@@ -191,18 +186,18 @@ def whole_number(value: object) -> int:
     """Value as a whole number; raises ``ValueError`` if it is not whole."""
     if isinstance(value, str) and value.strip().isdecimal():
         raise ValueError(say("must be a whole number, without quotes: {number}", number=value.strip()))
-    if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
+    if not is_number(value) or value != value // 1:
         raise ValueError(say("must be a whole number"))
     return int(value)
 
 
-_BOUNDS: tuple[tuple[str, Callable[[float, float], bool], str], ...] = (
-    ("gt", operator.gt, deferred("must be greater than {bound:g}")),
-    ("ge", operator.ge, deferred("must be at least {bound:g}")),
-    ("lt", operator.lt, deferred("must be less than {bound:g}")),
-    ("le", operator.le, deferred("must be at most {bound:g}")),
-)
-"""Kind of bound, comparison that a number must pass, and message if it fails."""
+_BOUNDS = {
+    "gt": deferred("must be greater than {bound:g}"),
+    "ge": deferred("must be at least {bound:g}"),
+    "lt": deferred("must be less than {bound:g}"),
+    "le": deferred("must be at most {bound:g}"),
+}
+"""Kind of bound, a comparison of ``operator`` → message if a number does not pass it."""
 _OF_UNIT = {
     ("rad", "lt"): deferred("must be less than 90 deg; a number without a unit is in rad"),
     ("K abs", "ge"): deferred("must be at least {bound:g} K (-100 degC); a number without a unit is in K"),
@@ -227,30 +222,31 @@ class Quantity:
         low, high = self.ge if self.gt is None else self.gt, self.le if self.lt is None else self.lt
         return -math.inf if low is None else float(low), math.inf if high is None else float(high)
 
-    def read(self, value: object) -> float:
-        """Number in SI, from a number or a string with a unit.
+    @property
+    def bounds(self) -> list[tuple[str, float]]:
+        """Bounds, each with its kind, such as ``ge``."""
+        return [(name, bound) for name in _BOUNDS if (bound := getattr(self, name)) is not None]
 
-        Raises:
-            ValueError: the value is no number of this unit, or out of bounds.
-        """
+    def read(self, value: object) -> float:
+        """Number in SI, from a number or a string with a unit; ValueError if it is not, or is out of bounds."""
         number = whole_number(value) if self.whole else parse_quantity(value, self.unit)
-        for name, fits, broken in _BOUNDS:
-            bound = getattr(self, name)
-            if bound is not None and not fits(number, bound):
-                raise ValueError(filled(_OF_UNIT.get((self.unit, name), broken), {"bound": bound}))
+        for name, bound in self.bounds:
+            if not getattr(operator, name)(number, bound):
+                raise ValueError(filled(_OF_UNIT.get((self.unit, name), _BOUNDS[name]), {"bound": bound}))
         return number
 
     # pydantic's usual way, an annotation for each step, would take three times as long at every start
     def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Schema that calls ``read``, which checks the bounds; the bounds are repeated for the JSON Schema."""
-        if self.whole:
-            number: CoreSchema = core_schema.int_schema(ge=None if self.ge is None else int(self.ge))
-        else:
-            number = core_schema.float_schema(gt=self.gt, ge=self.ge, lt=self.lt, le=self.le)
-        return core_schema.no_info_before_validator_function(self.read, number)
+        number: Any = core_schema.int_schema if self.whole else core_schema.float_schema
+        return core_schema.no_info_before_validator_function(self.read, number(**dict(self.bounds)))
 
     def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """JSON Schema: a number, or also a string if it has a unit."""
         number = handler(core)
         as_text = self.unit != "1" and handler.mode == "validation"
         return {"anyOf": [number, {"type": "string"}]} if as_text else number
+
+
+positive, not_negative = partial(Quantity, gt=0), partial(Quantity, ge=0)
+"""Unit of a number greater than 0, and of one that is at least 0."""

@@ -11,15 +11,16 @@ from typing import Any, TypeAlias
 from pydantic import ValidationError
 
 from ..errors import AfmcalcError, Problem
+from ..findings import Finding
 from ..messages import did_you_mean, say
-from .catalogues import own_lists
-from .fields import Broken, keys_below, names_in
+from .catalogues import READ, Lists
+from .fields import Broken, names_in
 from .keys import elsewhere, key_of_number, names, path_of
 from .models import Spec
 from .parse import PREFIX, Source, check_size, is_json, parse, text_of, too_deep, too_long
 from .problems import given_at, problems_in
 from .quantity import asked_unit
-from .removed import OLD, instead_of, moved_in
+from .removed import OLD, moved_in
 from .rules import Table, given_in
 from .search import flat
 
@@ -30,17 +31,13 @@ _SEARCH = "search."
 
 
 def read_spec(source: str | PathLike[str] | Mapping[str, object] | None = None, overrides: Overrides = ()) -> Spec:
-    """Validated spec of a clutch, read from a source.
+    """Validated spec of a clutch, values in SI, read from a source.
 
     Args:
         source: path of a TOML or JSON file, ``"-"`` for standard input, ``"example:NAME"`` for a file that ships,
             None for ``example:default``; or plain data of the same structure.
             JSON printed by any command is accepted: its ``spec`` block is taken.
-        overrides: ``"path=value"`` strings applied before validation, where an empty value removes the key; or path →
-            value, where None removes it. Names and symbols are accepted as paths.
-
-    Returns:
-        The validated spec, values in SI.
+        overrides: applied before validation; names and symbols are accepted as paths.
 
     Raises:
         SpecError: every problem found, with file, line, key, value and what is allowed.
@@ -68,20 +65,19 @@ def data_of(source: Source, overrides: Overrides) -> tuple[dict[str, object], So
     _locate(data, source)
     changed = apply_overrides(data, overrides) if overrides else {}
     _locate(data, "")
-    in_si = is_json(source)
-    known, questions, broken = keys_below(Spec), [], []
+    in_si, questions, broken = is_json(source), list[Finding | None](), list[Broken]()
     for path, value in given_in(data).items():
-        bare = [each for each in (value if isinstance(value, list) else [value]) if isinstance(each, int | float)]
-        if not bare or path.endswith(".spread") or (in_si and path not in changed):
+        if path.endswith(".spread") or (in_si and path not in changed) or not (key := key_of_number(path)):
             continue
-        key = known.get(path) or key_of_number(path)
-        if key and key.unit not in (None, "1"):
-            try:
-                questions += [asked_unit(number, key.unit, path) for number in bare]
-            except ValueError as error:
-                broken.append((path, str(error)))
+        try:
+            questions += [
+                asked_unit(number, key.unit, path) for number in (value if isinstance(value, list) else [value])
+            ]
+        except ValueError as error:
+            broken.append((path, str(error)))
     by = "--set" if source.startswith(PREFIX) else ""
-    return data, Source(source, source.text, dict.fromkeys(changed, by), filter(None, questions)), broken
+    told = {"overridden": dict.fromkeys(changed, by), "findings": tuple(filter(None, questions))}
+    return data, Source(source, **vars(source) | told), broken
 
 
 def _locate(data: Mapping[str, object], beside: str) -> None:
@@ -100,8 +96,9 @@ def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -
     if not OLD.isdisjoint(data) and (moved := moved_in(given_in(data))):
         told = ((path, say("is now {place}, in a spec with [search]", place=place)) for path, place in moved.items())
         raise source.refused(Problem(path, None, message) for path, message in told)
-    if named := data.get("catalogues"):
-        source.lists = own_lists(named)
+    if isinstance(named := data.get("catalogues"), Mapping):
+        files = {name: file for name, file in named.items() if isinstance(file, str)}
+        source.lists = Lists(**{name: read(files[name]) for name, read in READ.items() if name in files})
     problems, more = [Problem(path, given_at(path, data), message) for path, message in broken], 0
     try:
         spec = Spec.model_validate(dict(data), context=source)
@@ -132,27 +129,22 @@ def put(data: MutableMapping[str, Any], path: str, value: Any) -> None:
 
 def apply_overrides(data: dict[str, object], overrides: Overrides) -> dict[str, object]:
     """Apply overrides to parsed data; return their dotted paths and values."""
-    pairs: Iterable[tuple[str, object]]
-    if isinstance(overrides, Mapping):
-        pairs = (  # NumPy numbers become Python numbers
-            (f"{name}={value}", value.tolist() if hasattr(value, "tolist") else value)
-            for name, value in overrides.items()
-        )
-    else:
-        pairs = ((override, _value(override)) for override in overrides)
     changed: dict[str, object] = {}
-    for override, value in pairs:
+    for given in overrides:
+        if isinstance(overrides, Mapping):
+            override, value = f"{given}={overrides[given]}", overrides[given]
+            value = value.tolist() if hasattr(value, "tolist") else value  # NumPy numbers become Python numbers
+        else:
+            override, value = given, _value(given)
         path = _path(override)
+        changed[path] = value
         if path.startswith(_SEARCH) and isinstance(table := data.setdefault("search", {}), dict):
-            data["search"] = dict(flat(table)) | {path.removeprefix(_SEARCH): value}
-            changed[path] = value
+            data["search"] = flat(table) | {path.removeprefix(_SEARCH): value}
             continue
         try:
             put(data, path, value)
         except ValueError as error:
-            path = str(error)
-            raise AfmcalcError("--set {override:.80}: {path} is no table", override=override, path=path) from None
-        changed[path] = value
+            raise AfmcalcError("--set {override:.80}: {path} is no table", override=override, path=error) from None
     return changed
 
 
@@ -178,7 +170,7 @@ def _path(override: str) -> str:
     *blocks, last = path.split(".")
     known = names_in(blocks, Spec)
     if last not in known:
-        hint = instead_of(path) or did_you_mean(last, known) or elsewhere(last) or did_you_mean(last, names())
+        hint = did_you_mean(last, known) or elsewhere(last) or did_you_mean(last, names())
         if known and not hint:
             hint = say("; known here: {names}", names=", ".join(known))
         raise AfmcalcError(

@@ -1,53 +1,23 @@
-"""Keys of earlier versions that were removed, and their replacements."""
+"""Places in a spec of the keys of a requirements file before 0.4."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
-from ..messages import deferred, say, translate
+from ..messages import deferred
+from ..units import table
+from .keys import path_of
 
-_PROFILED = deferred("one sleeve has the curved wall, the other seats the ball; leave the key out")
-_WEIGHT = deferred("the weight of a pack with a vertical axis is not calculated; leave the key out")
-
-REMOVED: Mapping[str, str] = {
-    "control_unit.profiled": _PROFILED,
-    "control_unit.wall_friction": deferred("cams that slide are not calculated, balls roll; leave the key out"),
-    "fatigue.load_low": deferred("every slip swings the load from 0 to T(f); leave the key out"),
-    "friction.unknown": deferred("of a list of materials the worst counts; leave the key out"),
-    "friction_group.discs_mass": _WEIGHT,
-    "friction_group.pressure_disc_mass": _WEIGHT,
-    "friction_group.vertical_axis": _WEIGHT,
-    "tolerance.method": deferred("every sample is random, of tolerance.samples clutches; leave the key out"),
+MOVED = table("""\
+variants = search.variant; springs = search.springs; wanted.nominal_torque = adjustment.nominal_torque;
+wanted.method = adjustment.method; wanted.margin = adjustment.margin;
+limits.contact_force = control_unit.allowable_contact_force;
+fixed.closing_room = closing_spring.room; fixed.control_room = control_spring.room;
+search.closing_force = requirements.closing_force; search.closing_forces = search.closing_spring.force;
+search.closing_stiffness = search.closing_spring.stiffness; search.ball_diameters = catalogues.balls;
+search.control_stiffness = search.control_spring.stiffness""") | {
+    "limits.gain_limit": deferred("no key: the limit of the gain is always held"),
+    "fixed.face_width": deferred("friction_group.inner_radius and friction_group.outer_radius"),
 }
-"""Path of a removed key → advice."""
-
-
-def instead_of(path: str) -> str:
-    """Advice on a removed key, given by path or name, to follow "unknown key" in a message; empty for other keys."""
-    name = path.strip()
-    # the bare name "method" means adjustment.method
-    found = (hint for key, hint in REMOVED.items() if name == key or (key.endswith(f".{name}") and name != "method"))
-    hint = next(found, "")
-    return say(" since 0.4: {instead}", instead=translate(hint)) if hint else ""
-
-
-_UNIT = ("balls", "face_gap", "edge_clearance", "hub_diameter", "key_friction", "pocket", "contact")
-_PACK = ("pairs", "driving_pairs", "mean_radius", "inner_radius", "outer_radius")
-_BALLS = ("gain", "wall_angle", "ball_circle_radius")
-_FACES = deferred("friction_group.inner_radius and friction_group.outer_radius")
-
-MOVED: Mapping[str, str] = {
-    "variants": "search.variant", "springs": "search.springs", "wanted.nominal_torque": "adjustment.nominal_torque",
-    "wanted.method": "adjustment.method", "wanted.margin": "adjustment.margin",
-    "limits.contact_force": "control_unit.allowable_contact_force",
-    "limits.gain_limit": deferred("no key: the limit of the gain is always held"), "fixed.face_width": _FACES,
-    "fixed.closing_room": "closing_spring.room", "fixed.control_room": "control_spring.room",
-    **{f"fixed.{name}": f"control_unit.{name}" for name in _UNIT},
-    **{f"search.{name}": f"search.friction_group.{name}" for name in _PACK},
-    **{f"search.{name}": f"search.control_unit.{name}" for name in _BALLS},
-    "search.closing_force": "requirements.closing_force", "search.closing_forces": "search.closing_spring.force",
-    "search.closing_stiffness": "search.closing_spring.stiffness",
-    "search.control_stiffness": "search.control_spring.stiffness", "search.ball_diameters": "catalogues.balls",
-}  # fmt: skip
-"""Key of a requirements file before 0.4 → its place in a spec; other keys of wanted and limits → [requirements]."""
+"""Key of a requirements file before 0.4 → its place in a spec, if ``moved_in`` has no rule for it."""
 OLD = frozenset(("wanted", "limits", "fixed", "variants"))
 """Tables that occur only in a requirements file before 0.4."""
 
@@ -56,9 +26,11 @@ def moved_in(given: Iterable[str]) -> dict[str, str]:
     """Old key among those ``given`` → its new place."""
     places = {}
     for path in given:
-        table, _, name = path.partition(".")
+        block, _, name = path.partition(".")
         if path in MOVED:
             places[path] = MOVED[path]
-        elif table in ("wanted", "limits") and name and "." not in name:
-            places[path] = f"requirements.{name}"
+        elif name and "." not in name and block in OLD:
+            places[path] = f"control_unit.{name}" if block == "fixed" else f"requirements.{name}"
+        elif block == "search" and path_of(name) not in (None, name):
+            places[path] = f"search.{path_of(name)}"
     return places

@@ -1,30 +1,15 @@
 """Rules between the keys of a spec: exclusion, dependence, keys foreign to a variant."""
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple, TypeAlias, TypeGuard
+from typing import TypeAlias
 
-from ..messages import deferred, filled, say
+from ..messages import filled, say
 from ..variants import VARIANTS, foreign_keys, special_keys
 from .fields import Broken
+from .quantity import is_number
 
 Table: TypeAlias = Mapping[str, object]
 """Table of a spec as plain data."""
-
-
-_BESIDE = deferred("required beside {other}")
-_KIND = "drive.event.kind"
-
-
-class KeyRule(NamedTuple):
-    """Rule: a key is wrong or missing if the spec has all keys ``given`` and no key ``absent``; tables end in a dot."""
-
-    key: str
-    given: frozenset[str]
-    absent: frozenset[str]
-    message: str
-    """Template of the message, in which ``{other}`` is replaced by ``other``."""
-    other: str
-
 
 _TABLE = """\
 give friction for all pairs or per group (friction.driving, friction.driven), not both
@@ -65,6 +50,10 @@ required beside [envelope]: both radii of the faces, instead of mean_radius
   + friction_group.inner_radius friction_group.outer_radius | envelope. |
 required beside {other}
   + envelope.hub_diameter | envelope. | control_unit.hub_diameter
+  + requirements.torque_max | requirements.exceedance |
+  + heat.lining_density heat.lining_specific_heat | heat.lining_conductivity |
+  + heat.lining_conductivity heat.lining_specific_heat | heat.lining_density | heat.lining_conductivity
+  + heat.lining_conductivity heat.lining_density | heat.lining_specific_heat | heat.lining_conductivity
 excludes {other}: it is the same hub
   - envelope.hub_diameter | control_unit.hub_diameter |
 required beside {other}
@@ -92,10 +81,11 @@ only for an event of kind load
   - drive.event.torque drive.event.rise_time | drive.event.kind=stop |
 """
 """Messages, each with its rules in the lines below: keys that are wrong (-) or missing (+) | keys that are all given |
-keys of which no key is given. ``drive.event.kind=VALUE`` stands for an event of that kind."""
+keys of which no key is given; tables end in a dot. ``drive.event.kind=VALUE`` stands for an event of that kind."""
 
 
-def _rules_of(table: str) -> Iterator[KeyRule]:
+def _rules_of(table: str) -> Iterator[tuple[str, set[str], set[str], str, str]]:
+    """Yield rules: key that is wrong or missing, keys all given, keys none of which is, message and its ``other``."""
     message = ""
     for line in table.splitlines():
         if line[0] != " ":
@@ -104,20 +94,22 @@ def _rules_of(table: str) -> Iterator[KeyRule]:
         sign, *cells = line[2], *map(str.split, line[3:].split("|"))
         for key in cells[0]:
             given, absent = (cells[1], [key, *cells[2]]) if sign == "+" else ([key, *cells[1]], cells[2])
-            yield KeyRule(key, frozenset(given), frozenset(absent), message, "".join(cells[1][:1]).rstrip("."))
+            yield key, {*given}, {*absent}, message, "".join(cells[1][:1]).rstrip(".")
 
 
 KEY_RULES = (*_rules_of(_TABLE),)
-"""Rules that depend only on the presence of keys."""
 
 
 def broken_rules(data: Table) -> list[Broken]:
     """Violations of the rules between keys; values are checked by the models."""
     given = given_in(data)
-    keys = {*given, f"{_KIND}={given.get(_KIND)}"}
-    wrong = (rule for rule in KEY_RULES if keys >= rule.given and keys.isdisjoint(rule.absent))
-    of_keys = {(rule.key, filled(rule.message, {"other": rule.other})): None for rule in wrong}
-    return [*of_keys, *_static_friction(given), *_variant(given), *_pairs(given)]
+    keys = {*given, f"drive.event.kind={given.get('drive.event.kind')}"}
+    of_keys = {
+        (key, filled(message, {"other": other})): None
+        for key, present, absent, message, other in KEY_RULES
+        if keys >= present and keys.isdisjoint(absent)
+    }
+    return [*of_keys, *_variant(given), *_pairs(given)]
 
 
 def given_in(data: Table, prefix: str = "") -> dict[str, object]:
@@ -131,14 +123,10 @@ def given_in(data: Table, prefix: str = "") -> dict[str, object]:
     return given
 
 
-def _static_friction(given: Table) -> Iterator[Broken]:
-    ratio = given.get("friction.static_ratio")
-    if isinstance(ratio, int | float) and ratio > 1 and "friction.stribeck_speed" not in given:
-        yield "friction.stribeck_speed", filled(_BESIDE, {"other": "friction.static_ratio"})
-
-
 def _variant(given: Table) -> Iterator[Broken]:
-    name = given.get("variant")
+    name, ratio = given.get("variant"), given.get("friction.static_ratio")
+    if is_number(ratio) and ratio > 1 and "friction.stribeck_speed" not in given:
+        yield "friction.stribeck_speed", say("required beside {other}", other="friction.static_ratio")
     if not isinstance(name, str) or name not in VARIANTS:
         return
     for path in foreign_keys(given, name):
@@ -148,32 +136,21 @@ def _variant(given: Table) -> Iterator[Broken]:
         table = path.partition(".")[0]
         if path not in given and (table in (path, "closing_spring") or table in given):
             yield path, say("required for variant {variant!r}", variant=name)
-    if (
-        VARIANTS[name].travels
-        and "drive.event." in given
-        and given.keys().isdisjoint(("drive.hub_inertia", "envelope."))
-    ):
-        yield "drive.hub_inertia", filled(_BESIDE, {"other": "drive.event"})
-
-
-def _is_number(value: object) -> TypeGuard[float]:
-    return isinstance(value, int | float) and not isinstance(value, bool)
+    inertia_unknown = "drive.event." in given and given.keys().isdisjoint(("drive.hub_inertia", "envelope."))
+    if VARIANTS[name].travels and inertia_unknown:
+        yield "drive.hub_inertia", say("required beside {other}", other="drive.event")
 
 
 def _pairs(given: Table) -> Iterator[Broken]:
     pairs, driving = given.get("friction_group.pairs"), given.get("friction_group.driving_pairs")
-    if not _is_number(pairs):
-        return
-    if _is_number(driving):
-        if not driving < pairs:
-            message = say("must be less than friction_group.pairs ({pairs})", pairs=pairs)
-            yield "friction_group.driving_pairs", message
+    if not is_number(pairs):
         return
     variant = VARIANTS.get(str(given.get("variant")))
-    if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()):
-        bypass = least - 1
+    if is_number(driving) and not driving < pairs:
+        yield "friction_group.driving_pairs", say("must be less than friction_group.pairs ({pairs})", pairs=pairs)
+    elif driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()):
         message = say(
             "must be at least {least} for variant {variant!r}: driving pairs {bypass}, driven pairs 1",
-            least=least, variant=variant.name, bypass=bypass,
+            least=least, variant=variant.name, bypass=least - 1,
         )  # fmt: skip
         yield "friction_group.pairs", message

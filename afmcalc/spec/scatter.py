@@ -1,11 +1,10 @@
 """The [tolerance] block: numbers of a clutch that scatter in manufacture and in service, and their distributions."""
 
 import re
-import sys
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, FailFast, field_validator
+from pydantic import BaseModel, BeforeValidator, FailFast, WithJsonSchema, field_validator
 
 from ..messages import did_you_mean, say
 from .fields import Block, Broken, Torque, key, keys_below, required, rule_error
@@ -19,22 +18,9 @@ FRICTION = ("friction", "friction.driving", "friction.driven")
 
 _NOT_OF_THE_CLUTCH = ("tolerance.", "requirements.")
 
-_PERCENT = re.compile(rf"\s*({NUMBER})\s*%\s*")
-
-
-def _number_or_text(value: object) -> object:
-    if isinstance(value, bool):
-        raise ValueError(say("a boolean is not a number"))
-    if not isinstance(value, int | float | str):
-        raise ValueError(say("must be a number, or a text with a unit"))
-    if not isinstance(value, str) and not abs(value) <= sys.float_info.max:
-        raise ValueError(say("must be finite"))
-    return value
-
-
 Number = Annotated[float, BeforeValidator(Quantity("1").read)]
 Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
-Given = Annotated[float | str, BeforeValidator(_number_or_text)]
+Given = Annotated[Any, WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}]})]
 """Number in SI, or text with a unit that suits the scattering key."""
 
 
@@ -83,11 +69,7 @@ class Tolerance(Block):
 
 
 def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
-    """Tolerances in which the numbers of each field are converted to SI, by the unit of its key.
-
-    Raises:
-        ValidationError: every problem found.
-    """
+    """Tolerances with the numbers of each field in SI, by the unit of its key; ValidationError with every problem."""
     broken: list[Broken] = []
     fields: dict[str, Distribution] = {}
     for path, distribution in given.fields.items():
@@ -126,7 +108,7 @@ def percentage(value: object) -> float | None:
     >>> percentage("5 %"), percentage("5 mm")
     (0.05, None)
     """
-    matched = _PERCENT.fullmatch(value) if isinstance(value, str) else None
+    matched = re.fullmatch(rf"\s*({NUMBER})\s*%\s*", value) if isinstance(value, str) else None
     return float(matched[1]) / 100 if matched else None
 
 

@@ -8,7 +8,7 @@ from pydantic import BaseModel, WithJsonSchema
 from ..messages import did_you_mean, say
 from .fields import Broken, Key, keys_below, rule_error
 from .quantity import Quantity, asked_unit
-from .rules import Table
+from .rules import Table, given_in
 
 MOST = 2_000_000
 """Largest number of candidates of a search, and largest number of values of a range."""
@@ -26,22 +26,16 @@ _WRITTEN = {"anyOf": [{"type": name} for name in ("string", "number", "array", "
 Search = Annotated[Axes, WithJsonSchema({"type": "object", "additionalProperties": _WRITTEN})]
 
 
-def flat(table: Table, prefix: str = "") -> Iterator[tuple[str, object]]:
-    """Paths and values of a [search] table; dotted paths may be quoted keys or nested tables."""
-    for name, value in table.items():
-        if isinstance(value, Mapping):
-            yield from flat(value, f"{prefix}{name}.")
-        else:
-            yield prefix + name, value
+def flat(table: Table) -> dict[str, object]:
+    """Path → value in a [search] table; dotted paths may be quoted keys or nested tables."""
+    return {path: value for path, value in given_in(table).items() if not isinstance(value, dict)}
 
 
 def axes_of(given: Table, spec: type[BaseModel]) -> Axes:
     """Validated axes of a [search] table, numbers in SI. Raises ValidationError with every problem found."""
     axes, broken = Axes(), list[Broken]()
     known = {path: key for path, key in keys_below(spec).items() if not path.startswith(_NOT_VARIED)}
-    for path, value in flat(given):
-        if value is None:
-            continue
+    for path, value in flat(given).items():
         try:
             if path == SPRINGS:
                 axes[path] = _names(value, _KINDS)[:1]

@@ -36,8 +36,9 @@ from ..spec.edit import replaced
 from ..spec.fields import Key
 from ..spec.quantity import Quantity
 from ..spec.rules import given_in
+from ..units import table
 from .entered import as_spec, at_field, unit_shown
-from .form import State, editable
+from .form import State, editable, key_at
 
 
 def formulas(spec: Spec, path: str) -> list[Step]:
@@ -48,11 +49,11 @@ def formulas(spec: Spec, path: str) -> list[Step]:
     steps = [step for step in steps_of(clutch) if name in map(quantity_of, step.arguments.values())]
     if steps:
         return [step_of(each, spec.adjustment.method) for each in derivations({"": steps})[""][:_FORMULAS]]
-    table, unit = path.partition(".")[0], key.about.unit if key.about else ""
-    module = f"{_MODULES.get(table, table)}."
+    block = path.partition(".")[0]
+    module = f"{_MODULES.get(block, block)}."
     laws = (law for law in equations().values() if law.name.startswith(module))
     pairs = ((law, [(one.symbol, one.unit) for one in law.arguments.values()]) for law in laws)
-    using = (law for law, terms in pairs if name in law.arguments or (key.symbol, unit) in terms)
+    using = (law for law, terms in pairs if name in law.arguments or (key.symbol, key.unit) in terms)
     return [step for law in using for step in _in_symbols(law)][:_FORMULAS]
 
 
@@ -60,36 +61,28 @@ def _in_symbols(law: Equation) -> Iterator[Step]:
     """Yield the formula of a law without numbers; a law that compares numbers has no formula."""
     symbols = {name: (translate(one.symbol), one.unit) for name, one in law.arguments.items()}
     with suppress(TypeError, KeyError):
-        tree = FormulaText(law.function, symbols, {}).tree
+        shown = formula(symbol_tree(translate(law.result.symbol)), FormulaText(law.function, symbols, {}).tree)
         where = [said(f"{one.symbol} – {translate(one.meaning)}") for one in law.arguments.values()]
-        what = said(f"{law.result.symbol}: {translate(law.about)}")
-        yield Step(what=what, formula=formula(symbol_tree(translate(law.result.symbol)), tree), where=where)
+        yield Step(said(f"{law.result.symbol}: {translate(law.about)}"), formula=shown, where=where)
 
 
 _FORMULAS = 3
 """Largest number of formulas shown for a key."""
-_MODULES = {"fatigue": "life", "shaft": "machine", "friction": "drive"} | dict.fromkeys(
-    ("closing_spring", "control_spring"), "springs"
-)
+_MODULES = table("fatigue = life; shaft = machine; friction = drive; closing_spring control_spring = springs")
 """Table of the spec → module with the laws of its quantities, if the module has another name."""
-_SKETCHES = {"control_unit": "pocket", **dict.fromkeys(("envelope", "friction_group", "shaft"), "section")}
+_SKETCHES = table("control_unit = pocket; envelope friction_group shaft = section")
 """Table of the spec → drawing that shows its dimensions."""
 
 
 def sketch(path: str) -> str:
     """Name of the drawing that shows the dimension of a key; empty if no drawing does."""
-    key = editable()[path]
+    key = key_at(path)
     return _SKETCHES.get(path.partition(".")[0], "") if key.unit in ("m", "rad") else ""
 
 
 def entries(given: Mapping[str, Any]) -> dict[str, str]:
     """Path → text at its field, for values of a spec; empty to remove a key; a spring part has several fields."""
-    flat = dict(given) | {
-        f"{path}.{name}": each
-        for path, value in given.items()
-        if isinstance(value, dict)
-        for name, each in given_in(value).items()
-    }
+    flat = dict(given) | given_in(given)
     return {path: at_field(key, flat[path]) for path, key in editable().items() if path in flat}
 
 
@@ -136,12 +129,12 @@ def now(clutch: Clutch, name: str) -> str:
 
 def _target(name: str) -> Key:
     """Field of a result, which is read and shown like the field of a key."""
-    return Key(name, unit_of(name), None, "", Quantity(unit_of(name)))
+    return Key(name, None, "", Quantity(unit_of(name)))
 
 
 def _pdf(state: State) -> bytes:
     need("pdf", "typst")
-    return print_pdf(report(Subject(dossier(state.spec), state.base.digest, state.overrides)))[0]
+    return print_pdf(report(Subject(dossier(state.spec), state.overrides)))[0]
 
 
 def _dxf(state: State) -> bytes:
@@ -152,8 +145,8 @@ def _dxf(state: State) -> bytes:
 
 def _csv(state: State) -> bytes:
     spec = state.spec
-    result, findings = Answers(build(spec)).ask("torque")
-    return renderer("csv")(Output("torque", __version__, resolved(spec), result, findings), False).encode()
+    output = Output("torque", __version__, resolved(spec), *Answers(build(spec)).ask("torque"))
+    return renderer("csv")(output, False).encode()
 
 
 FILES: Mapping[str, Callable[[State], bytes]] = {"pdf": _pdf, "dxf": _dxf, "csv": _csv}

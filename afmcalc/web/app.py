@@ -25,7 +25,7 @@ from ..spec import Spec
 from ..spec.edit import saved
 from ..spec.parse import PREFIX, example_names, example_text, parse
 from .filled import template
-from .form import RESULTS, TUNED, Base, State, form_of, refusal, search_of
+from .form import RESULTS, TUNED, Base, State, form_of, refusal, refused, search_of
 from .worker import Worker
 
 HERE = Path(__file__).parent
@@ -33,9 +33,10 @@ _LARGEST = 64 << 10
 """Largest body of a request, bytes."""
 _SLOWEST, _LONG = 10.0, 120.0
 """Time limits, s: for receiving the body of a request and for a live calculation; for the calculation of a tab."""
-_TABS = ("accuracy", "drive", "heat", "tolerance", "design", "report")
 _FILES = ("pdf", "dxf", "csv")
-_ASKED = (*_TABS, *_FILES, "check", "help", "mend")
+_CALCULATED = ("accuracy", "drive", "heat", "tolerance", "design", "report", "check", "live")
+_ASKED = {*_CALCULATED, *_FILES, "help", "mend"}
+"""Calculations, of which a newer one ends that of the same page; and what else a worker is asked."""
 _MOST_BASES, _OF_A_FRONT = 200, 100
 """Largest number of clutches kept besides that of the command line; how many numbers a front of a design reserves."""
 _POLICY = (
@@ -49,7 +50,6 @@ _HEADERS = {
     "Referrer-Policy": "no-referrer",
     "Cross-Origin-Resource-Policy": "same-origin",
 }
-
 
 _OPENED = ("navigate", "document")
 """Values of Sec-Fetch-Mode and Sec-Fetch-Dest when the page is opened in a browser tab."""
@@ -149,14 +149,14 @@ class Page:
             try:
                 yield
             finally:
-                self._live.end(closed=True)
-                self._tabs.end(closed=True)
-                self._check.end(closed=True)
+                for worker in (self._live, self._tabs, self._check):
+                    worker.end(closed=True)
 
-        posts = {"live": self._answer_live, "tab/{name}": self._answer_tab, "open": self._open, "save": self._write}
+        posts = {"live": self._answer, "tab/{name}": self._answer, "open": self._open, "save": self._write}
         routes = [Route("/", self._page), Route("/page.css", _file), Route("/page.js", _file)]
         routes += [Route(f"/{path}", endpoint, methods=["POST"]) for path, endpoint in posts.items()]
-        served = Starlette(routes=routes, lifespan=lifespan, exception_handlers={Exception: _fault})
+        handlers: dict[Any, Any] = {Exception: _fault, AfmcalcError: _refusal}
+        served = Starlette(routes=routes, lifespan=lifespan, exception_handlers=handlers)
         served.router.redirect_slashes = False
         return Gate(served, port, token)
 
@@ -188,39 +188,34 @@ class Page:
     def _state(self, body: object) -> State:
         return State(self._base(_table(body).get("base")), _table(_table(body).get("fields"), str))
 
-    def _job(self, name: str, body: dict[str, Any]) -> dict[str, Any]:
-        """Job for a worker, from the body of a request."""
+    async def _answer(self, request: Request) -> Response:
+        """Progress and answer, each a line of JSON."""
+        body, tab = await _body(request), request.path_params.get("name")
+        if tab == "live" or (name := tab or "live") not in _ASKED:
+            raise HTTPException(404)
         pinned, options = body.get("pinned"), _table(body.get("options", {}), str)
         pinned = self._state(pinned) if pinned else None
-        job = {"name": name, "state": self._state(body), "pinned": pinned, "options": options, "first": self._made}
+        job: dict[str, Any] = {
+            "name": name,
+            "state": self._state(body),
+            "pinned": pinned,
+            "options": options,
+            "first": self._made,
+        }
         self._made += _OF_A_FRONT * (name == "design")
-        return job
-
-    async def _answer_live(self, request: Request) -> Response:
-        body = await _body(request)
-        job = self._job("live", body)
-        async with aclosing(self._live.ask(job, request.is_disconnected, str(body.get("page"))[:80])) as answers:
-            async for answer in answers:
-                if "progress" not in answer:
-                    return _json(answer)
-        return Response(status_code=204)
-
-    async def _answer_tab(self, request: Request) -> Response:
-        body, name = await _body(request), request.path_params["name"]
-        if name not in _ASKED:
-            raise HTTPException(404)
-        job = self._job(name, body)
-
-        worker = {"help": self._live, "check": self._check}.get(name, self._tabs)
+        worker = {"live": self._live, "help": self._live, "check": self._check}.get(name, self._tabs)
         # other requests of a page do not end the calculation of a tab or a check
-        page = str(body.get("page"))[:80] + ("" if name in (*_TABS, "check") else f" {name}")
+        page = str(body.get("page"))[:80] + ("" if name in _CALCULATED else f" {name}")
 
         async def lines() -> AsyncIterator[str]:
-            async with aclosing(worker.ask(job, request.is_disconnected, page)) as answers:
-                async for answer in answers:
-                    for at, base in enumerate(answer.pop("bases", [])[:_OF_A_FRONT]):
-                        self._keep(job["first"] + at, Base(*base))
-                    yield json.dumps(answer) + "\n"
+            try:
+                async with aclosing(worker.ask(job, request.is_disconnected, page)) as answers:
+                    async for answer in answers:
+                        for at, base in enumerate(answer.pop("bases", [])[:_OF_A_FRONT]):
+                            self._keep(job["first"] + at, Base(*base))
+                        yield json.dumps(answer) + "\n"
+            except Exception as error:
+                yield json.dumps(refusal(*unexpected(error)[1])) + "\n"
 
         return StreamingResponse(lines(), media_type="application/x-ndjson")
 
@@ -228,42 +223,38 @@ class Page:
         body = await _body(request)
         state, known = self._state(body), str(body.get("known", self._target.begun))
         anyway, path = body.get("anyway") is True, self._target.path
-        try:
-            if body.get("download") is True:
-                text = saved(spec := state.spec, {}, spec, "clutch.toml")
-                return _json({"text": text, "message": say("The spec is in the downloads.")})
-            if path and body["base"] in self._others and not anyway:
-                return _json({"message": say("{path} holds another clutch: nothing is written", path=path)})
-            # in a thread, so that a slow disk does not delay other requests
-            answer = await asyncio.to_thread(self._target.save, state.spec, known, anyway)
-            if "saved" in answer:
-                self._others.discard(body["base"])
-            return _json(answer)
-        except AfmcalcError as error:
-            return _json(refusal(error))
+        if body.get("download") is True:
+            text = saved(spec := state.spec, {}, spec, "clutch.toml")
+            return _json({"text": text, "message": say("The spec is in the downloads.")})
+        if path and body["base"] in self._others and not anyway:
+            return _json({"message": say("{path} holds another clutch: nothing is written", path=path)})
+        # in a thread, so that a slow disk does not delay other requests
+        answer = await asyncio.to_thread(self._target.save, state.spec, known, anyway)
+        if "saved" in answer:
+            self._others.discard(body["base"])
+        return _json(answer)
 
     async def _open(self, request: Request) -> Response:
         """Form of a clutch, and its heading, for the number of a base, an example, or the text of a file."""
         body = await _body(request)
-        number = body.get("base")
-        if "base" not in body:
+        if "base" in body:
+            number = body["base"]
+            state = State(self._base(number))
+            spec = state.spec
+        else:
             label, text = (str(body.get(name, "")) for name in ("label", "text"))
-            try:
-                if example := str(body.get("example", "")):
-                    label, text = f"{PREFIX}{example}", example_text(example)
-                base = Base(label, text, label if example else "-")
-                if "catalogues" in parse(base.source):
-                    raise AfmcalcError("{label}: names lists of its own: start afmcalc serve with it", label=label)
-                _ = State(base).spec
-            except AfmcalcError as error:
-                return _json(refusal(error))
-            number, self._made = self._made, self._made + 1
-            self._keep(number, base)
+            if example := str(body.get("example", "")):
+                label, text = f"{PREFIX}{example}", example_text(example)
+            state = State(Base(label, text, label if example else "-"))
+            if "catalogues" in parse(state.base.source):
+                raise AfmcalcError("{label}: names lists of its own: start afmcalc serve with it", label=label)
+            spec, number = state.spec, self._made
+            self._made += 1
+            self._keep(number, state.base)
             self._others.add(number)
-        state, macros = State(self._base(number)), template("parts.html").module
-        html = str(macros.form(form_of(state), number))  # type: ignore[attr-defined]
-        told = {"html": html, "name": named(state.spec.name), "source": state.base.label}
-        return _json(told | {"requirements": search_of(state.spec)})
+        macros: Any = template("parts.html").module
+        told = {"html": str(macros.form(form_of(state), number)), "name": named(spec.name)}
+        return _json(told | {"source": state.base.label, "requirements": search_of(spec)})
 
 
 async def _body(request: Request) -> dict[str, Any]:
@@ -298,7 +289,11 @@ def _json(answer: Mapping[str, Any], status: int = 200) -> Response:
 
 
 async def _fault(request: Request, error: Exception) -> Response:
-    return _json({"errors": {}, "problems": unexpected(error)[1]}, 500)
+    return _json(refusal(*unexpected(error)[1]), 500)
+
+
+async def _refusal(request: Request, error: AfmcalcError) -> Response:
+    return _json(refused(error))
 
 
 async def _file(request: Request) -> Response:

@@ -4,7 +4,6 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from typing import Any
 
 from ..messages import translate
@@ -63,11 +62,13 @@ def as_spec(key: Key, text: str) -> str:
         return text
     number, unit = match[1].strip(), match[2]
     if re.search(r"\d\s*\)*\s*[-+*/]", re.sub(r"[eE][-+]", "", number)) or "(" in number:
-        with suppress(ArithmeticError, SyntaxError, TypeError):
+        try:
             number = f"{_calculated(ast.parse(number.replace(',', '.'), mode='eval').body):.12g}"
-            return " ".join(filter(None, (number, unit or unit_at_field(key))))
+        except (ArithmeticError, SyntaxError, TypeError):
+            return text
+    elif unit:
         return text
-    return text if unit else " ".join(filter(None, (number, unit_at_field(key))))
+    return " ".join(filter(None, (number, unit or unit_at_field(key))))
 
 
 def _calculated(node: Any) -> float:

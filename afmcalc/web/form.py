@@ -2,11 +2,10 @@
 
 import shlex
 from collections import namedtuple
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from functools import lru_cache
-from types import UnionType
-from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
+from functools import cache
+from typing import Any, NamedTuple
 
 from tomli_w import dumps
 
@@ -16,7 +15,7 @@ from ..messages import translate
 from ..render.amounts import display
 from ..spec import Spec, resolved
 from ..spec.catalogues import friction_materials
-from ..spec.fields import Key, block_at
+from ..spec.fields import Key, block_at, words_of
 from ..spec.keys import keys
 from ..spec.parse import PREFIX, Source
 from ..spec.read import as_override, data_of, spec_of
@@ -45,7 +44,7 @@ class Base(NamedTuple):
     @property
     def source(self) -> Source:
         """Text of the clutch with its label, ready to be read as a spec."""
-        return Source(f"{PREFIX}default" if self.argument is None else self.label, self.text)
+        return Source(f"{PREFIX}default" if self.argument is None else self.label, self.text, digest=self.digest)
 
 
 class State(NamedTuple):
@@ -57,14 +56,10 @@ class State(NamedTuple):
     @property
     def overrides(self) -> list[str]:
         """Overrides, as for ``--set``, that give this state; raises AfmcalcError for a key not in the form."""
-        for path in self.fields:
-            if path not in editable():
-                raise AfmcalcError("{path:.80}: is no key of the form", path=path)
         texts = self._of_base
         changed = {path: text.strip() for path, text in self.fields.items() if text.strip() != texts.get(path, "")}
         gone = _emptied(texts, changed)
-        left = [f"{path}={as_spec(editable()[path], text)}" for path, text in changed.items()]
-        left = [override for override in left if not override.startswith(gone)]
+        left = (f"{path}={as_spec(key_at(path), text)}" for path, text in changed.items() if not path.startswith(gone))
         return [*self.base.overrides, *(table.removesuffix(".") + "=" for table in gone), *left]
 
     @property
@@ -80,16 +75,14 @@ class State(NamedTuple):
     @property
     def calculated(self) -> dict[str, str]:
         """Path of each key at whose field a sum or product is typed → the result of the sum or product."""
-        given = {path: as_spec(editable()[path], text) for path, text in self.fields.items()}
-        return {
-            path: text.removesuffix(f" {unit_at_field(editable()[path])}")
-            for path, text in given.items()
-            if not text.startswith(self.fields[path].strip())
-        }
+        known = {path: key_at(path) for path in self.fields}
+        told = {path: as_spec(key, self.fields[path]) for path, key in known.items()}
+        changed = {path: text for path, text in told.items() if not text.startswith(self.fields[path].strip())}
+        return {path: text.removesuffix(f" {unit_at_field(known[path])}") for path, text in changed.items()}
 
     @property
     def _of_base(self) -> dict[str, str]:
-        given = _given(*self.base[:3], tuple(self.base.overrides))
+        given = given_in(data_of(self.base.source, self.base.overrides)[0])
         return {path: _text(key, given[path]) for path, key in keys().items() if path in given}
 
     def command(self, *words: str) -> str:
@@ -106,16 +99,17 @@ class State(NamedTuple):
         return f"{line} <<'{end}'\n{self.base.text.rstrip()}\n{end}"
 
 
-@lru_cache(maxsize=1)
+@cache
 def editable() -> dict[str, Key]:
     """Path → key, for every key of the form."""
     return {path: key for path, key in keys().items() if not path.startswith(_REFUSED)}
 
 
-@lru_cache(maxsize=32)
-def _given(label: str, text: str, argument: str | None, overrides: tuple[str, ...]) -> dict[str, Any]:
-    """Path → value of every key given in a base."""
-    return given_in(data_of(Base(label, text, argument).source, overrides)[0])
+def key_at(path: str) -> Key:
+    """Key of the form at a path; raises AfmcalcError if the form has none."""
+    if path not in editable():
+        raise AfmcalcError("{path:.80}: is no key of the form", path=path)
+    return editable()[path]
 
 
 def _text(key: Key, value: Any) -> str:
@@ -126,19 +120,18 @@ def _text(key: Key, value: Any) -> str:
     return as_override(value)
 
 
-def _tables(paths: Mapping[str, Any]) -> set[str]:
+def _tables(paths: Iterable[str]) -> set[str]:
     """Paths of the tables that contain the keys, each with a final dot."""
     return {path[: at + 1] for path in paths for at, sign in enumerate(path) if sign == "."}
 
 
 def _emptied(texts: Mapping[str, str], changed: Mapping[str, str]) -> tuple[str, ...]:
     """Optional tables that have no key left, outermost first."""
-    left, gone = [path for path, text in {**texts, **changed}.items() if text], tuple[str, ...]()
-    for table in sorted(_tables(texts)):
+    gone, left = tuple[str, ...](), _tables([path for path, text in {**texts, **changed}.items() if text])
+    for table in sorted(_tables(texts) - left):
         *outer, name = table.removesuffix(".").split(".")
         model = block_at(outer, Spec)
-        may_go = model is not None and not model.model_fields[name].is_required()
-        if may_go and not table.startswith(gone) and not any(path.startswith(table) for path in left):
+        if model and not model.model_fields[name].is_required() and not table.startswith(gone):
             gone += (table,)
     return gone
 
@@ -149,17 +142,21 @@ TUNED += ("friction_group.mean_radius", "friction_group.outer_radius", "adjustme
 """Results that the page can hold constant, and keys that it can change for this."""
 
 
-def refusal(error: AfmcalcError, option: str = "") -> dict[str, Any]:
-    """Answer to an error: ``errors``, field or option → sentence, and ``problems``, all other sentences."""
+def refusal(*problems: str, **errors: str) -> dict[str, Any]:
+    """Answer with sentences about fields or options (``errors``) and other sentences (``problems``)."""
+    return {"errors": errors, "problems": problems}
+
+
+def refused(error: AfmcalcError, option: str = "") -> dict[str, Any]:
+    """Answer to an error, which is about an ``option`` or about the keys of a spec."""
     if option:
-        return {"errors": {option: str(error)}, "problems": []}
+        return refusal(**{option: str(error)})
     if not isinstance(error, SpecError):
-        return {"errors": {}, "problems": str(error).split("\n")}
+        return refusal(*str(error).split("\n"))
     known = {*editable(), *(table.removesuffix(".") for table in _tables(editable()))}
-    sentences = [(problem.path, str(problem)) for problem in error.problems]
-    errors = {path: sentence for path, sentence in sentences[::-1] if path in known}  # first sentence of each path
-    problems = [sentence for path, sentence in sentences if path not in known]
-    return {"errors": dict(reversed(errors.items())), "problems": problems}
+    first = {problem.path: str(problem) for problem in error.problems[::-1] if problem.path in known}
+    problems = (str(problem) for problem in error.problems if problem.path not in known)
+    return refusal(*problems, **dict(reversed(first.items())))
 
 
 Field = namedtuple(
@@ -169,7 +166,6 @@ Field = namedtuple(
 """Field of one key; the limits of its slider are in the unit of the text."""
 Group = namedtuple("Group", "key fields groups given")
 """Table of the spec with its fields and subtables; ``given``: number of keys given."""
-
 
 _ORDER = (
     *("machine", "requirements", "envelope", "shaft", "friction", "friction_group", "control_unit", "closing_spring"),
@@ -201,32 +197,18 @@ def _group(texts: Mapping[str, str], table: str) -> Group:
 
 def _field(path: str, info: Any, text: str) -> Field:
     key = editable()[path]
-    about_key = translate(key.description), key.symbol or "", unit_shown(key)
-    field = Field(path, *about_key, text, info.is_required())
+    field = Field(path, translate(key.description), key.symbol or "", unit_shown(key), text, info.is_required())
     if about := key.about:
         unit = unit_at_field(key)
         least, most = (in_unit(limit, unit) if unit else limit for limit in about.limits)
-        ends = ((">", about.gt), ("≥", about.ge), ("<", about.lt), ("≤", about.le))
-        bounds = ", ".join(f"{sign} {display(end, about.unit)}" for sign, end in ends if end is not None)
+        signs = {"gt": ">", "ge": "≥", "lt": "<", "le": "≤"}
+        bounds = ", ".join(f"{signs[kind]} {display(end, about.unit)}" for kind, end in about.bounds)
         return field._replace(kind="number", whole=about.whole, bounds=bounds, least=least, most=most)
-    choices = _choices(path, info.annotation)
-    kind: Any = "flag" if "true" in choices else "choice" if choices else "text"
-    return field._replace(kind=kind, choices=[(choice, translate(choice, "value")) for choice in choices])
-
-
-def _choices(path: str, annotation: Any) -> list[str]:
-    """Words allowed as the value of a key; empty if any text is allowed."""
-    if path == "variant":
-        return list(VARIANTS)
+    words = [*VARIANTS] if path == "variant" else words_of(info.annotation)
     if path.startswith("friction.") and path.endswith(".material"):
-        return list(friction_materials())
-    if get_origin(annotation) is Literal:
-        return [str(word) for word in get_args(annotation)]
-    if get_origin(annotation) is Annotated:
-        annotation = get_args(annotation)[0]
-    if get_origin(annotation) in (Union, UnionType):
-        return [word for part in get_args(annotation) for word in _choices(path, part)]
-    return ["true", "false"] if annotation is bool else []
+        words = [*friction_materials()]
+    choices = [(word, translate(word, "value")) for word in words]
+    return field._replace(kind="choice" if choices else "text", choices=choices)
 
 
 def search_of(spec: Spec) -> str:

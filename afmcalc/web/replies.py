@@ -37,7 +37,7 @@ from .aids import FILES, formulas, held, mendings, now, sketch
 from .curve import curve
 from .entered import unit_shown
 from .filled import template
-from .form import Base, State, editable, refusal
+from .form import Base, State, editable, key_at, refused
 from .strip import tiles, values
 
 Job = Mapping[str, Any]
@@ -50,7 +50,7 @@ def answer(state: State, job: Job) -> Answer:
     try:
         return _ANSWERS[job["name"]](state, job)
     except AfmcalcError as error:
-        return refusal(error)
+        return refused(error)
 
 
 def fragment(name: str, *arguments: object) -> str:
@@ -67,7 +67,7 @@ def _live(state: State, job: Job) -> Answer:
         except SpecError:
             raise
         except AfmcalcError as error:
-            return refusal(error, "hold-as")
+            return refused(error, "hold-as")
     answers = Answers(build(state.spec))
     checked, findings = check_at_once(answers)
     without = simulating(answers.clutch)
@@ -115,13 +115,11 @@ def _pinned(state: str, *, quick: bool) -> dict[str, list[Any]]:
 
 def _help(state: State, job: Job) -> Answer:
     """Answer with the formulas for a key, or with the drawing that shows the dimension of the key."""
-    path = job["options"].get("key", "")
-    if path not in editable():
-        raise AfmcalcError("{path:.80}: is no key of the form", path=path)
+    key = key_at(path := job["options"].get("key", ""))
     steps, drawn = formulas(state.spec, path), ""
     if (name := sketch(path)) and not steps:
         drawn = _figure(name, Answers(build(state.spec)), 100 + list(editable()).index(path))
-    return {"html": fragment("help", editable()[path], steps, drawn)}
+    return {"html": fragment("help", key, steps, drawn)}
 
 
 def _mend(state: State, job: Job) -> Answer:
@@ -145,11 +143,10 @@ def _numbers(result: Result, pinned: Result | None) -> tuple[list[Quantity], lis
 
     def row(column: Column, ends: Sequence[str]) -> Quantity:
         other, none = before.get(column.path), [None] * len(ends)
-        values, texts = (other.values, cells(other)) if other else (none, none)
+        texts, shares = (cells(other), map(change, column.values, other.values)) if other else (none, none)
         each = [
             Cell(column.path + end, value, text, old, share and localized(f"{share:+.1%}"))
-            for end, value, text, old, was in zip(ends, column.values, cells(column), texts, values, strict=True)
-            for share in [change(value, was) or None]
+            for end, value, text, old, share in zip(ends, column.values, cells(column), texts, shares, strict=True)
         ]
         return Quantity(column.symbol, column.name, display_unit((column.units or [column.unit])[0]), each)
 
@@ -181,7 +178,7 @@ def _analysed(state: State, job: Job) -> Answer:
         axes = [parse_axis(sweep, answers.clutch.spec)] if sweep else []
         result, findings = ANALYSES[name].function(answers.clutch, axes) if sweep else answers.ask(name)
     except AfmcalcError as error:
-        return refusal(error, "sweep" if sweep else "")
+        return refused(error, "sweep" if sweep else "")
     plot = ANALYSES[name].plot
     if plot and plot.applies(answers.clutch):
         with suppress(CalculationError):  # there is nothing to plot
@@ -193,7 +190,7 @@ def _analysed(state: State, job: Job) -> Answer:
 
 def _report(state: State, job: Job) -> Answer:
     """Answer with the report."""
-    page = render(Subject(dossier(state.spec), state.base.digest, state.overrides))
+    page = render(Subject(dossier(state.spec), state.overrides))
     return {"html": fragment("report", page), "command": state.command("report", "--output", "report.html")}
 
 
@@ -207,7 +204,7 @@ def _design(state: State, job: Job) -> Answer:
         spec = make_spec(resolved(state.spec) | given, source)
         result, findings = ANALYSES["design"].function(spec)
     except AfmcalcError as error:
-        return refusal(error, "requirements")
+        return refused(error, "requirements")
     front = shown(result)
     bases = [
         Base(say("number {pick} of the front", pick=row.number), to_toml(resolved(candidate(spec, row.changes))), "-")

@@ -14,27 +14,21 @@ from ..render.amounts import display, display_unit
 _About = namedtuple("_About", "name symbol unit quantities rows needs judged", defaults=(None, None))
 """Contents of a tile; ``rows``: the checks that grade the tile, by code or, for requirements, by name of the key."""
 _TILES = (
-    _About(deferred("trip torque"), "T_min…T_max", "N*m", ("torque_min", "torque_max"), {
-        "below-nominal-torque", "returning-below-nominal", "machine-not-driven", "machine.power",
-        "nominal_torque", "machine_torque", "torque_max", "trip_ratio.min", "trip_ratio.max",
-    }),
-    _About(deferred("accuracy factor"), "K_т", "1", ("accuracy_factor",), {
-        "accuracy-not-lasting", "gain-above-limit", "reduced-gain-above-limit", "feedback-idle",
-        "accuracy_factor", "accuracy_factor_hysteresis", "reduced_gain",
-    }),
-    _About(deferred("surface pressure in the mean"), "p", "Pa", ("mean_pressure",), {
-        "mean-pressure-in-range", "mean-pressure-exceeded", "peak-pressure-in-range", "peak-pressure-exceeded",
-        "contact-force-exceeded", "event-contact-force", "surface_pressure", "contact_pressure",
-    }, None, "surface_pressure"),
-    _About(deferred("temperature of the faces, or of the discs"), "Θ", "K abs", ("hottest",), {
-        "temperature-in-range", "temperature-exceeded", "temperature", "face_temperature",
-    }, "heat", "temperature"),
-    _About(deferred("peak torque in the shaft"), "T_peak", "N*m", ("peak_torque",), {
-        "peak_torque",
-    }, "simulate", "peak_torque"),
-    _About(deferred("diameter and length of the clutch"), "D × L", "m", ("outer_diameter", "length"), {
-        "housing-too-wide", "clutch-too-long",
-    }, "layout"),
+    _About(deferred("trip torque"), "T_min…T_max", "N*m", "torque_min torque_max",
+        "below-nominal-torque returning-below-nominal machine-not-driven machine.power nominal_torque machine_torque "
+        "torque_max trip_ratio.min trip_ratio.max"),
+    _About(deferred("accuracy factor"), "K_т", "1", "accuracy_factor",
+        "accuracy-not-lasting gain-above-limit reduced-gain-above-limit feedback-idle accuracy_factor "
+        "accuracy_factor_hysteresis reduced_gain"),
+    _About(deferred("surface pressure in the mean"), "p", "Pa", "mean_pressure",
+        "mean-pressure-in-range mean-pressure-exceeded peak-pressure-in-range peak-pressure-exceeded "
+        "contact-force-exceeded event-contact-force surface_pressure contact_pressure", None, "surface_pressure"),
+    _About(deferred("temperature of the faces, or of the discs"), "Θ", "K abs", "hottest",
+        "temperature-in-range temperature-exceeded temperature face_temperature", "heat", "temperature"),
+    _About(deferred("peak torque in the shaft"), "T_peak", "N*m", "peak_torque",
+        "peak_torque", "simulate", "peak_torque"),
+    _About(deferred("diameter and length of the clutch"), "D × L", "m", "outer_diameter length",
+        "housing-too-wide clutch-too-long", "layout"),
 )  # fmt: skip
 _GRADES = ("fail", "not judged", "warning", "note", "pass")
 
@@ -45,7 +39,7 @@ Tile = namedtuple("Tile", "name symbol waits value unit note grade pinned change
 def values(answers: Answers, without: Collection[str]) -> dict[str, list[Any]]:
     """Symbol → numbers of each tile; tiles whose analysis is in ``without`` are left out."""
     return {
-        about.symbol: [told(answers, about.needs).get(name) for name in about.quantities]
+        about.symbol: [told(answers, about.needs).get(name) for name in about.quantities.split()]
         for about in _TILES
         if about.needs not in without
     }
@@ -61,7 +55,7 @@ def tiles(
         tile = Tile(translate(about.name), about.symbol, waits=now is None)
         if now and now[-1] is not None:
             called = [(row, {row.code, (row.path or "").removeprefix("requirements.")}) for row in checked.checks]
-            rows = [row for row, names in called if names & about.rows]
+            rows = [row for row, names in called if names & {*about.rows.split()}]
             remarks = answers.ask("layout")[1] if about.needs == "layout" else []
             missing = [each.message for each in remarks if each.code == "layout-without"]
             tile = tile._replace(
@@ -93,7 +87,7 @@ def _change(about: _About, now: Any, before: Any) -> str:
 def _note(about: _About, checked: CheckResult, rows: Sequence[CheckRow]) -> str:
     """Note of a tile: multiples of the rated torque, else the check that is nearest to its limit or farthest beyond."""
     low, high = checked.trip_ratio_min, checked.trip_ratio_max
-    if about.quantities[0] == "torque_min" and low is not None:
+    if about.symbol == "T_min…T_max" and low is not None:
         return say("{low}…{high} × rated", low=display(low, "1", 4), high=display(high, "1", 4))
     used = [(row.utilisation, row.name) for row in rows if row.utilisation is not None and row.level != "info"]
     if not used:

@@ -17,9 +17,10 @@ from typing import Any, TextIO
 
 from ..errors import reason, unexpected
 from ..messages import language, say, speaking, spoken
-from ..progress import Bar
+from ..progress import watched
 from ..render.amounts import shown_in
 from ..spec.parse import example_text
+from .form import Base, State, refusal
 
 _MEMORY = 8 << 30
 """Limit of the process's address space, bytes: an oversized job must not take the memory of other programs."""
@@ -95,7 +96,7 @@ class Worker:
                 try:
                     process = await asyncio.shield(self.start())
                 except OSError as error:
-                    yield _problem(say("the calculation could not be started: {why}", why=reason(error)))
+                    yield refusal(say("the calculation could not be started: {why}", why=reason(error)))
                     return
                 if not self._newest or turn == self._latest.get(page):
                     self._busy = page
@@ -105,11 +106,11 @@ class Worker:
                             if "progress" not in said:
                                 return
                 if turn == self._latest.get(page):
-                    yield _problem(say("the calculation ended without an answer: out of memory?"))
+                    yield refusal(say("the calculation ended without an answer: out of memory?"))
                 else:
-                    yield _problem(say("a newer change has taken the place of this one"))
+                    yield refusal(say("a newer change has taken the place of this one"))
         except TimeoutError:
-            yield _problem(say("the calculation takes longer than {limit:g} s: it was ended", limit=self._limit))
+            yield refusal(say("the calculation takes longer than {limit:g} s: it was ended", limit=self._limit))
         finally:
             if self._latest.get(page) == turn:
                 del self._latest[page]
@@ -135,26 +136,8 @@ class Worker:
                 self.end()
 
 
-def _problem(sentence: str) -> dict[str, Any]:
-    return {"errors": {}, "problems": [sentence]}
-
-
-class _Progress(Bar):
-    """Progress of a calculation, written at most ten times a second."""
-
-    out: TextIO
-    last = 0.0
-
-    def advance(self, work: str, done: int, total: int) -> None:
-        """Write the progress as a line of JSON."""
-        if time.monotonic() - self.last >= 0.1:
-            self.last = time.monotonic()
-            _write(self.out, {"progress": done / total if total else None, "text": work})
-
-
 def main(language_name: str, units: str, nice: int) -> None:
     """Answer the jobs on standard input until its end; ``nice`` lowers the priority of the process."""
-    from .form import Base, State
     from .replies import answer
 
     with suppress(ImportError):  # the module exists only on POSIX
@@ -167,23 +150,25 @@ def main(language_name: str, units: str, nice: int) -> None:
     sys.stdout = sys.stderr  # what a library prints must not mix with the answers
     warnings.simplefilter("error", RuntimeWarning)
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
-    with (
-        speaking(language(language_name)),
-        shown_in(units),
-        suppress(BrokenPipeError),
-    ):  # if the server has ended
+    told = 0.0
+
+    def advance(work: str, done: int, total: int) -> None:
+        nonlocal told
+        if time.monotonic() - told >= 0.1:
+            told = time.monotonic()
+            _write(out, {"progress": done / total if total else None, "text": work})
+
+    with speaking(language(language_name)), shown_in(units), suppress(BrokenPipeError):  # if the server has ended
         answer(State(Base("", example_text("default"), None)), {"name": "live", "pinned": None, "options": {}})
         _write(out, {})  # tells the server that the process is ready
         for line in sys.stdin.buffer:
             job, began = json.loads(line), time.perf_counter()
             state, pinned = (each and State(Base(*each[0]), each[1]) for each in (job["state"], job["pinned"]))
-            progress = _Progress()
-            progress.out = out
-            with progress:
-                try:
+            try:
+                with watched(advance):
                     answered = answer(state, job | {"pinned": pinned})
-                except Exception as error:
-                    answered = {"errors": {}, "problems": unexpected(error)[1]}
+            except Exception as error:
+                answered = refusal(*unexpected(error)[1])
             _write(out, answered | {"ms": round(1e3 * (time.perf_counter() - began), 1)})
 
 

@@ -302,12 +302,13 @@ def test_an_old_file_is_told_where_each_key_is(afmcalc, tmp_path):
     old = {"variants": ["conventional"], "objectives": ["pairs"], "friction": {"min": 0.1, "max": 0.3}}
     for path in MOVED:
         put(old, path, 1.0) if "." in path else old.setdefault(path, 1.0)
-    for path in ("wanted.peak_torque", "limits.outer_diameter"):
+    by_rule = {"wanted.peak_torque", "limits.outer_diameter", "fixed.balls", "search.pairs", "search.gain"}
+    for path in by_rule:
         put(old, path, 1.0)
     with pytest.raises(SpecError) as refused:
         make_spec(old)
     told = {problem.path: problem.message for problem in refused.value.problems}
-    assert told.keys() == MOVED.keys() | {"wanted.peak_torque", "limits.outer_diameter"}
+    assert told.keys() == MOVED.keys() | by_rule
     places = [word.strip(",") for message in told.values() for word in message.split() if "." in word]
     assert len(places) >= len(told) - 2
     for place in places:

@@ -5,7 +5,6 @@ import io
 import re
 import subprocess
 import sys
-from types import SimpleNamespace
 
 import pytest
 from conftest import CONFIGS, ROOT, Run, overrides, slow
@@ -254,9 +253,7 @@ def test_where_and_when_the_bar_appears(stream, quiet, shown, passes, monkeypatc
 @pytest.mark.parametrize("line", [*LONG[:2], *slow(*LONG[2:])])
 def test_a_command_that_may_take_long_tells_how_far_it_is(line, afmcalc):
     shares = set()
-    watcher = SimpleNamespace(advance=lambda work, done, total: shares.add(done / total))
-    token = progress.WATCHER.set(watcher)
-    assert afmcalc(*line.split()).code == 0
-    progress.WATCHER.reset(token)
+    with progress.watched(lambda work, done, total: shares.add(done / total)):
+        assert afmcalc(*line.split()).code == 0
     assert max(shares) == 1
     assert any(0 < share < 1 for share in shares)

@@ -106,10 +106,6 @@ def test_nothing_is_written_over_what_is_read(line, afmcalc, tmp_path, monkeypat
         assert (run.code, run.out) == (2, ""), run.err
         assert "is read itself" in run.err
     assert target.read_bytes() == before
-    if command == "report":
-        target.rename(tmp_path / "x.pdf")
-        assert afmcalc("report", tmp_path / "x.pdf", "-o", tmp_path / "x.html", "--pdf", "--force").code == 2
-        assert (tmp_path / "x.pdf").read_bytes() == before
 
 
 def test_a_protected_file_is_replaced_by_force_alone(afmcalc, tmp_path):

@@ -35,8 +35,6 @@ class Subject(NamedTuple):
     """Subject of a report: the dossier of a clutch, and how the report shows it."""
 
     dossier: Dossier
-    digest: str = ""
-    """SHA-256 of the file as given."""
     overrides: Sequence[str] = ()
     """Overrides ``PATH=VALUE`` of values in the spec."""
     with_source: bool = False
@@ -399,10 +397,14 @@ def _entries(subject: Subject) -> blocks.Entries:
         title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
     entries = [name for name in form().entries if title[name] or name in form().signed]
     changed = "; ".join(name_of(path) if path in keys() else path for path in _changed(subject.overrides))
-    given = [*((told(name), printable(title[name] or ""), False) for name in entries)]
-    given += [(say("Spec"), printable(spec.label), True), (say("SHA-256 of the spec as given"), subject.digest, True)]
-    given += [(say("Overridden on the command line"), printable(changed), True)] if changed else []
-    return blocks.Entries(given)
+    label = spec.label
+    long = {
+        say("Spec"): printable(label),
+        say("SHA-256 of the spec as given"): label.digest,
+        say("Overridden on the command line"): printable(changed),
+    }
+    given = [(told(name), printable(title[name] or ""), False) for name in entries]
+    return blocks.Entries([*given, *((name, value, True) for name, value in long.items() if value)])
 
 
 def _signatures(title: TitleBlock) -> blocks.Table:

@@ -61,7 +61,7 @@ def test_every_command_shows_the_same(seed, count, undrawn):
         if number % 4 == 0 and not spec.kind.travels:
             state = State(Base("spec", json.dumps(resolved(spec)), "-"))
             page = page_of(state, {"name": "check", "pinned": None, "options": {}})["html"]
-            report = render(Subject(dossier(spec, explained=False), "", short=True))
+            report = render(Subject(dossier(spec, explained=False), short=True))
             table = page.partition("all-checks")[2].partition("</details>")[0]
             grades = re.findall('span class="verdict ([a-z ]+)"', table)
             assert grades == [each.grade for each in result.checks]
@@ -141,7 +141,7 @@ def test_nothing_short_of_a_limit_is_the_whole_of_it(undrawn):
     assert [percent(share) for share in shares] == ["50.0%", "99.95%", "99.99999%", "100.001%"]
     assert apart(900.0001, 900.0, "N*m") == ("900.0001 N·m", "900 N·m")
     spec = read_spec(None, [f"requirements.torque_max={torque / 0.99952!r}"])
-    assert ">0.9995<" in render(Subject(dossier(spec, explained=False), "", short=True))
+    assert ">0.9995<" in render(Subject(dossier(spec, explained=False), short=True))
 
 
 def test_a_part_that_is_not_calculated_is_named():

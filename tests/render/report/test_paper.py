@@ -115,25 +115,17 @@ def test_a_character_that_no_font_has_is_named(afmcalc, undrawn, tmp_path):
     assert "boxes in the place of 齒: no font" in run.err
 
 
-@pytest.mark.tool
-def test_the_command_prints_beside_the_page(afmcalc, undrawn, tmp_path):
-    run = afmcalc("report", CONFIGS / "default.toml", "--short", "--pdf", "-o", tmp_path / "x.html")
-    assert run.code == 0, run.err
-    assert {path.name: path.read_bytes()[:4] for path in tmp_path.iterdir()} == {"x.html": b"<!DO", "x.pdf": b"%PDF"}
-
-
 def test_what_is_refused_before_anything_is_calculated(afmcalc, monkeypatch, tmp_path):
-    """Refused are --pdf without a file, an unknown form, a missing Typst, an invalid date; nothing is written."""
+    """Refused are an unknown form, a missing Typst, an invalid date; nothing is written."""
 
     def said(*given):
         run = afmcalc("report", *given)
         assert (run.code, run.out, [*tmp_path.iterdir()]) == (2, "", [])
         return run.err
 
-    assert "-o FILE.html" in said("--pdf")
     assert "'letter' is not one of" in said("--form", "letter", "-o", tmp_path / "x.html")
     with monkeypatch.context() as patch:
         patch.setattr("afmcalc.errors.find_spec", lambda name: None if name == "typst" else object())
-        assert "afmcalc[pdf]" in said("--pdf", "-o", tmp_path / "x.html")
+        assert "afmcalc[pdf]" in said("-o", tmp_path / "x.pdf")
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "x")
     assert "SOURCE_DATE_EPOCH" in said()

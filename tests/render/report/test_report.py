@@ -69,7 +69,7 @@ def test_a_short_report_shows_the_limits_most_used(report, parsed):
     for many, shown in ((1, 8), (7, 5), (11, 4)):
         others = [each for each in told.check.checks if not each.is_requirement]
         check = told.check.model_copy(update={"checks": [*many * [row], *others]})
-        short = limits_of(render(Subject(told._replace(check=check), "", short=True)), parsed)
+        short = limits_of(render(Subject(told._replace(check=check), short=True)), parsed)
         assert short == every[:shown]
     assert len(every) == 8
 
