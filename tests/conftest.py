@@ -179,7 +179,7 @@ def _the_whole_run():
     main.application = lambda line: kept(
         line[0] if line and line[0] in known else "", not {"-h", "--help"}.isdisjoint(line), spoken()
     )
-    cases.event_of = functools.lru_cache(4096)(cases.event_of.__wrapped__)
+    cases.kept = functools.lru_cache(4096)(cases.kept.__wrapped__)
 
 
 LONGEST = 1.0  # Process time of a test that is marked neither slow nor tool, s

@@ -3,13 +3,14 @@
 import math
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import product
+from itertools import chain, islice, product
 from typing import Any, Literal
 
 import numpy as np
 from pydantic import ConfigDict, PrivateAttr, SerializeAsAny, create_model
 
-from ..engines import build
+from ..drive.cases import simulate_clutches
+from ..engines import Clutch, build
 from ..engines.checks import CHECKS, REQUIRED
 from ..engines.selection import NAMES
 from ..equations.terms import TERMS, term_of
@@ -50,6 +51,8 @@ _STACKS = 5
 """Number of parts that are tried for each spring."""
 _FIRST = 10
 """Number of clutches of a front that are shown, besides the compromise."""
+_TOGETHER = 50
+"""Number of candidates whose events are simulated together."""
 _NO_SPRING = "no-spring"
 
 
@@ -190,14 +193,17 @@ class _Judge:
             asked = [member for member in members if member not in self.passed]
             if not asked:
                 return members
-            for member in asked:
+            for first in range(0, len(asked), _TOGETHER):
+                judging = [self._judge(member) for member in asked[first : first + _TOGETHER]]
                 with unwatched():
-                    self._judge(member)
+                    simulate_clutches(list(chain(*(islice(each, 1) for each in judging))))
+                    for each in judging:
+                        list(each)
                 tell(say("checking the front"), len(self.passed), len(self.passed) + len(asked))
             alive = alive[~np.isin(alive, [*self.failed])]
 
-    def _judge(self, member: int) -> None:
-        """Judge a candidate with each choice of springs until it passes; what is simulated or sampled comes last."""
+    def _judge(self, member: int) -> Iterator[Clutch]:
+        """Judge a candidate with each choice of springs until it passes; a clutch is yielded before it is simulated."""
         missed: list[Finding] = []
         for tried in self._with_springs(candidate(self.spec, self.survey.changes(member))):
             clutch, required = build(tried), tried.requirements
@@ -205,6 +211,8 @@ class _Judge:
             unasked = set() if required and required.exceedance is not None else {"tolerance"}
             values, warnings, failed = judgement(answers, slow)
             if slow - unasked and not failed:
+                if tried.drive.event is not None:
+                    yield clutch
                 values, warnings, failed = judgement(answers, slow & unasked)
             if not failed:
                 self.passed[member] = tried, values, warnings

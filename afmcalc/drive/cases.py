@@ -1,12 +1,14 @@
 """Cases to simulate: the clutch at one friction, and an ordinary clutch in its place; their events are cached."""
 
 import functools
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 from ..engines import Clutch
 from ..equations.arrays import Values
 from .integrator import Event, simulate
+from .motion import stacked
 from .pack_and_sleeve import DirectPack, Sleeve, ordinary_pack, pack_of
 from .train import Train, train_of
 
@@ -21,7 +23,11 @@ class Case(NamedTuple):
 
     def run(self, *, whole: bool = True, full: bool = False) -> Event:
         """Event of one drive, perhaps from the cache; raises CalculationError if the duration has too many steps."""
-        return event_of(self, whole, full and self.duration is not None)
+        full = full and self.duration is not None
+        events = kept(self, whole, full)
+        if not events:
+            events.append(simulate(*self, whole=whole, full=full))
+        return events[0]
 
     def peaks(self) -> Event:
         """Simulate one or many drives until their peaks have passed; raises the errors of ``run``."""
@@ -29,9 +35,9 @@ class Case(NamedTuple):
 
 
 @functools.lru_cache(maxsize=320)
-def event_of(case: Case, whole: bool, full: bool) -> Event:  # noqa: FBT001
-    """Event of a case; heat and requirements share it."""
-    return simulate(*case, whole=whole, full=full)
+def kept(case: Case, whole: bool, full: bool) -> list[Event]:  # noqa: FBT001
+    """Cache entry of an event: a list, empty until the event is simulated. Heat and requirements share the events."""
+    return []
 
 
 def case_of(clutch: Clutch, driving: Values, driven: Values | None = None, *, ordinary: bool = False) -> Case:
@@ -89,3 +95,19 @@ def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = 
     """Simulate the clutch at one friction; arguments as ``case_of``."""
     case, ordinary = (case_of(clutch, friction, friction_driven, ordinary=plain) for plain in (False, True))
     return Outcome(case, case.run(), ordinary)
+
+
+def simulate_clutches(clutches: Iterable[Clutch]) -> None:
+    """Simulate direct clutches at f_min, mean friction and f_max as arrays; ``outcome_of`` uses the cached events."""
+    at_ends = [(clutch, *end) for clutch in clutches for end in zip(*clutch.spec.friction.groups, strict=True)]
+    for ordinary in (False, True):
+        # drives of the same kind are simulated together
+        alike: dict[Any, list[Case]] = {}
+        for case in dict.fromkeys(case_of(*each, ordinary=ordinary) for each in at_ends):
+            if isinstance(case.pack, DirectPack) and not kept(case, not ordinary, False):
+                optional = case.train.engine.slip, case.train.cut_off, case.duration
+                alike.setdefault((case.train.kind, *(value is None for value in optional)), []).append(case)
+        for group in alike.values():
+            events = simulate(*map(stacked, zip(*group, strict=True)), whole=not ordinary)
+            for place, case in enumerate(group):
+                kept(case, not ordinary, False).append(Event(*(part.item(place) for part in events)))

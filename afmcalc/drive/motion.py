@@ -6,7 +6,7 @@ rigid: if balls pass the stop within a step, their work at both walls is exact. 
 midpoint rule, so that accuracy limits the step, not stability.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, Self
 
@@ -60,6 +60,15 @@ def cut(whole: Any, lanes: Any, shape: tuple[int, ...] | None = None) -> Any:
     if not is_dataclass(whole) or isinstance(whole, type):
         return whole
     return replace(whole, **{part.name: cut(getattr(whole, part.name), lanes, shape) for part in fields(whole)})
+
+
+def stacked(records: Sequence[Any]) -> Any:
+    """Record of arrays, made of many records of the same kind with numbers; the inverse of ``cut``."""
+    first = records[0]
+    if is_dataclass(first) and not isinstance(first, type):
+        columns = {part.name: stacked([getattr(record, part.name) for record in records]) for part in fields(first)}
+        return replace(first, **columns)
+    return np.array(records, float) if isinstance(first, int | float) else first
 
 
 class Many:

@@ -10,8 +10,9 @@ from drives import TRAIN, VARIANTS, case, clutch, indirect, light, merged, run
 from scipy.integrate import trapezoid
 from scipy.optimize import brentq
 
-from afmcalc.drive.cases import outcome_of
-from afmcalc.drive.integrator import peak_time
+from afmcalc.drive import cases
+from afmcalc.drive.cases import case_of, outcome_of, simulate_clutches
+from afmcalc.drive.integrator import peak_time, simulate
 from afmcalc.drive.train import Engine
 from afmcalc.engines.characteristics import DiscCharacteristic
 from afmcalc.equations import drive as law
@@ -112,6 +113,20 @@ def test_the_ordinary_clutch_is_the_conventional_variant():
     for friction in (0.1, 0.8):
         beside = outcome_of(light(), friction).ordinary_peak
         assert beside == pytest.approx(outcome_of(light(**VARIANTS["conventional"]), friction).event.peak, rel=1e-9)
+
+
+def test_events_simulated_together_are_those_of_each_alone():
+    """Clutches of three variants at once, with their courses, and ordinary clutches in their place."""
+    own = [light(**VARIANTS[name], drive={"cut_off": 0.01 + 0.0013 * number}) for number, name in enumerate(VARIANTS)]
+    simulate_clutches(own)
+    for each in own:
+        assert cases.kept(case_of(each, 0.8), True, False), "it was simulated with the others"
+        found = outcome_of(each, 0.8)
+        alone = simulate(*found.case)
+        figures, own_figures = (one._replace(rows=()) for one in (found.event, alone))
+        assert figures[:-6] == pytest.approx(own_figures[:-6], rel=1e-6, abs=1e-9)
+        np.testing.assert_allclose(found.event.rows, alone.rows, rtol=1e-6, atol=1e-6)
+        assert found.ordinary_peak == pytest.approx(simulate(*found.ordinary, whole=False).peak, rel=1e-9)
 
 
 def test_slow_slip_takes_static_friction_back():
