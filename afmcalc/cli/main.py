@@ -13,7 +13,7 @@ from typer.core import TyperGroup
 
 from .. import __version__
 from ..errors import OPTION, AfmcalcError, chosen_language, reason, unexpected
-from ..messages import did_you_mean, say, speaking, translate
+from ..messages import deferred, did_you_mean, say, speaking, translate
 from ..units import table
 from .files import drop_output, prepare, tell
 from .names import Named, names_of
@@ -37,6 +37,18 @@ FORMER = table("""\
 synthesize = pocket; heat = simulate; equations = papers; reproduce = papers --claims;
 materials = list materials; examples = list examples""")
 """Command of an earlier version → the command that replaces it."""
+_TITLE = "organisation project drawing author checked norm_control approved date"
+FORMER_OPTIONS = {
+    **{f"--{name.replace('_', '-')}": f"--set report.{name}=TEXT" for name in _TITLE.split()},
+    **{f"--{name}": f"--set catalogues.{name}=FILE" for name in ("materials", "discs", "balls")},
+    "--excel": "--format csv --lang ru",
+    "--pdf": "-o FILE.pdf",
+    "--top": "--all",
+    "--variant": "--from EXAMPLE, --set variant=NAME",
+    "--yes": deferred("a progress bar, and Ctrl-C to stop"),
+    "--symbols": deferred("the language of the report, --lang"),
+}
+"""Option of an earlier version → its replacement."""
 LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
 FAULT = 70
 """Exit code if afmcalc itself is at fault (EX_SOFTWARE of sysexits.h)."""
@@ -241,7 +253,10 @@ def _misused(error: Any, given: list[str]) -> int:
         tell(context.get_usage())
         tell(say("Try '{path} --help' for help.", path=context.command_path))
     message = " ".join(error.format_message().split())  # the parser puts choices on separate lines
-    _complain(message.rstrip(".").replace("Value error, ", ""))  # pydantic adds this prefix
+    message = message.rstrip(".").replace("Value error, ", "")  # pydantic adds this prefix
+    if new := FORMER_OPTIONS.get(getattr(error, "option_name", "")):
+        message = say("{name} is no option any more; instead: {new}", name=error.option_name, new=translate(new))
+    _complain(message)
     return 2
 
 

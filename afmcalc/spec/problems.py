@@ -11,6 +11,7 @@ from ..errors import Problem
 from ..messages import deferred, did_you_mean, say, translate
 from ..variants import VARIANTS
 from .fields import block_at, names_in, words_of
+from .removed import instead_of
 from .rules import Table
 
 _MOST_TOLD = 100
@@ -64,7 +65,7 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], root: type[BaseMod
         case "extra_forbidden":
             *block, name = location
             names = names_in(block, root)
-            if hint := did_you_mean(name, names) or elsewhere(name):
+            if hint := instead_of(".".join(location)) or did_you_mean(name, names) or elsewhere(name):
                 return say("unknown key{hint}", hint=hint)
             return say("unknown key; allowed here: {names}", names=", ".join(names))
         case "model_type" | "model_attributes_type" | "dict_type":

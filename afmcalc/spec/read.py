@@ -20,7 +20,7 @@ from .models import Spec
 from .parse import PREFIX, Source, check_size, is_json, parse, text_of, too_deep, too_long
 from .problems import given_at, problems_in
 from .quantity import asked_unit
-from .removed import OLD, moved_in
+from .removed import OLD, instead_of, moved_in
 from .rules import Table, given_in
 from .search import flat
 
@@ -170,7 +170,7 @@ def _path(override: str) -> str:
     *blocks, last = path.split(".")
     known = names_in(blocks, Spec)
     if last not in known:
-        hint = did_you_mean(last, known) or elsewhere(last) or did_you_mean(last, names())
+        hint = instead_of(path) or did_you_mean(last, known) or elsewhere(last) or did_you_mean(last, names())
         if known and not hint:
             hint = say("; known here: {names}", names=", ".join(known))
         raise AfmcalcError(

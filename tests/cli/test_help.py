@@ -51,11 +51,15 @@ def test_the_panels_hold_every_command_and_topics_the_rest(afmcalc):
     assert (wrong.code, "did you mean 'keys'" in wrong.err) == (2, True)
 
 
-def test_a_former_command_names_what_is_in_its_place(afmcalc):
+def test_a_former_command_or_option_names_what_is_in_its_place(afmcalc):
     for name, now in main.FORMER.items():
         run = afmcalc(name, "example:default")
         assert (run.code, run.out, run.err) == (2, "", f"error: {name} is now: afmcalc {now}\n")
         assert now.split()[0] in COMMANDS
+    for name, now in main.FORMER_OPTIONS.items():
+        run = afmcalc("torque", name)
+        assert (run.code, run.out) == (2, "")
+        assert run.err.endswith(f"error: {name} is no option any more; instead: {now}\n")
 
 
 NEEDS = dict.fromkeys(("simulate", "effects"), "drive") | {"layout": "envelope"}

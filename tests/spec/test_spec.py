@@ -26,6 +26,7 @@ from afmcalc.spec.keys import keys
 from afmcalc.spec.parse import Source, example_names
 from afmcalc.spec.quantity import EXAMPLES, factor, parse_quantity
 from afmcalc.spec.read import put
+from afmcalc.spec.removed import REMOVED
 from afmcalc.spec.write import WRITTEN
 from afmcalc.units import ENGINEER, PLAIN, PREFIXED, PREFIXES, RUSSIAN, RUSSIAN_PREFIXES, ZEROS, in_unit, product
 
@@ -132,6 +133,17 @@ def test_what_is_refused_of_a_study(fields, settings_, says, afmcalc):
 def test_whole_numbers_however_written(samples, afmcalc):
     block = f'[tolerance]\nsamples = {samples}\n[tolerance.fields]\nfriction = {{ distribution = "uniform" }}\n'
     assert afmcalc("torque", "-", "--json", stdin=f"{DEFAULT}\n{block}").json["spec"]["tolerance"]["samples"] == 2000
+
+
+@pytest.mark.parametrize("path", REMOVED)
+def test_a_removed_key_says_what_to_do(path):
+    assert path not in keys()
+    block, name = path.split(".")
+    data = resolved(read_spec())
+    data.setdefault(block, {})[name] = 1
+    for refused in (lambda: make_spec(data), lambda: read_spec(None, [f"{path}=1"])):
+        with pytest.raises(AfmcalcError, match="unknown key.* since 0.4: .*leave the key out"):
+            refused()
 
 
 LINE = re.compile(r"(?P<key>\w+) = (?P<value>.+)")
