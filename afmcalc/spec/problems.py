@@ -11,11 +11,21 @@ from ..errors import Problem
 from ..messages import deferred, did_you_mean, say, translate
 from ..variants import VARIANTS
 from .fields import block_at, names_in, words_of
-from .removed import instead_of
 from .rules import Table
 
 _MOST_TOLD = 100
 """Largest number of problems listed; other problems are only counted."""
+
+_WEIGHT = deferred("the weight of a pack with a vertical axis is not calculated; leave the key out")
+REMOVED = {
+    "control_unit.profiled": deferred("one sleeve has the curved wall, the other seats the ball; leave the key out"),
+    "control_unit.wall_friction": deferred("cams that slide are not calculated, balls roll; leave the key out"),
+    "fatigue.load_low": deferred("every slip swings the load from 0 to T(f); leave the key out"),
+    "friction.unknown": deferred("of a list of materials the worst counts; leave the key out"),
+    **{f"friction_group.{name}": _WEIGHT for name in ("discs_mass", "pressure_disc_mass", "vertical_axis")},
+    "tolerance.method": deferred("every sample is random, of tolerance.samples clutches; leave the key out"),
+}
+"""Path of a removed key → advice."""
 
 _SENTENCES = {
     "string_type": deferred("must be text in quotes"),
@@ -38,6 +48,11 @@ def problems_in(
         path = ".".join(location)
         problems[Problem(path, given_at(path, data), _message(detail, location, model, elsewhere))] = None
     return [*problems], len(details[_MOST_TOLD:])
+
+
+def instead_of(path: str) -> str:
+    """Advice on a removed key, to follow "unknown key" in a message; empty for other keys."""
+    return say(" since 0.4: {instead}", instead=translate(REMOVED[path])) if path in REMOVED else ""
 
 
 def given_at(path: str, data: object) -> str | None:

@@ -18,9 +18,9 @@ from .fields import Broken, names_in
 from .keys import elsewhere, key_of_number, names, path_of
 from .models import Spec
 from .parse import PREFIX, Source, check_size, is_json, parse, text_of, too_deep, too_long
-from .problems import given_at, problems_in
+from .problems import given_at, instead_of, problems_in
 from .quantity import asked_unit
-from .removed import OLD, instead_of, moved_in
+from .removed import OLD, moved_in
 from .rules import Table, given_in
 from .search import flat
 

@@ -1,21 +1,11 @@
-"""Keys of earlier versions: what to do about those removed, places of those of a requirements file."""
+"""Places in a spec of the keys of a requirements file before 0.4."""
 
 from collections.abc import Iterable
 
-from ..messages import deferred, say, translate
+from ..messages import deferred
 from ..units import table
 from .keys import path_of
 
-_WEIGHT = deferred("the weight of a pack with a vertical axis is not calculated; leave the key out")
-REMOVED = {
-    "control_unit.profiled": deferred("one sleeve has the curved wall, the other seats the ball; leave the key out"),
-    "control_unit.wall_friction": deferred("cams that slide are not calculated, balls roll; leave the key out"),
-    "fatigue.load_low": deferred("every slip swings the load from 0 to T(f); leave the key out"),
-    "friction.unknown": deferred("of a list of materials the worst counts; leave the key out"),
-    **{f"friction_group.{name}": _WEIGHT for name in ("discs_mass", "pressure_disc_mass", "vertical_axis")},
-    "tolerance.method": deferred("every sample is random, of tolerance.samples clutches; leave the key out"),
-}
-"""Path of a removed key → advice."""
 MOVED = table("""\
 variants = search.variant; springs = search.springs; wanted.nominal_torque = adjustment.nominal_torque;
 wanted.method = adjustment.method; wanted.margin = adjustment.margin;
@@ -30,11 +20,6 @@ search.control_stiffness = search.control_spring.stiffness""") | {
 """Key of a requirements file before 0.4 → its place in a spec, if ``moved_in`` has no rule for it."""
 OLD = frozenset(("wanted", "limits", "fixed", "variants"))
 """Tables that occur only in a requirements file before 0.4."""
-
-
-def instead_of(path: str) -> str:
-    """Advice on a removed key, to follow "unknown key" in a message; empty for other keys."""
-    return say(" since 0.4: {instead}", instead=translate(REMOVED[path])) if path in REMOVED else ""
 
 
 def moved_in(given: Iterable[str]) -> dict[str, str]:

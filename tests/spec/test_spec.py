@@ -24,9 +24,9 @@ from afmcalc.spec.edit import as_written
 from afmcalc.spec.fields import keys_below
 from afmcalc.spec.keys import keys
 from afmcalc.spec.parse import Source, example_names
+from afmcalc.spec.problems import REMOVED
 from afmcalc.spec.quantity import EXAMPLES, factor, parse_quantity
 from afmcalc.spec.read import put
-from afmcalc.spec.removed import REMOVED
 from afmcalc.spec.write import WRITTEN
 from afmcalc.units import ENGINEER, PLAIN, PREFIXED, PREFIXES, RUSSIAN, RUSSIAN_PREFIXES, ZEROS, in_unit, product
 
