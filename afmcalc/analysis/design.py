@@ -449,10 +449,10 @@ def _five_digits(value: float, down: bool) -> float:  # noqa: FBT001
 def _key_that_would_do(spec: Spec, changes: Mapping[str, Any], worst: str | None) -> dict[str, Any] | None:
     """Return a key and its value nearest to the candidate's with which all checks pass, as fields of a ``Binding``.
 
-    The key is a searched key, else the key of the worst check or the radius of the ball circle.
+    The key is a searched key, else the key of the worst check or one that sizes the clutch.
     """
     base = candidate(spec, changes)
-    fixed = {path: value_at(base, path) for path in (worst, _BALL_CIRCLE) if path in keys() and path not in _REQUIRED}
+    fixed = {path: value_at(base, path) for path in (worst, *_SIZES) if path in keys() and path not in _REQUIRED}
     for prefix, paths in (("search.", changes), ("", fixed)):
         found = []
         for path, value in paths.items():
@@ -473,7 +473,10 @@ def _key_that_would_do(spec: Spec, changes: Mapping[str, Any], worst: str | None
     return None
 
 
-_BALL_CIRCLE = "control_unit.ball_circle_radius"
+_SIZES = (
+    "control_unit.ball_circle_radius", "control_unit.balls", "friction_group.inner_radius",
+    "friction_group.outer_radius", "friction_group.pairs", "adjustment.nominal_torque",
+)  # fmt: skip
 _REQUIRED = {f"requirements.{name}" for name in REQUIRED}
 
 
