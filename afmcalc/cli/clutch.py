@@ -99,8 +99,6 @@ def overload(
 ) -> None:
     """Torque at which a clutch with a torque margin trips: potential, expected, actuation (S22).
 
-    With --friction also the potential torque there, as the load rises from the machine's nominal torque to slip.
-
     \b
     afmcalc overload clutch.toml
     afmcalc overload clutch.toml --friction 0.3
