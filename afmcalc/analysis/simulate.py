@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..drive.cases import Case, Outcome, case_of, outcome_of
-from ..drive.integrator import CLOSE, CLOSE_CLUTCH, CLOSED, SPREAD, Event, Row, peak_time
+from ..drive.integrator import CLOSE, CLOSE_CLUTCH, CLOSED, SPREAD, Event, peak_time
 from ..drive.pack_and_sleeve import Sleeve
 from ..drive.train import Train, train_of
 from ..engines import Clutch
@@ -393,16 +393,11 @@ def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = Fals
             window = float(peak_time(case.train, case.pack.sliding))
             moments = tuple(moment for moment in moments if moment.time <= window)
         own, travels = friction_fields(clutch, *pair), clutch.spec.kind.travels
-        for moment in _thinned(moments):
-            fields = {name: value for name, value in moment._asdict().items() if name in MomentRow.model_fields}
-            rows.append(MomentRow(**own, **fields | {"travel": moment.travel if travels else None}))
+        # first, last, peak, beginnings and ends of slip, and others at equal intervals
+        peak, every = max(moments, key=lambda row: abs(row.torque_shaft)), -(-len(moments) // _MOMENTS)
+        for number, moment in enumerate(moments):
+            turned = bool(moment.slip) != bool(moments[number - 1].slip)
+            if moment is peak or turned or number % every == 0 or number == len(moments) - 1:
+                fields = {name: value for name, value in moment._asdict().items() if name in MomentRow.model_fields}
+                rows.append(MomentRow(**own, **fields | {"travel": moment.travel if travels else None}))
     return HistoryResult(moments=rows)
-
-
-def _thinned(rows: Sequence[Row]) -> Iterator[Row]:
-    """Yield a few thousand moments: first, last, peak, beginnings and ends of slip, and others at equal intervals."""
-    peak, every = max(rows, key=lambda row: abs(row.torque_shaft)), -(-len(rows) // _MOMENTS)
-    for number, row in enumerate(rows):
-        turned = bool(row.slip) != bool(rows[number - 1].slip)
-        if row is peak or turned or number % every == 0 or number == len(rows) - 1:
-            yield row

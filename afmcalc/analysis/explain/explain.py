@@ -105,17 +105,13 @@ def shown(steps: Iterable[NotedStep]) -> list[NotedStep]:
     """Return each step once whose law is a formula and whose numbers are finite."""
     found: dict[tuple[object, ...], NotedStep] = {}
     for step in steps:
-        numbers = (*step.values.values(), step.value)
-        if all(isinstance(one, int | float) and math.isfinite(one) for one in numbers) and _equation(step).result.unit:
-            found.setdefault((step.name, step.case, *numbers), step)
-    return [step for step in found.values() if _has_formula(step)]
-
-
-def _has_formula(step: NotedStep) -> bool:
-    """True if the law of a step is a formula; a law that compares numbers, as in a search for a maximum, is not."""
-    with suppress(TypeError):
-        return bool(_formula(step))
-    return False
+        key = step.name, step.case, *(numbers := (*step.values.values(), step.value))
+        finite = all(isinstance(one, int | float) and math.isfinite(one) for one in numbers)
+        if finite and _equation(step).result.unit and key not in found:
+            with suppress(TypeError):  # a law that compares numbers, as in a search for a maximum, is no formula
+                _formula(step)
+                found[key] = step
+    return [*found.values()]
 
 
 def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[NotedStep]]:
