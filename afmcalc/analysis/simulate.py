@@ -59,19 +59,14 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
         yield finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia")
     if carried < load * (1 - _ROUNDING):
         yield finding("ordinary-slips-before-event", "info", value=carried, limit=load, path="adjustment.method")
-    # the clutch must carry the load before the event, and the motor must drive it
     for end, one in zip(_end_symbols(), outcomes, strict=True):
-        if (carried := float(one.case.pack.breakaway)) < load * (1 - _ROUNDING):
-            path = "drive.load_torque"
-            yield finding("slips-before-event", "error", value=carried, limit=load, path=path, at=end)
+        yield from _of_event(end, one)
     motor = float(train.engine.at(train.speed))
     if abs(motor - load) > _NEAR * max(load, motor):
         path = "drive.speed" if train.engine.slip is not None else "drive.motor_torque"
         yield finding("drive-not-in-balance", "info", value=motor, limit=load, path=path)
-    yield from _endless(train, outcomes)
     if result.energy_residual > CLOSED:
         yield finding("energy-not-closed", "error", value=result.energy_residual, limit=CLOSED)
-    yield from _accuracy(outcomes)
     # S22 leaves open where between slip torque T_муф and potential torque T_п a clutch trips: here as a number
     last, unit = outcomes[-1], clutch.spec.control_unit
     if unit is not None and unit.release_lag and last.trip_position is not None:
@@ -94,40 +89,33 @@ def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
     return finding("inertia-torque/slow", "info", value=float(beyond), limit=limit, path=path, swing=swing)
 
 
-def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Yield findings on a motor that does not stop, and on slip that does not end within the simulated time."""
-    strongest = float(train.engine.torque)
-    for end, one in zip(_end_symbols(), outcomes, strict=True):
-        pulled = abs(one.event.last) if one.endless else one.event.pulled
-        if not pulled or not (one.endless or pulled <= strongest):
-            continue
-        carries, sliding = measured(pulled, "N*m", 5), float(one.case.pack.sliding)
+def _of_event(end: str, one: Outcome) -> Iterator[Finding]:
+    """Yield findings on one event: what slips before it, a motor or a slip that does not stop, an inaccurate result."""
+    event, train, sliding = one.event, one.case.train, float(one.case.pack.sliding)
+    if (carried := float(one.case.pack.breakaway)) < train.load * (1 - _ROUNDING):
+        yield finding("slips-before-event", "error", value=carried, limit=train.load, path="drive.load_torque", at=end)
+    pulled, strongest = abs(event.last) if one.endless else event.pulled, float(train.engine.torque)
+    if pulled and (one.endless or pulled <= strongest):
+        carries = measured(pulled, "N*m", 5)
         if pulled < sliding * (1 - _NEAR):
             carries = say(
                 "{pulled:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises",
                 pulled=pulled, sliding=sliding,
             )  # fmt: skip
-        heat = one.event.heat if one.event.ended else 0.0
-        yield carried_by_motor(pulled, strongest, end, carries, heat, train.cut_off)
-    for end, one in zip(_end_symbols(), outcomes, strict=True):
-        path, lasted = "drive.event.duration", one.event.time
-        if not one.event.stuck and not one.endless:
-            yield finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end)
-        elif one.event.stuck and not one.event.settled:
-            yield finding("event-not-settled", "warning", value=lasted, path=path, at=end)
-
-
-def _accuracy(outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Yield findings on results that differ too much from a run with twice the time step."""
-    for end, one in zip(_end_symbols(), outcomes, strict=True):
-        event = one.event
-        for error, limit in ((event.peak_error, CLOSE), (event.clutch_error, CLOSE_CLUTCH)):
-            if error > limit:
-                yield finding("peak-not-converged", "warning", value=error, limit=limit, at=end)
-                break
-        if event.ended and (error := max(event.time_error, event.heat_error)) > SPREAD:
-            path = "control_unit" if isinstance(one.case.pack, Sleeve) else "drive.event"
-            yield finding("ill-conditioned", "warning", value=error, limit=SPREAD, path=path, at=end)
+        yield carried_by_motor(pulled, strongest, end, carries, event.heat if event.ended else 0.0, train.cut_off)
+    if not event.stuck and not one.endless:
+        path = "drive.event.duration"
+        yield finding("slip-outlasts-duration", "warning", value=event.time, path=path, at=end)
+    elif event.stuck and not event.settled:
+        yield finding("event-not-settled", "warning", value=event.time, path="drive.event.duration", at=end)
+    # results that differ too much from a run with twice the time step
+    for error, limit in ((event.peak_error, CLOSE), (event.clutch_error, CLOSE_CLUTCH)):
+        if error > limit:
+            yield finding("peak-not-converged", "warning", value=error, limit=limit, at=end)
+            break
+    if event.ended and (error := max(event.time_error, event.heat_error)) > SPREAD:
+        path = "control_unit" if isinstance(one.case.pack, Sleeve) else "drive.event"
+        yield finding("ill-conditioned", "warning", value=error, limit=SPREAD, path=path, at=end)
 
 
 def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:

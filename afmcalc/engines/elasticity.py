@@ -35,7 +35,7 @@ def elasticities(clutch: Quantities) -> dict[str, Elasticity]:
     A constant-torque pocket keeps its present slope C_1.
     """
     laws, given = clutch.laws, dict(clutch.given)
-    function, variant, method, keys = clutch.laws.made_by or ()
+    variant, _, keys = clutch.laws.choice
     if "constant-torque" in keys:
         given["gain_slope"] = clutch["gain_slope"]
     if variant == "differentiated":
