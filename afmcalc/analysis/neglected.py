@@ -1,7 +1,7 @@
 """Effects that the torque law neglects, for one clutch, in numbers (handbook, chapter 13)."""
 
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, Literal, NamedTuple
 
@@ -80,12 +80,6 @@ class EffectSource(NamedTuple):
     bracket: Callable[..., Bracket]
     """Function that returns the bracket for a clutch and the values of the keys in ``needs``."""
     words: str
-    own: int = 0
-    """Number of keys at the start of ``needs`` that no other effect uses."""
-
-    def is_begun(self, clutch: Clutch) -> bool:
-        """True if the spec has some of the keys that no other effect uses."""
-        return any(_value(clutch, path) is not None for path in self.needs[: self.own])
 
     def missing(self, clutch: Clutch) -> list[str]:
         """Keys in ``needs`` that the spec lacks; a stiffness that a spring part gives is not missing."""
@@ -102,7 +96,7 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
     """Calculate each effect for which the spec has the data (else SpecError); the springs stay as they are set."""
     brackets = _brackets(clutch)
     if not brackets:
-        listed, paths = _wanting(clutch, {name for name, source in SOURCES.items() if source.is_begun(clutch)})
+        listed, paths = _wanting(clutch)
         needs = "\n  ".join([say("the data of one effect at least:"), *listed])
         raise lacking(clutch.spec, "effects", needs, "drive", paths)
     result = EffectsResult(
@@ -172,9 +166,9 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
         yield finding("effect-not-told", "info", path=paths[0], listed="; ".join(listed))
 
 
-def _wanting(clutch: Clutch, names: Collection[str] = ()) -> tuple[list[str], list[str]]:
-    """Effects (among ``names``, if given) that lack keys of the spec, each with these keys; and all these keys."""
-    gone = {source.words: source.missing(clutch) for name, source in SOURCES.items() if name in (names or SOURCES)}
+def _wanting(clutch: Clutch) -> tuple[list[str], list[str]]:
+    """Effects that lack keys of the spec, each with these keys; and all these keys."""
+    gone = {source.words: source.missing(clutch) for source in SOURCES.values()}
     gone = {words: paths for words, paths in gone.items() if paths and not foreign_keys(paths, clutch.spec.variant)}
     listed = [
         say("{name} (needs {listed})", name=translate(words), listed=", ".join(paths)) for words, paths in gone.items()
@@ -290,7 +284,6 @@ SOURCES: Mapping[EffectName, EffectSource] = {
         tuple(f"friction_group.{key}" for key in ("spline_friction", "inner_spline_radius", "outer_spline_radius")),
         _splines,
         deferred("discs held in their splines"),
-        own=3,
     ),
     "centrifugal": EffectSource(
         (_SPEED, "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),
@@ -301,13 +294,11 @@ SOURCES: Mapping[EffectName, EffectSource] = {
         ("heat.lining", STIFFNESS),
         lambda clutch, lining, *_: _weaker(clutch, float(lost_by_wear(clutch, lining)), "heat.lining"),
         deferred("wear of the lining"),
-        own=1,
     ),
     "pressure-disc-key": EffectSource(
         ("control_unit.pressure_disc_key",),
         _pressure_disc_key,
         deferred("friction at the key of the pressure disc"),
-        own=1,
     ),
 }
 """Definitions of the effects, in the order of the result."""
