@@ -258,12 +258,20 @@ def _judged(answers: Answers, without: Collection[str]) -> tuple[list[CheckRow],
         if check.needs not in known:
             known[check.needs] = told(answers, check.needs)
         needed.setdefault(check.needs, []).append(check)
-        for row in _row(check, known[check.needs], (spec.heat and spec.heat.ambient) or 0.0):
-            rows.append(row)
-            if row.passed is None:
-                needs = lacks(answers.quiet, check) if row.value is None else translate(_SLIP_ENDS)
-                about: dict[str, Any] = {"name": row.name, "needs": needs}
-                findings.append(finding("requirement-not-judged", "warning", limit=row.limit, path=row.path, **about))
+        value, limit = check.value_of(known[check.needs]), check.limit_of(known[check.needs])
+        passed, used = None, None
+        if value is not None and limit is not None:
+            zero = ((spec.heat and spec.heat.ambient) or 0.0) if check.unit == "K abs" else 0.0
+            passed, used = bool(check.passes(value, limit)), check.utilisation(value, limit, zero)
+        if not check.requirement and (passed is None or (passed and (math.isinf(limit) or not limit))):
+            continue  # without value or effective limit only a requirement has a row
+        if passed and check.value in (known[check.needs].get("open") or ()):
+            passed = None  # the slip has not ended, so the value may still grow
+        rows.append(row := _told(check, translate(check.name), value, limit, used, passed))
+        if row.passed is None:
+            needs = lacks(answers.quiet, check) if row.value is None else translate(_SLIP_ENDS)
+            about: dict[str, Any] = {"name": row.name, "needs": needs}
+            findings.append(finding("requirement-not-judged", "warning", limit=row.limit, path=row.path, **about))
     for part, checks in needed.items():
         findings += failures(spec, known[part], checks)
     rows += _spring_rows(answers, without)
@@ -314,21 +322,6 @@ def told(answers: Answers, part: Part | None) -> Known:
 
         return {"torque_after_wear": torque_after_wear(clutch, result)}
     return {"outer_diameter": result.outer_diameter, "length": result.length}
-
-
-def _row(check: Check, known: Known, ambient: float) -> Iterator[CheckRow]:
-    """Yield the row of a check; a check without value or effective limit has no row, unless it is a requirement."""
-    value, limit = check.value_of(known), check.limit_of(known)
-    passed = None if value is None or limit is None else bool(check.passes(value, limit))
-    idle = passed is None or (passed and (math.isinf(limit) or not limit))
-    if idle and not check.requirement:
-        return
-    used = None
-    if value is not None and limit is not None:
-        used = check.utilisation(value, limit, ambient if check.unit == "K abs" else 0.0)
-    if passed and check.value in (known.get("open") or ()):
-        passed = None  # the slip has not ended, so the value may still grow
-    yield _told(check, translate(check.name), value, limit, used, passed)
 
 
 def _told(check: Check, name: str, value: Any, limit: Any, used: Any, passed: bool | None) -> CheckRow:

@@ -13,7 +13,7 @@ from ..engines import Clutch, build
 from ..engines.checks import Check, checks_of
 from ..engines.evaluate import BLOCK, SLOPE
 from ..engines.quantities import Quantities
-from ..engines.rings import TOUCHES, SectionPart, length_of, overlaps, parts_of, sizes_of
+from ..engines.rings import TOUCHES, length_of, overlaps, parts_of, sizes_of
 from ..equations.arrays import next_listed
 from ..errors import SpecError
 from ..messages import say
@@ -176,14 +176,19 @@ def wired(spec: Spec) -> Quantities:
 
 def rows_of(spec: Spec, own: Quantities) -> Iterator[Row]:
     """Yield the rows of all checks that can exclude a candidate and need no simulation or sample."""
-    laid = None if spec.envelope is None else _layout(spec, own)
-    known = {} if laid is None else {"outer_diameter": 2 * laid[0].boxes[0].outer, "length": length_of(laid)}
+    laid, known, unit = [], {}, spec.control_unit
+    if spec.envelope is not None:  # if the spec gives no balls, with the chosen balls
+        whole = spec
+        if unit is not None and unit.ball_diameter is None and "ball_diameter_standard" in own:
+            whole = with_values(spec, {"control_unit.ball_diameter": own["ball_diameter_standard"]})
+        laid = parts_of(sizes_of(Clutch(whole, own.laws, own.given)))
+        known = {"outer_diameter": 2 * laid[0].boxes[0].outer, "length": length_of(laid)}
     for check in checks_of(spec):
         if (check.level == "error" or check.code in WARNINGS) and check.needs in (None, "layout"):
             value, limit = (ask(known if check.needs else own) for ask in (check.value_of, check.limit_of))
             if value is not None and limit is not None:
                 yield check, value, limit
-    for *_, missing in overlaps(laid or []):
+    for *_, missing in overlaps(laid):
         yield COLLIDE, missing, TOUCHES
 
 
@@ -193,14 +198,6 @@ def holding(spec: Spec, own: Quantities, shape: tuple[int, ...]) -> Mask:
     for check, value, limit in rows_of(spec, own):
         good &= check.passes(value, limit)
     return good
-
-
-def _layout(spec: Spec, own: Quantities) -> list[SectionPart]:
-    """Lay out clutches whose numbers may be arrays; if the spec gives no balls, with the chosen balls."""
-    unit = spec.control_unit
-    if unit is not None and unit.ball_diameter is None and "ball_diameter_standard" in own:
-        spec = with_values(spec, {"control_unit.ball_diameter": own["ball_diameter_standard"]})
-    return parts_of(sizes_of(Clutch(spec, own.laws, own.given)))
 
 
 # survey and front

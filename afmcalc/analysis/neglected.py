@@ -94,49 +94,31 @@ def _value(clutch: Clutch, path: str) -> Any:
 
 def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
     """Calculate each effect for which the spec has the data (else SpecError); the springs stay as they are set."""
-    brackets = _brackets(clutch)
-    if not brackets:
+    told = {name: source for name, source in SOURCES.items() if not source.missing(clutch)}
+    if not told:
         listed, paths = _wanting(clutch)
         needs = "\n  ".join([say("the data of one effect at least:"), *listed])
         raise lacking(clutch.spec, "effects", needs, "drive", paths)
-    result = EffectsResult(
-        accuracy_factor=clutch.accuracy_factor,
-        torque=ends_of(_torque(clutch, *_ends(clutch)).tolist()),
-        effects=[_effect(clutch, name, curves) for name, (curves, _) in brackets.items() if curves],
-    )
-    remarks = [remark for _, found in brackets.values() for remark in found]
-    taken = speed_findings(clutch.spec) if "centrifugal" in brackets else ()
-    return result, [*clutch_findings(clutch), *taken, *remarks, *_findings(clutch, result)]
+    # accuracy factor: largest over smallest torque as f_1 and f_2 rise together
+    path, (first, second) = clutch.path(np.linspace(0.0, 1.0, POINTS)), map(np.array, clutch.spec.friction.groups)
+    found, remarks = list[Effect](), [*speed_findings(clutch.spec)] if "centrifugal" in told else []
+    for name, source in told.items():
+        curves, said = source.bracket(clutch, *(_value(clutch, path) for path in source.needs))
+        remarks += said
+        if curves:
+            factors = sorted(float(course.max() / course.min()) for course in (curve(*path) for curve in curves))
+            torques = np.sort([curve(first, second) for curve in curves], axis=0)
+            ends = {"torque_low": ends_of(torques[0].tolist()), "torque_high": ends_of(torques[-1].tolist())}
+            effect = Effect(effect=name, **ends, accuracy_factor_low=factors[0], accuracy_factor_high=factors[-1])
+            found.append(effect)
+    torque = ends_of(_torque(clutch, first, second).tolist())
+    result = EffectsResult(accuracy_factor=clutch.accuracy_factor, torque=torque, effects=found)
+    return result, [*clutch_findings(clutch), *remarks, *_findings(clutch, result)]
 
 
 def _torque(clutch: Clutch, driving: Floats, driven: Floats) -> Floats:
     """Slip torques at f_1 and f_2, N·m."""
     return np.broadcast_to(clutch.at_friction(driving, driven)["torque"], driving.shape)
-
-
-def _brackets(clutch: Clutch) -> dict[EffectName, Bracket]:
-    return {
-        name: source.bracket(clutch, *(_value(clutch, path) for path in source.needs))
-        for name, source in SOURCES.items()
-        if not source.missing(clutch)
-    }
-
-
-def _effect(clutch: Clutch, name: EffectName, curves: Sequence[Torque]) -> Effect:
-    # accuracy factor: largest over smallest torque as f_1 and f_2 rise together
-    path, ends = clutch.path(np.linspace(0.0, 1.0, POINTS)), _ends(clutch)
-    factors = sorted(float(course.max() / course.min()) for course in (curve(*path) for curve in curves))
-    torques = np.sort([curve(*ends) for curve in curves], axis=0)
-    return Effect(
-        effect=name, torque_low=ends_of(torques[0].tolist()), torque_high=ends_of(torques[-1].tolist()),
-        accuracy_factor_low=factors[0], accuracy_factor_high=factors[-1],
-    )  # fmt: skip
-
-
-def _ends(clutch: Clutch) -> tuple[Floats, Floats]:
-    """f_1 and f_2, each as an array of its minimum, mean and maximum."""
-    first, second = map(np.array, clutch.spec.friction.groups)
-    return first, second
 
 
 def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:

@@ -160,10 +160,17 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
             )
     # the mean temperature of the discs over many trips
     limit = next((low for path, low in limits.items() if path != "requirements.face_temperature"), None)
+    # relative loss of force on the pack at rest by wear, as the spring that presses the pack extends
+    setting, stiffness = dict[str, float](), following_stiffness(clutch)
+    if stiffness is not None:
+        rest = clutch["pack_force_at_rest"]
+        setting["setting_loss_per_wear"] = clutch.apply(law.setting_loss_per_wear, stiffness, group.pairs, rest)
+        if own.lining is not None:
+            setting["setting_loss_worn"] = lost_by_wear(clutch, own.lining) / rest
     figures = [_figures(clutch, own, area, None if own.ambient is None else limit, slip) for slip in slips.values()]
     result = HeatResult(
         energy_source=source, temperature_limit=None if own.ambient is None else limit,
-        **{name: ends_of(each[name] for each in figures) for name in figures[0]}, **_setting(clutch, own),
+        **{name: ends_of(each[name] for each in figures) for name in figures[0]}, **setting,
     )  # fmt: skip
     # properties of the discs that are assumed
     wrote = clutch.spec.heat or Heat()
@@ -242,17 +249,6 @@ def layers_of(own: Heat, pairs: int, area: float) -> list[Layer]:
     if own.lining_conductivity and own.lining_density and own.lining_specific_heat:
         layers.append(Layer(own.lining_conductivity, own.lining_density, own.lining_specific_heat, own.lining))
     return layers
-
-
-def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
-    """Relative loss of force on the pack at rest by wear, as the spring that presses the pack extends."""
-    stiffness = following_stiffness(clutch)
-    if stiffness is None:
-        return {}
-    rest = clutch["pack_force_at_rest"]
-    loss = clutch.apply(law.setting_loss_per_wear, stiffness, clutch.spec.friction_group.pairs, rest)
-    worn = {} if own.lining is None else {"setting_loss_worn": lost_by_wear(clutch, own.lining) / rest}
-    return {"setting_loss_per_wear": loss, **worn}
 
 
 def trips(clutch: Clutch, answers: Answers | None = None) -> Trips:
