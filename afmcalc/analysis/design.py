@@ -27,7 +27,6 @@ from .asking import Answers
 from .check import check, simulating
 from .design_grid import (
     WARNINGS,
-    Part,
     Survey,
     equal_to,
     holding,
@@ -41,6 +40,8 @@ from .solve import is_quantity
 from .spring_search import bounded_demands, label_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
+_SAME = 1e-8
+"""Range of an objective, relative to its largest magnitude, up to which it counts as a rounding error."""
 _TOLD = (
     "closing_force", "control_force", "accuracy_factor", "torque_max", "trip_ratio_min", "trip_ratio_max", "travel_max",
     "ball_diameter_standard",
@@ -69,9 +70,8 @@ _UNITS = {name_of(check): check.unit for check in CHECKS}
 
 
 def _small(objective: str) -> str:
-    """Return the name of an objective in words."""
-    meaning = translate(term_of(objective.removeprefix("-")).meaning)
-    return say("{quantity} (large)", quantity=meaning) if objective.startswith("-") else meaning
+    """Return the name of a quantity in words."""
+    return translate(term_of(objective).meaning)
 
 
 class DesignRow(Result):
@@ -118,7 +118,10 @@ class DesignResult(Answer):
     feasible: int = described(
         "candidates not excluded; only those that come to the front are asked for events, heat and springs"
     )
-    objectives: list[str] = described("what is small on the front", in_words=_small)
+    objectives: list[str] = described(
+        "what is small on the front",
+        in_words=lambda name: say("{quantity} (large)", quantity=_small(name[1:])) if name[0] == "-" else _small(name),
+    )
     compromise: int | None = described("compromise: its number (least sum of the normalised objectives)", optional=True)
     excluded: dict[str, int] = described(
         "candidates excluded by each check", ranked=True, keys_are="check", in_words=_in_words
@@ -136,7 +139,15 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     """
     objectives = list(spec.objectives or _DEFAULT)
     parts = parts_of_search(spec)
-    _check_objectives(parts, objectives)
+    clutches = [wired(with_values(part.base, part.values(np.arange(1)))) for part in parts]
+    for name in (objective.removeprefix("-") for objective in objectives):
+        if not any(name in own for own in clutches):
+            try:
+                clutches[0][name]
+            except LookupError as error:
+                raise AfmcalcError("objectives: {why}", why=error.args[0]) from None
+        if not is_quantity(name):
+            raise AfmcalcError("objectives: {name} is no number", name=name)
     survey = Survey(parts, objectives)
     judge = _Judge(spec, survey)
     places = judge.front()
@@ -157,19 +168,6 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     if equals := equal_to(survey.costs, places):
         told.append(finding("front-equals", "info", value=equals))
     return result, [*spec.label.findings, *told]
-
-
-def _check_objectives(parts: Sequence[Part], objectives: Sequence[str]) -> None:
-    """Raise AfmcalcError for an objective that no variant has, or that is no number."""
-    clutches = [wired(with_values(part.base, part.values(np.arange(1)))) for part in parts]
-    for name in (objective.removeprefix("-") for objective in objectives):
-        if not any(name in own for own in clutches):
-            try:
-                clutches[0][name]
-            except LookupError as error:
-                raise AfmcalcError("objectives: {why}", why=error.args[0]) from None
-        if not is_quantity(name):
-            raise AfmcalcError("objectives: {name} is no number", name=name)
 
 
 class _Judge:
@@ -275,8 +273,11 @@ def _beyond(missed: Finding) -> float:
 
 def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judge: _Judge) -> list[DesignRow]:
     """Return the rows of the front, numbered, with the compromise marked."""
-    costs = survey.costs[places]
-    best = _compromise(costs)
+    costs, best = survey.costs[places], None
+    if len(costs) > 2 and costs.shape[1] > 1:  # least sum of the normalised objectives
+        low, span = costs.min(axis=0), np.ptp(costs, axis=0)
+        varied = span > _SAME * np.abs(costs).max(axis=0)
+        best = int(np.argmin(((costs - low) / np.where(varied, span, np.inf)).sum(axis=1)))
     kind: Any = create_model("DesignRow", __base__=DesignRow, **_columns(survey, objectives, judge))
     rows, told = list[DesignRow](), (*(name.removeprefix("-") for name in objectives), *_TOLD)
     for number, place in enumerate(places, 1):
@@ -294,19 +295,6 @@ def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judg
         row._changes = _changes(spec, changes)
         rows.append(row)
     return rows
-
-
-def _compromise(costs: Any) -> int | None:
-    """Return the row with the least sum of normalised objectives; None for fewer than three rows or two objectives."""
-    if len(costs) < 3 or costs.shape[1] < 2:
-        return None
-    low, span = costs.min(axis=0), np.ptp(costs, axis=0)
-    varied = span > _SAME * np.abs(costs).max(axis=0)
-    return int(np.argmin(((costs - low) / np.where(varied, span, np.inf)).sum(axis=1)))
-
-
-_SAME = 1e-8
-"""Range of an objective, relative to its largest magnitude, up to which it counts as a rounding error."""
 
 
 def _columns(survey: Survey, objectives: Sequence[str], judge: _Judge) -> dict[str, Any]:
