@@ -1,7 +1,7 @@
 """Effects that the torque law neglects, for one clutch, in numbers (handbook, chapter 13)."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, Literal, NamedTuple
 
@@ -96,7 +96,8 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
     """Calculate each effect for which the spec has the data (else SpecError); the springs stay as they are set."""
     told = {name: source for name, source in SOURCES.items() if not source.missing(clutch)}
     if not told:
-        listed, paths = _wanting(clutch)
+        begun = [source for source in SOURCES.values() if source.needs[0] != _SPEED and _value(clutch, source.needs[0])]
+        listed, paths = _wanting(clutch, begun or SOURCES.values())
         needs = "\n  ".join([say("the data of one effect at least:"), *listed])
         raise lacking(clutch.spec, "effects", needs, "drive", paths)
     # accuracy factor: largest over smallest torque as f_1 and f_2 rise together
@@ -143,14 +144,14 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
                 yield finding("worn-below-machine", "warning", value=worn, limit=machine, path=path)
             elif worn < nominal * (1 - 1e-12):
                 yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
-    listed, paths = _wanting(clutch)
+    listed, paths = _wanting(clutch, SOURCES.values())
     if listed:
         yield finding("effect-not-told", "info", path=paths[0], listed="; ".join(listed))
 
 
-def _wanting(clutch: Clutch) -> tuple[list[str], list[str]]:
+def _wanting(clutch: Clutch, sources: Iterable[EffectSource]) -> tuple[list[str], list[str]]:
     """Effects that lack keys of the spec, each with these keys; and all these keys."""
-    gone = {source.words: source.missing(clutch) for source in SOURCES.values()}
+    gone = {source.words: source.missing(clutch) for source in sources}
     gone = {words: paths for words, paths in gone.items() if paths and not foreign_keys(paths, clutch.spec.variant)}
     listed = [
         say("{name} (needs {listed})", name=translate(words), listed=", ".join(paths)) for words, paths in gone.items()

@@ -160,6 +160,7 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
             )
     # the mean temperature of the discs over many trips
     limit = next((low for path, low in limits.items() if path != "requirements.face_temperature"), None)
+    figures = [_figures(clutch, own, area, None if own.ambient is None else limit, slip) for slip in slips.values()]
     # relative loss of force on the pack at rest by wear, as the spring that presses the pack extends
     setting, stiffness = dict[str, float](), following_stiffness(clutch)
     if stiffness is not None:
@@ -167,7 +168,6 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
         setting["setting_loss_per_wear"] = clutch.apply(law.setting_loss_per_wear, stiffness, group.pairs, rest)
         if own.lining is not None:
             setting["setting_loss_worn"] = lost_by_wear(clutch, own.lining) / rest
-    figures = [_figures(clutch, own, area, None if own.ambient is None else limit, slip) for slip in slips.values()]
     result = HeatResult(
         energy_source=source, temperature_limit=None if own.ambient is None else limit,
         **{name: ends_of(each[name] for each in figures) for name in figures[0]}, **setting,
