@@ -61,9 +61,9 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
         narrower = "min-friction" if wider > 1 else "mean-friction"
     # number of pairs above which min-friction has the narrower scatter band, S19 (12), if there is such a number
     margin, threshold = clutch["margin"], math.inf
-    if "pairs_threshold" in clutch and (margin - 1) * clutch["gain"] > 0:
-        if margin * clutch["friction_min"] < clutch["friction_mean"]:
-            threshold = clutch["pairs_threshold"]
+    ahead = "pairs_threshold" in clutch and (margin - 1) * clutch["gain"] > 0
+    if ahead and margin * clutch["friction_min"] < clutch["friction_mean"]:
+        threshold = clutch["pairs_threshold"]
     result = answer(
         AdjustResult, clutch, min_friction=at_min, mean_friction=at_mean, scatter_ratio=ratio, narrower=narrower,
         pairs_threshold=threshold if math.isfinite(threshold) else None,

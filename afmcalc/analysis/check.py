@@ -180,7 +180,13 @@ def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
 def _remarks(answers: Answers, without: Collection[str]) -> list[Finding]:
     """Findings on the law and on unusual values, and those of each ``judged`` analysis that applies and may run."""
     clutch, own = answers.clutch, answers.quiet
-    findings = [*clutch_findings(own), *_unusual(own)]
+    findings = clutch_findings(own)
+    linings = (clutch.spec.lists.materials or friction_materials()).values()
+    span = {"least": min(one.friction_min for one in linings), "most": max(one.friction_max for one in linings)}
+    for code, path, value, low, high in _usual_ranges(own):
+        if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
+            limit = low if value < low else high
+            findings.append(finding(code, "warning", value=value, limit=limit, path=path, low=low, high=high, **span))
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         findings.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
@@ -192,23 +198,11 @@ def _remarks(answers: Answers, without: Collection[str]) -> list[Finding]:
     return findings
 
 
-# values that are possible, but so unusual that a typing error is likely, such as mm for m: no limits of a design
-
-
-def _unusual(clutch: Clutch) -> Iterator[Finding]:
-    """Yield a warning for each number outside its usual range."""
-    linings = (clutch.spec.lists.materials or friction_materials()).values()
-    least, most = min(lining.friction_min for lining in linings), max(lining.friction_max for lining in linings)
-    for code, path, value, low, high in _usual_ranges(clutch):
-        if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
-            limit = low if value < low else high
-            yield finding(
-                code, "warning", value=value, limit=limit, path=path, low=low, high=high, least=least, most=most
-            )
-
-
 def _usual_ranges(clutch: Clutch) -> Iterator[tuple[str, str, float, float, float]]:
-    """Yield numbers of the design: code of the finding, key, value, and the ends of the usual range."""
+    """Yield code of the finding, key, value, and the ends of the usual range; beyond it a typing error is likely.
+
+    The ranges are no limits of a design: they are wide, and detect values typed in a wrong unit, such as mm for m.
+    """
     spec, radius = clutch.spec, clutch["mean_radius"]
     blocks = ("friction.driving", "friction.driven") if spec.friction.unlike else ("friction",)
     for path, friction in zip(blocks, spec.friction.groups, strict=False):

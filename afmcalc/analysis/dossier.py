@@ -49,10 +49,13 @@ class Dossier(NamedTuple):
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
     """Run every analysis that applies to a clutch, once; ``explained`` adds the derivations."""
-    if explained:
-        answers, derived = _explained(spec, model)
-    else:
-        answers, derived = Answers(build(spec), model=model), {}
+    answers, sections = Answers(noting(spec) if explained else build(spec), model=model), {}
+    for each in ANALYSES.values():
+        if each.section and each.explained and each.applies(answers.clutch):
+            before = len(steps_of(answers.clutch))
+            answers.ask(each.name)
+            sections[each.name] = steps_of(answers.clutch)[before:]
+    derived = derivations(sections)
     applying = [
         analysis
         for analysis in ANALYSES.values()
@@ -66,18 +69,6 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
         topics=[_topic(analysis, answers, derived.get(analysis.name, [])) for analysis in applying],
         section=_drawn("section", answers),
     )  # fmt: skip
-
-
-def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
-    """Answers of a clutch that notes its steps, and analysis → derivations; a formula is shown where first used."""
-    wanted = [each for each in ANALYSES.values() if each.section and each.explained]
-    answers, sections = Answers(noting(spec), model=model), {}
-    for each in wanted:
-        if each.applies(answers.clutch):
-            before = len(steps_of(answers.clutch))
-            answers.ask(each.name)
-            sections[each.name] = steps_of(answers.clutch)[before:]
-    return answers, derivations(sections)
 
 
 def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> Topic:

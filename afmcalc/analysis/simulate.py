@@ -40,6 +40,7 @@ def _end_symbols() -> tuple[str, str, str]:
 _NEAR = 1e-3
 """Relative difference below which a number of the spec counts as equal to the simulated one."""
 _ROUNDING = 1e-9
+_AT_POINT = SimulatePoint.model_fields.keys()
 _MOMENTS = 2000
 """Approximate number of moments in a history."""
 
@@ -206,7 +207,12 @@ def simulate(
     ``friction`` has further values, (f, None) for all friction pairs alike or (f_1, f_2); a sweep returns only peaks.
     With ``heated`` the result includes the heat of the trip. Raises SpecError if the spec has no event.
     """
-    train, points = train_of(clutch), pairs_asked(clutch, friction)
+    train, points, rows = train_of(clutch), pairs_asked(clutch, friction), list[SimulatePoint]()
+    for pair in counted(say("simulating the event"), points):
+        if not all(pair):
+            raise CalculationError("--friction 0: without friction there is no torque to simulate")
+        own = {name: value for name, value in _figures(clutch, outcome_of(clutch, *pair)).items() if name in _AT_POINT}
+        rows.append(SimulatePoint(**own | friction_fields(clutch, *pair)))
     ends = counted(say("simulating the event"), list(zip(*clutch.spec.friction.groups, strict=True)))
     outcomes = [outcome_of(clutch, *end) for end in ends]
     figures, events = [_figures(clutch, one) for one in outcomes], [one.event for one in outcomes]
@@ -224,7 +230,7 @@ def simulate(
         inertia_torque=train.inertia_torque,
         load_torque=train.load,
         energy_residual=max(event.residual for event in events),
-        points=[_point(clutch, *pair) for pair in counted(say("simulating the event"), points)] or None,
+        points=rows or None,
         sweep=sweep,
     )
     findings = [
@@ -270,14 +276,6 @@ def _figures(clutch: Clutch, outcome: Outcome) -> dict[str, float | None]:
         figures |= {"trip_torque": event.trip_torque or None, "trip_position": outcome.trip_position}
     force = _contact_force(clutch, outcome)
     return figures if force is None else figures | {"contact_force": force}
-
-
-def _point(clutch: Clutch, *frictions: float) -> SimulatePoint:
-    if not all(frictions):
-        raise CalculationError("--friction 0: without friction there is no torque to simulate")
-    figures = _figures(clutch, outcome_of(clutch, *frictions))
-    own = {name: value for name, value in figures.items() if name in SimulatePoint.model_fields}
-    return SimulatePoint(**own | friction_fields(clutch, *frictions))
 
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:

@@ -136,8 +136,12 @@ def remedies(
     """Yield a remedy for each key that the finding's section names and the spec has: the nearest value that clears."""
     known = {each.code for each in _graver(before)}
     for path, way in sections(spoken())[found.code].ways_of(found):
-        if path not in keys() or (now := _present(spec, path)) is None:
+        now = current_value(spec, path) if path in keys() else None
+        if now is None and path in keys():
+            now = build(spec).get(quantity_at(path))
+        if now is None:
             continue
+        now = float(now)
         value = _nearest(now, way, partial(_clears, spec, found, known, path, quick), whole=is_whole(path), quick=quick)
         along = {} if value is None else changes(spec, path, value)
         left = _findings(respecified(spec, along), found.code, quick=quick) if along else []
@@ -171,13 +175,6 @@ def changes(spec: Spec, path: str, value: float) -> dict[str, Any]:
     elif kind == "disc" and spring == "closing_spring":
         given[stiffness] = None
     return given
-
-
-def _present(spec: Spec, path: str) -> float | None:
-    """Value of a key, else of the quantity that the key sets; None if neither is known."""
-    value = current_value(spec, path)
-    value = build(spec).get(quantity_at(path)) if value is None else value
-    return None if value is None else float(value)
 
 
 def _findings(spec: Spec, code: str = "", *, quick: bool = True) -> list[Finding]:
