@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from ..engines import build
-from ..engines.evaluate import BLOCK, Output, evaluate
+from ..engines.evaluate import Output, evaluate
 from ..equations.arrays import Floats
 from ..errors import AfmcalcError, SpecError
 from ..findings import Finding, finding
@@ -218,7 +218,6 @@ def series(
     axes: Sequence[Axis],
     outputs: Mapping[str, Output],
     open_at: Sequence[str] = (),
-    block: int = BLOCK,
 ) -> list[S] | None:
     """Sweep ``outputs`` (column → quantity) over the grid of ``axes``; return one series per axis, None without axes.
 
@@ -228,7 +227,7 @@ def series(
         return None
     points = grid(axes)
     values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
-    answers = {name: array.tolist() for name, array in evaluate(spec, values, outputs, block).items()}
+    answers = {name: array.tolist() for name, array in evaluate(spec, values, outputs).items()}
     answers |= {
         name: [value if math.isfinite(value) else None for value in answers[name]]
         for name in open_at
