@@ -5,7 +5,7 @@ from conftest import CONFIGS, S21
 from sources import DATA
 
 from afmcalc.analysis.asking import answer
-from afmcalc.analysis.compare import compare_variants
+from afmcalc.analysis.compare import compare
 from afmcalc.analysis.explain.explain import noting, steps_of
 from afmcalc.analysis.torque import FrictionPoint, torque
 from afmcalc.analysis.trip import overload
@@ -81,7 +81,7 @@ def test_nominal_torque_ratio_with_springs_as_made(force, method):
     """K_п is T_н over that of the all-driving clutch of equal F_п1 and gain, however the control spring is made."""
     setting = f"adjustment.method={method}"
     clutch = build(read_spec(CONFIGS / "indirect.toml", [f"control_spring.force={force}", setting]))
-    rows = {(row.variant, row.basis): row.nominal_torque for row in compare_variants(clutch)[0].clutches}
+    rows = {(row.variant, row.basis): row.nominal_torque for row in compare([clutch], variants=True)[0].clutches}
     ratio = rows["indirect", "spring force"] / rows["all-driving", "spring force"]
     assert clutch.nominal_torque_ratio == pytest.approx(ratio, rel=1e-12)
     by_s21 = build(read_spec(CONFIGS / "indirect.toml", [setting]))
