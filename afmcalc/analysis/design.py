@@ -131,11 +131,11 @@ class DesignResult(Answer):
 
 
 @np.errstate(all="ignore")
-def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
+def design(spec: Spec, sort: str | None = None) -> tuple[DesignResult, list[Finding]]:
     """Search the grid of a spec; return the front or, if it is empty, the checks that exclude the nearest candidate.
 
     Raises SpecError if there is no [search], or if it has too many candidates; AfmcalcError if an objective is no
-    quantity of any candidate.
+    quantity of any candidate, or if ``sort`` is not a number in the rows of the front.
     """
     objectives = list(spec.objectives or _DEFAULT)
     parts = parts_of_search(spec)
@@ -150,6 +150,13 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
             raise AfmcalcError("objectives: {name} is no number", name=name)
     survey = Survey(parts, objectives)
     judge = _Judge(spec, survey)
+    numbers = [name for name, (_, field) in _columns(survey, objectives, judge).items() if shown_as(field).unit]
+    numbers += [name for name, row in REQUIRED.items() if row.needs and getattr(spec.requirements, name, None)]
+    if sort is not None and sort not in (numbers := ["number", "pairs", *numbers]):
+        raise AfmcalcError(
+            "--sort {name}: no such quantity{hint}; one of {known}",
+            name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
+        )  # fmt: skip
     places = judge.front()
     excluded = {code: count for code, count in (survey.excluded + judge.excluded).items() if count}
     front = _numbered(survey, objectives, places, judge)
@@ -365,19 +372,9 @@ def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow
 
 
 def shown(result: DesignResult, sort: str | None = None, *, whole: bool = False) -> DesignResult:
-    """Return the result with its front sorted: the first rows and the compromise, or all rows, with their numbers.
-
-    Raises AfmcalcError if ``sort`` is not a number in the rows of the front.
-    """
+    """Return the result with its front sorted: the first rows and the compromise, or all rows, with their numbers."""
     ordered = result.front
-    if sort is not None and ordered:
-        fields = type(ordered[0]).model_fields.items()
-        numbers = [name for name, field in fields if shown_as(field).unit or name in ("number", "pairs")]
-        if sort not in numbers:
-            raise AfmcalcError(
-                "--sort {name}: no such quantity{hint}; one of {known}",
-                name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
-            )  # fmt: skip
+    if sort is not None:
         ordered = sorted(ordered, key=lambda row: row.objective(sort))
     if not whole:
         ordered = [row for place, row in enumerate(ordered) if place < _FIRST or row.mark]

@@ -93,26 +93,16 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
 
 
 @with_common
-def overload(
-    spec: SpecArgument = None,
-    friction: FrictionOption = None,
-    sweep: SweepOption = None,
-    *,
-    common: Common,
-) -> None:
+def overload(spec: SpecArgument = None, sweep: SweepOption = None, *, common: Common) -> None:
     """Torque at which a clutch with a torque margin trips: potential, expected, actuation (S22).
-
-    With --friction also the potential torque there, as the load rises from the machine's nominal torque to slip.
 
     \b
     afmcalc overload clutch.toml
-    afmcalc overload clutch.toml --friction 0.3
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
     clutch = common.clutch(spec)
-    points = [friction_of(text) for text in friction or ()]
-    common.calculate(clutch, sweeps=axes_of(sweep, clutch), friction=points)
+    common.calculate(clutch, sweeps=axes_of(sweep, clutch))
 
 
 @with_common

@@ -8,10 +8,8 @@ from afmcalc.analysis.asking import answer
 from afmcalc.analysis.compare import compare
 from afmcalc.analysis.explain.explain import noting, steps_of
 from afmcalc.analysis.torque import FrictionPoint, torque
-from afmcalc.analysis.trip import overload
 from afmcalc.engines import build
 from afmcalc.equations.terms import DETAILS
-from afmcalc.errors import CalculationError
 from afmcalc.result import shown_as
 from afmcalc.spec import read_spec
 from afmcalc.variants import VARIANTS, Variant
@@ -45,22 +43,6 @@ def test_first_torque_of_the_bypass_pairs():
     assert torque(example("default"))[0].onset_torque.to_dict() == pytest.approx({"min": 20, "mean": 60, "max": 160})
     for name in ("all-driving", "indirect", "conventional"):
         assert torque(example(name))[0].onset_torque is None
-
-
-def test_the_trip_at_a_friction_asked_for():
-    """S22 (6), (9) by hand: z 8, z_1 1, C 0.5, R 0.1 m, F_п 2 kN, f_min 0.1, β_н 1.25, at f = 0.3."""
-    result = overload(example("default"), friction=[(0.3, None)])[0]
-    (point,) = result.points
-    machine = 8 * 2000 * 0.1 * 0.1 / 1.35 / 1.25
-    potential = 8 * 0.3 * 0.1 * (2000 - machine * 7 / 8 * 0.5 / 0.1)  # the release force of T_н.маш, shared 1 : 7
-    assert (point.potential_torque, point.expected_torque) == pytest.approx((potential, 480 / 2.05))
-
-
-def test_friction_asked_for_of_overload():
-    _, found = overload(example("all-driving"), friction=[(0.01, None)])
-    assert "friction-outside-range" in {each.code for each in found}
-    with pytest.raises(CalculationError, match="unlike"):
-        overload(example("all-driving"), friction=[(0.1, 0.2)])
 
 
 def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
