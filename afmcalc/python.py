@@ -123,9 +123,9 @@ class Clutch:
         """Meaning of an error or a warning, and the keys of this clutch whose change clears it."""
         return self._ask("mend", code)
 
-    def overload(self, sweep: Sweep = (), friction: Friction = ()) -> "OverloadResult":
-        """Potential and actuation torque with a torque margin (S22); also at ``friction``, if given."""
-        return self._ask("overload", self._axes(sweep), _pairs(friction))
+    def overload(self, sweep: Sweep = ()) -> "OverloadResult":
+        """Potential and actuation torque with a torque margin (S22)."""
+        return self._ask("overload", self._axes(sweep))
 
     def simulate(self, friction: Friction = (), sweep: Sweep = ()) -> "SimulateResult":
         """Simulation of the drive as the clutch trips, also at ``friction``; without a sweep also the heat."""

@@ -146,9 +146,9 @@ def searched_once(monkeypatch):
 
     search = design.design
 
-    def kept(spec: Any) -> Any:
-        if (key := (spec.model_dump_json(), spoken())) not in SEARCHED:
-            SEARCHED[key] = search(spec)
+    def kept(spec: Any, sort: str | None = None) -> Any:
+        if (key := (spec.model_dump_json(), sort, spoken())) not in SEARCHED:
+            SEARCHED[key] = search(spec, sort)
         return SEARCHED[key]
 
     monkeypatch.setattr(design, "design", kept)

@@ -1,12 +1,11 @@
 """Accuracy of the clutch: the accuracy factor K_т, its worst case, limits and sensitivities, and sweeps of it."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 
 from pydantic import SerializeAsAny
 
 from ..engines import Clutch
-from ..engines.elasticity import Elasticity, elasticities
-from ..engines.quantities import Quantities
+from ..engines.elasticity import elasticities
 from ..findings import Finding, finding
 from ..result import Answer, Series, described, quantity
 from .asking import Asking, answer, asked, asked_by, with_columns
@@ -65,23 +64,18 @@ def accuracy(
     ratio = clutch.get("accuracy_factor_by_ratios", 0.0) / clutch["accuracy_factor"]
     of_path = {} if abs(ratio - 1) <= 1e-9 else {"slope_in_ratio_max": None, "slope_in_ratio_min": None}
     result = answer(AccuracyResult, clutch, sensitivity=shown, sweep=swept, **of_path)
-    return result, [*clutch_findings(clutch), *_findings(clutch, slopes, swept), *replaced(spec, sweeps)]
-
-
-def _findings(
-    clutch: Quantities, slopes: Mapping[str, Elasticity], swept: list[AccuracySweep] | None
-) -> Iterator[Finding]:
-    """Yield findings on a kink of K_т at a key's value, and on swept points with a breakaway peak above the torque."""
+    findings = clutch_findings(clutch)
     if kinks := [path for path, slope in slopes.items() if slope.kink]:
         path = "control_unit.gain_slope"
         slope, constant = (float(clutch.get(name, 0.0)) for name in ("gain_slope", "constant_torque_slope"))
         if path in kinks and abs(slope - constant) <= 1e-9 * constant:
             # pockets keep the torque constant: K_т grows with a smaller and with a larger slope of the gain
-            yield finding("elasticity-one-sided", "info", value=slope, limit=constant, path=path)
+            findings.append(finding("elasticity-one-sided", "info", value=slope, limit=constant, path=path))
         else:
-            yield finding("elasticity-one-sided/key", "info", path=kinks[0], paths=", ".join(kinks))
+            findings.append(finding("elasticity-one-sided/key", "info", path=kinks[0], paths=", ".join(kinks)))
     if swept:
         pairs = zip(swept[0].accuracy_factor, swept[0].accuracy_factor_peak, strict=True)
         if beyond := sum(peak > sustained * (1 + 1e-9) for sustained, peak in pairs):
             points = len(swept[0].values)
-            yield finding("sweep-beyond-gain-limit", "warning", value=beyond, limit=0.0, points=points)
+            findings.append(finding("sweep-beyond-gain-limit", "warning", value=beyond, limit=0.0, points=points))
+    return result, [*findings, *replaced(spec, sweeps)]

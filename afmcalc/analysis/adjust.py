@@ -59,9 +59,14 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     narrower: Literal["min-friction", "mean-friction", "equal"] = "equal"
     if abs(wider - 1) > 1e-12:
         narrower = "min-friction" if wider > 1 else "mean-friction"
+    # number of pairs above which min-friction has the narrower scatter band, S19 (12), if there is such a number
+    margin, threshold = clutch["margin"], math.inf
+    ahead = "pairs_threshold" in clutch and (margin - 1) * clutch["gain"] > 0
+    if ahead and margin * clutch["friction_min"] < clutch["friction_mean"]:
+        threshold = clutch["pairs_threshold"]
     result = answer(
         AdjustResult, clutch, min_friction=at_min, mean_friction=at_mean, scatter_ratio=ratio, narrower=narrower,
-        pairs_threshold=_threshold(clutch),
+        pairs_threshold=threshold if math.isfinite(threshold) else None,
     )  # fmt: skip
     findings = clutch_findings(clutch)
     if narrower != "equal" and not results[narrower].holds_nominal:
@@ -83,14 +88,3 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
         slopes, path = {"at_min": first["gain_slope"], "at_mean": second["gain_slope"]}, "control_unit.pocket"
         findings.append(finding("pockets-re-cut", "info", value=clutch["gain_slope"], path=path, **slopes))
     return result, findings
-
-
-def _threshold(clutch: Quantities) -> float | None:
-    """Number of pairs above which min-friction has the narrower scatter band, S19 (12); None without such a number."""
-    if "pairs_threshold" not in clutch:
-        return None
-    margin, gain = clutch["margin"], clutch["gain"]
-    if not (margin - 1) * gain > 0 or margin * clutch["friction_min"] >= clutch["friction_mean"]:
-        return None
-    threshold = clutch["pairs_threshold"]
-    return threshold if math.isfinite(threshold) else None

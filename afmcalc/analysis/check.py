@@ -180,7 +180,13 @@ def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
 def _remarks(answers: Answers, without: Collection[str]) -> list[Finding]:
     """Findings on the law and on unusual values, and those of each ``judged`` analysis that applies and may run."""
     clutch, own = answers.clutch, answers.quiet
-    findings = [*clutch_findings(own), *_unusual(own)]
+    findings = clutch_findings(own)
+    linings = (clutch.spec.lists.materials or friction_materials()).values()
+    span = {"least": min(one.friction_min for one in linings), "most": max(one.friction_max for one in linings)}
+    for code, path, value, low, high in _usual_ranges(own):
+        if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
+            limit = low if value < low else high
+            findings.append(finding(code, "warning", value=value, limit=limit, path=path, low=low, high=high, **span))
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         findings.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
@@ -192,23 +198,11 @@ def _remarks(answers: Answers, without: Collection[str]) -> list[Finding]:
     return findings
 
 
-# values that are possible, but so unusual that a typing error is likely, such as mm for m: no limits of a design
-
-
-def _unusual(clutch: Clutch) -> Iterator[Finding]:
-    """Yield a warning for each number outside its usual range."""
-    linings = (clutch.spec.lists.materials or friction_materials()).values()
-    least, most = min(lining.friction_min for lining in linings), max(lining.friction_max for lining in linings)
-    for code, path, value, low, high in _usual_ranges(clutch):
-        if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
-            limit = low if value < low else high
-            yield finding(
-                code, "warning", value=value, limit=limit, path=path, low=low, high=high, least=least, most=most
-            )
-
-
 def _usual_ranges(clutch: Clutch) -> Iterator[tuple[str, str, float, float, float]]:
-    """Yield numbers of the design: code of the finding, key, value, and the ends of the usual range."""
+    """Yield code of the finding, key, value, and the ends of the usual range; beyond it a typing error is likely.
+
+    The ranges are no limits of a design: they are wide, and detect values typed in a wrong unit, such as mm for m.
+    """
     spec, radius = clutch.spec, clutch["mean_radius"]
     blocks = ("friction.driving", "friction.driven") if spec.friction.unlike else ("friction",)
     for path, friction in zip(blocks, spec.friction.groups, strict=False):
@@ -258,12 +252,20 @@ def _judged(answers: Answers, without: Collection[str]) -> tuple[list[CheckRow],
         if check.needs not in known:
             known[check.needs] = told(answers, check.needs)
         needed.setdefault(check.needs, []).append(check)
-        for row in _row(check, known[check.needs], (spec.heat and spec.heat.ambient) or 0.0):
-            rows.append(row)
-            if row.passed is None:
-                needs = lacks(answers.quiet, check) if row.value is None else translate(_SLIP_ENDS)
-                about: dict[str, Any] = {"name": row.name, "needs": needs}
-                findings.append(finding("requirement-not-judged", "warning", limit=row.limit, path=row.path, **about))
+        value, limit = check.value_of(known[check.needs]), check.limit_of(known[check.needs])
+        passed, used = None, None
+        if value is not None and limit is not None:
+            zero = ((spec.heat and spec.heat.ambient) or 0.0) if check.unit == "K abs" else 0.0
+            passed, used = bool(check.passes(value, limit)), check.utilisation(value, limit, zero)
+        if not check.requirement and (passed is None or (passed and (math.isinf(limit) or not limit))):
+            continue  # without value or effective limit only a requirement has a row
+        if passed and check.value in (known[check.needs].get("open") or ()):
+            passed = None  # the slip has not ended, so the value may still grow
+        rows.append(row := _told(check, translate(check.name), value, limit, used, passed))
+        if row.passed is None:
+            needs = lacks(answers.quiet, check) if row.value is None else translate(_SLIP_ENDS)
+            about: dict[str, Any] = {"name": row.name, "needs": needs}
+            findings.append(finding("requirement-not-judged", "warning", limit=row.limit, path=row.path, **about))
     for part, checks in needed.items():
         findings += failures(spec, known[part], checks)
     rows += _spring_rows(answers, without)
@@ -314,21 +316,6 @@ def told(answers: Answers, part: Part | None) -> Known:
 
         return {"torque_after_wear": torque_after_wear(clutch, result)}
     return {"outer_diameter": result.outer_diameter, "length": result.length}
-
-
-def _row(check: Check, known: Known, ambient: float) -> Iterator[CheckRow]:
-    """Yield the row of a check; a check without value or effective limit has no row, unless it is a requirement."""
-    value, limit = check.value_of(known), check.limit_of(known)
-    passed = None if value is None or limit is None else bool(check.passes(value, limit))
-    idle = passed is None or (passed and (math.isinf(limit) or not limit))
-    if idle and not check.requirement:
-        return
-    used = None
-    if value is not None and limit is not None:
-        used = check.utilisation(value, limit, ambient if check.unit == "K abs" else 0.0)
-    if passed and check.value in (known.get("open") or ()):
-        passed = None  # the slip has not ended, so the value may still grow
-    yield _told(check, translate(check.name), value, limit, used, passed)
 
 
 def _told(check: Check, name: str, value: Any, limit: Any, used: Any, passed: bool | None) -> CheckRow:

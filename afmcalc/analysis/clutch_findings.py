@@ -12,30 +12,25 @@ from ..spec.models import Friction, Spec
 def clutch_findings(clutch: Clutch) -> list[Finding]:
     """Return the findings on a clutch: failed checks of its law, and remarks on setting, materials and spring parts."""
     spec = clutch.spec
-    found = [*spec.label.findings, *failures_of(spec, clutch, "torque"), *_remarks(clutch)]
+    found = [*spec.label.findings, *failures_of(spec, clutch, "torque")]
+    if spec.friction.unlike:
+        most, at = clutch["torque_max"], clutch["friction_of_torque_max"]
+        if (factor := clutch["torque_at_f_max"] / most) < 1:
+            found.append(finding("torque-falls", "info", value=factor, limit=1.0, most=most, at=at))
+    if spec.kind.travels:
+        found += _of_sleeve(clutch)
+    nominal, wished = clutch["nominal_torque"], spec.adjustment.nominal_torque
+    if wished is not None and abs(nominal - wished) > 1e-4 * wished:
+        path = "adjustment.nominal_torque"
+        found.append(finding("nominal-torque-missed", "warning", value=nominal, limit=wished, path=path))
+    if spec.machine is not None and spec.machine.service_factor is None:
+        found.append(finding("service-factor-assumed", "info", value=1.0, path="machine.service_factor"))
     found += material_findings(spec.friction)
     if spec.spring_parts:
         from ..engines.parts import part_findings
 
         found += part_findings(clutch)
     return found
-
-
-def _remarks(clutch: Clutch) -> Iterator[Finding]:
-    """Yield findings on a torque that falls with friction, the sleeve, the nominal torque, and the service factor."""
-    spec = clutch.spec
-    if spec.friction.unlike:
-        most, at = clutch["torque_max"], clutch["friction_of_torque_max"]
-        if (factor := clutch["torque_at_f_max"] / most) < 1:
-            yield finding("torque-falls", "info", value=factor, limit=1.0, most=most, at=at)
-    if spec.kind.travels:
-        yield from _of_sleeve(clutch)
-    nominal, wished = clutch["nominal_torque"], spec.adjustment.nominal_torque
-    if wished is not None and abs(nominal - wished) > 1e-4 * wished:
-        path = "adjustment.nominal_torque"
-        yield finding("nominal-torque-missed", "warning", value=nominal, limit=wished, path=path)
-    if spec.machine is not None and spec.machine.service_factor is None:
-        yield finding("service-factor-assumed", "info", value=1.0, path="machine.service_factor")
 
 
 def _of_sleeve(clutch: Clutch) -> Iterator[Finding]:

@@ -50,45 +50,51 @@ class CompareResult(Answer):
 def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[CompareResult, list[Finding]]:
     """Set the main quantities of several clutches side by side, or of one clutch built as every variant.
 
-    Raises AfmcalcError if ``variants`` is true and there are several clutches.
+    A variant is built at equal spring force and at equal nominal torque. Raises AfmcalcError if ``variants`` is true
+    and there are several clutches.
     """
-    if variants:
-        if len(clutches) > 1:
-            raise AfmcalcError("compare --variants takes one SPEC")
-        return compare_variants(clutches[0])
-    often = Counter(clutch.spec.name for clutch in clutches)
-    rows, remarks = [], []
-    for clutch in clutches:
-        name = clutch.spec.name
+    if variants and len(clutches) > 1:
+        raise AfmcalcError("compare --variants takes one SPEC")
+    entries, missing = (_as_variants(clutches[0])) if variants else ([(clutch, None) for clutch in clutches], [])
+    often, rows, remarks = Counter(clutch.spec.name for clutch in clutches), list[ComparedClutch](), []
+    for clutch, basis in entries:
+        name, variant = clutch.spec.name, translate(clutch.spec.variant, "value")
         if len(clutches) > 1 and (name is None or often[name] > 1):
             name = clutch.spec.label
-        row, own = _row(clutch, None, name, named(name) or translate(clutch.spec.variant, "value"))
+        judged, findings = check(clutch)
+        row = answer(
+            ComparedClutch, clutch, name=name and named(name), variant=clutch.spec.variant, basis=basis,
+            **({} if clutch.spec.kind.travels else {"travel_max": None}), errors=judged.errors,
+            warnings=judged.warnings, passed=judged.verdict.passed, sentence=judged.verdict.sentence,
+            checks=judged.checks,
+        )  # fmt: skip
         rows.append(row)
-        remarks += own
-    return CompareResult(clutches=rows), _joined(remarks)
+        called = variant if variants else named(name) or variant
+        # findings on its law, and errors and warnings of its check
+        counted = (remark for remark in findings if remark.level != "info")
+        remarks += [(called, remark) for remark in dict.fromkeys((*clutch_findings(clutch), *counted))]
+    asked = clutches[0].spec.label.findings if variants else ()
+    return CompareResult(clutches=rows), [*asked, *_joined(remarks), *missing]
 
 
-def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
-    """Compare all variants as which a spec can be built, each at equal spring force and at equal nominal torque."""
-    rows, remarks, missing = [], [], []
+def _as_variants(clutch: Clutch) -> tuple[list[tuple[Clutch, str | None]], list[Finding]]:
+    """Clutches of all variants as which a spec can be built, with what is kept equal; findings on the others."""
+    by_force, by_torque, missing = list[Clutch](), list[Clutch](), []
     for variant in VARIANTS:
-        by_force = by_torque = clutch
+        own = [clutch, clutch]
         if variant != clutch.spec.variant:
             try:
                 spec = candidate(clutch.spec, {"variant": variant})
-                by_torque = build(with_key(spec, "adjustment.nominal_torque", clutch["nominal_torque"]))
-                by_force = build(with_key(spec, "closing_spring.force", clutch["closing_force"]))
+                equal = {"closing_spring.force": "closing_force", "adjustment.nominal_torque": "nominal_torque"}
+                own = [build(with_key(spec, path, clutch[name])) for path, name in equal.items()]
             except SpecError as error:
                 lacks = "; ".join(map(str, error.problems))
                 missing.append(finding("variant-not-possible", "info", variant=translate(variant), lacks=lacks))
                 continue
-        for built, basis in ((by_force, deferred("spring force")), (by_torque, deferred("nominal torque"))):
-            row, own = _row(built, basis, clutch.spec.name, translate(variant, "value"))
-            rows.append(row)
-            remarks += own
-    rows.sort(key=lambda row: row.basis != "spring force")
-    asked = list(clutch.spec.label.findings)
-    return CompareResult(clutches=rows), [*asked, *_joined(remarks), *missing]
+        by_force.append(own[0])
+        by_torque.append(own[1])
+    bases = (by_force, deferred("spring force")), (by_torque, deferred("nominal torque"))
+    return [(each, basis) for built, basis in bases for each in built], missing
 
 
 def _joined(remarks: Iterable[tuple[str, Finding]]) -> list[Finding]:
@@ -114,18 +120,3 @@ def change(now: object, before: object) -> float | None:
     if not isinstance(now, int | float) or not isinstance(before, int | float) or not before:
         return None
     return (now - before) / abs(before)
-
-
-def _row(
-    clutch: Clutch, basis: str | None, name: str | None, called: str
-) -> tuple[ComparedClutch, list[tuple[str, Finding]]]:
-    """Row of a clutch, and pairs (``called``, finding): findings on its law, and errors and warnings of its check."""
-    judged, findings = check(clutch)
-    counted = (remark for remark in findings if remark.level != "info")
-    travels = clutch.spec.kind.travels
-    row = answer(
-        ComparedClutch, clutch, name=name and named(name), variant=clutch.spec.variant, basis=basis,
-        **({} if travels else {"travel_max": None}), errors=judged.errors, warnings=judged.warnings,
-        passed=judged.verdict.passed, sentence=judged.verdict.sentence, checks=judged.checks,
-    )  # fmt: skip
-    return row, [(called, remark) for remark in dict.fromkeys((*clutch_findings(clutch), *counted))]

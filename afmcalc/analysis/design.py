@@ -28,7 +28,6 @@ from .asking import Answers
 from .check import check, simulating
 from .design_grid import (
     WARNINGS,
-    Part,
     Survey,
     equal_to,
     holding,
@@ -42,6 +41,8 @@ from .solve import is_quantity
 from .spring_search import bounded_demands, label_of, ranked, springs
 
 _DEFAULT = ("closing_force", "accuracy_factor")
+_SAME = 1e-8
+"""Range of an objective, relative to its largest magnitude, up to which it counts as a rounding error."""
 _TOLD = (
     "closing_force", "control_force", "accuracy_factor", "torque_max", "trip_ratio_min", "trip_ratio_max", "travel_max",
     "ball_diameter_standard",
@@ -72,9 +73,8 @@ _UNITS = {name_of(check): check.unit for check in CHECKS}
 
 
 def _small(objective: str) -> str:
-    """Return the name of an objective in words."""
-    meaning = translate(term_of(objective.removeprefix("-")).meaning)
-    return say("{quantity} (large)", quantity=meaning) if objective.startswith("-") else meaning
+    """Return the name of a quantity in words."""
+    return translate(term_of(objective).meaning)
 
 
 class DesignRow(Result):
@@ -121,7 +121,10 @@ class DesignResult(Answer):
     feasible: int = described(
         "candidates not excluded; only those that come to the front are asked for events, heat and springs"
     )
-    objectives: list[str] = described("what is small on the front", in_words=_small)
+    objectives: list[str] = described(
+        "what is small on the front",
+        in_words=lambda name: say("{quantity} (large)", quantity=_small(name[1:])) if name[0] == "-" else _small(name),
+    )
     compromise: int | None = described("compromise: its number (least sum of the normalised objectives)", optional=True)
     excluded: dict[str, int] = described(
         "candidates excluded by each check", ranked=True, keys_are="check", in_words=_in_words
@@ -131,17 +134,32 @@ class DesignResult(Answer):
 
 
 @np.errstate(all="ignore")
-def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
+def design(spec: Spec, sort: str | None = None) -> tuple[DesignResult, list[Finding]]:
     """Search the grid of a spec; return the front or, if it is empty, the checks that exclude the nearest candidate.
 
     Raises SpecError if there is no [search], or if it has too many candidates; AfmcalcError if an objective is no
-    quantity of any candidate.
+    quantity of any candidate, or if ``sort`` is not a number in the rows of the front.
     """
     objectives = list(spec.objectives or _DEFAULT)
     parts = parts_of_search(spec)
-    _check_objectives(parts, objectives)
+    clutches = [wired(with_values(part.base, part.values(np.arange(1)))) for part in parts]
+    for name in (objective.removeprefix("-") for objective in objectives):
+        if not any(name in own for own in clutches):
+            try:
+                clutches[0][name]
+            except LookupError as error:
+                raise AfmcalcError("objectives: {why}", why=error.args[0]) from None
+        if not is_quantity(name):
+            raise AfmcalcError("objectives: {name} is no number", name=name)
     survey = Survey(parts, objectives)
     judge = _Judge(spec, survey)
+    numbers = [name for name, (_, field) in _columns(survey, objectives, judge).items() if shown_as(field).unit]
+    numbers += [name for name, row in REQUIRED.items() if row.needs and getattr(spec.requirements, name, None)]
+    if sort is not None and sort not in (numbers := ["number", "pairs", *numbers]):
+        raise AfmcalcError(
+            "--sort {name}: no such quantity{hint}; one of {known}",
+            name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
+        )  # fmt: skip
     places = judge.front()
     excluded = {code: count for code, count in (survey.excluded + judge.excluded).items() if count}
     front = _numbered(survey, objectives, places, judge)
@@ -160,19 +178,6 @@ def design(spec: Spec) -> tuple[DesignResult, list[Finding]]:
     if equals := equal_to(survey.costs, places):
         told.append(finding("front-equals", "info", value=equals))
     return result, [*spec.label.findings, *told]
-
-
-def _check_objectives(parts: Sequence[Part], objectives: Sequence[str]) -> None:
-    """Raise AfmcalcError for an objective that no variant has, or that is no number."""
-    clutches = [wired(with_values(part.base, part.values(np.arange(1)))) for part in parts]
-    for name in (objective.removeprefix("-") for objective in objectives):
-        if not any(name in own for own in clutches):
-            try:
-                clutches[0][name]
-            except LookupError as error:
-                raise AfmcalcError("objectives: {why}", why=error.args[0]) from None
-        if not is_quantity(name):
-            raise AfmcalcError("objectives: {name} is no number", name=name)
 
 
 class _Judge:
@@ -283,8 +288,11 @@ def _beyond(missed: Finding) -> float:
 
 def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judge: _Judge) -> list[DesignRow]:
     """Return the rows of the front, numbered, with the compromise marked."""
-    costs = survey.costs[places]
-    best = _compromise(costs)
+    costs, best = survey.costs[places], None
+    if len(costs) > 2 and costs.shape[1] > 1:  # least sum of the normalised objectives
+        low, span = costs.min(axis=0), np.ptp(costs, axis=0)
+        varied = span > _SAME * np.abs(costs).max(axis=0)
+        best = int(np.argmin(((costs - low) / np.where(varied, span, np.inf)).sum(axis=1)))
     kind: Any = create_model("DesignRow", __base__=DesignRow, **_columns(survey, objectives, judge))
     rows, told = list[DesignRow](), (*(name.removeprefix("-") for name in objectives), *_TOLD)
     for number, place in enumerate(places, 1):
@@ -302,19 +310,6 @@ def _numbered(survey: Survey, objectives: Sequence[str], places: list[int], judg
         row._changes = _changes(spec, changes)
         rows.append(row)
     return rows
-
-
-def _compromise(costs: Any) -> int | None:
-    """Return the row with the least sum of normalised objectives; None for fewer than three rows or two objectives."""
-    if len(costs) < 3 or costs.shape[1] < 2:
-        return None
-    low, span = costs.min(axis=0), np.ptp(costs, axis=0)
-    varied = span > _SAME * np.abs(costs).max(axis=0)
-    return int(np.argmin(((costs - low) / np.where(varied, span, np.inf)).sum(axis=1)))
-
-
-_SAME = 1e-8
-"""Range of an objective, relative to its largest magnitude, up to which it counts as a rounding error."""
 
 
 def _columns(survey: Survey, objectives: Sequence[str], judge: _Judge) -> dict[str, Any]:
@@ -385,19 +380,9 @@ def picked(spec: Spec, result: DesignResult, pick: int | str) -> tuple[DesignRow
 
 
 def shown(result: DesignResult, sort: str | None = None, *, whole: bool = False) -> DesignResult:
-    """Return the result with its front sorted: the first rows and the compromise, or all rows, with their numbers.
-
-    Raises AfmcalcError if ``sort`` is not a number in the rows of the front.
-    """
+    """Return the result with its front sorted: the first rows and the compromise, or all rows, with their numbers."""
     ordered = result.front
-    if sort is not None and ordered:
-        fields = type(ordered[0]).model_fields.items()
-        numbers = [name for name, field in fields if shown_as(field).unit or name in ("number", "pairs")]
-        if sort not in numbers:
-            raise AfmcalcError(
-                "--sort {name}: no such quantity{hint}; one of {known}",
-                name=sort, hint=did_you_mean(sort, numbers), known=", ".join(numbers),
-            )  # fmt: skip
+    if sort is not None:
         ordered = sorted(ordered, key=lambda row: row.objective(sort))
     if not whole:
         ordered = [row for place, row in enumerate(ordered) if place < _FIRST or row.mark]

@@ -13,7 +13,7 @@ from ..engines import Clutch, build
 from ..engines.checks import Check, checks_of
 from ..engines.evaluate import BLOCK, SLOPE
 from ..engines.quantities import Quantities
-from ..engines.rings import TOUCHES, SectionPart, length_of, overlaps, parts_of, sizes_of
+from ..engines.rings import TOUCHES, length_of, overlaps, parts_of, sizes_of
 from ..equations.arrays import next_listed
 from ..errors import SpecError
 from ..messages import say
@@ -30,24 +30,8 @@ _DIGITS = 11
 """Decimal digits to which the mantissas of objectives are rounded before clutches are compared."""
 
 
-class Row(NamedTuple):
-    """A check, with values and limits of many candidates: arrays, or one number for all candidates."""
-
-    check: Check
-    value: Any
-    limit: Any
-
-    @property
-    def holds(self) -> Any:
-        """Mask of the candidates that pass the check."""
-        return self.check.passes(self.value, self.limit)
-
-    @property
-    def excess(self) -> Any:
-        """Excess of each candidate over the limit, relative to the limit; 0 for candidates that pass."""
-        size = np.maximum(np.abs(self.limit), 1e-3)
-        beyond = np.nan_to_num(np.abs(self.value - self.limit) / size, nan=1e9, posinf=1e9)
-        return np.where(self.holds, 0.0, beyond)
+Row = tuple[Check, Any, Any]
+"""A check, with values and limits of many candidates: arrays, or one number for all candidates."""
 
 
 def name_of(check: Check) -> str:
@@ -192,31 +176,28 @@ def wired(spec: Spec) -> Quantities:
 
 def rows_of(spec: Spec, own: Quantities) -> Iterator[Row]:
     """Yield the rows of all checks that can exclude a candidate and need no simulation or sample."""
-    laid = None if spec.envelope is None else _layout(spec, own)
-    known = {} if laid is None else {"outer_diameter": 2 * laid[0].boxes[0].outer, "length": length_of(laid)}
+    laid, known, unit = [], {}, spec.control_unit
+    if spec.envelope is not None:  # if the spec gives no balls, with the chosen balls
+        whole = spec
+        if unit is not None and unit.ball_diameter is None and "ball_diameter_standard" in own:
+            whole = with_values(spec, {"control_unit.ball_diameter": own["ball_diameter_standard"]})
+        laid = parts_of(sizes_of(Clutch(whole, own.laws, own.given)))
+        known = {"outer_diameter": 2 * laid[0].boxes[0].outer, "length": length_of(laid)}
     for check in checks_of(spec):
         if (check.level == "error" or check.code in WARNINGS) and check.needs in (None, "layout"):
             value, limit = (ask(known if check.needs else own) for ask in (check.value_of, check.limit_of))
             if value is not None and limit is not None:
-                yield Row(check, value, limit)
-    for *_, missing in overlaps(laid or []):
-        yield Row(COLLIDE, missing, TOUCHES)
+                yield check, value, limit
+    for *_, missing in overlaps(laid):
+        yield COLLIDE, missing, TOUCHES
 
 
 def holding(spec: Spec, own: Quantities, shape: tuple[int, ...]) -> Mask:
     """Mask of the clutches that have a valid spec and pass every check."""
     good = np.broadcast_to(is_clutch(spec, own), shape).copy()
-    for row in rows_of(spec, own):
-        good &= row.holds
+    for check, value, limit in rows_of(spec, own):
+        good &= check.passes(value, limit)
     return good
-
-
-def _layout(spec: Spec, own: Quantities) -> list[SectionPart]:
-    """Lay out clutches whose numbers may be arrays; if the spec gives no balls, with the chosen balls."""
-    unit = spec.control_unit
-    if unit is not None and unit.ball_diameter is None and "ball_diameter_standard" in own:
-        spec = with_values(spec, {"control_unit.ball_diameter": own["ball_diameter_standard"]})
-    return parts_of(sizes_of(Clutch(spec, own.laws, own.given)))
 
 
 # survey and front
@@ -253,11 +234,11 @@ class Survey:
         lost = {"not-a-clutch": ~real}
         good, misses, excess = real.copy(), np.zeros(numbers.shape, int), np.zeros(numbers.shape)
         rows = list(rows_of(spec, own))
-        for row in rows:
-            holds = np.broadcast_to(row.holds, numbers.shape)
+        for check, value, limit in rows:
+            holds, name = np.broadcast_to(check.passes(value, limit), numbers.shape), name_of(check)
+            beyond = np.abs(value - limit) / np.maximum(np.abs(limit), 1e-3)
+            excess += np.where(holds, 0.0, np.nan_to_num(beyond, nan=1e9, posinf=1e9))
             misses += ~holds
-            excess += row.excess
-            name = name_of(row.check)
             lost[name] = lost.get(name, False) | (~holds & real)
             good &= holds
         self.excluded.update({name: int(np.sum(mask)) for name, mask in lost.items()})

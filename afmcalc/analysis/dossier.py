@@ -51,9 +51,8 @@ class Dossier(NamedTuple):
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
     """Run every analysis that applies to a clutch, once; ``explained`` adds the derivations."""
     answers, derived = Answers(noting(spec) if explained else build(spec), model=model), dict[str, list[NotedStep]]()
-    for analysis in (
-        ANALYSES.values() if explained else ()
-    ):  # which note their steps; a formula is shown where first used
+    # analyses note their steps; a formula is shown where it is first used
+    for analysis in ANALYSES.values() if explained else ():
         if analysis.section and analysis.explained and analysis.applies(answers.clutch):
             before = len(steps_of(answers.clutch))
             answers.ask(analysis.name)

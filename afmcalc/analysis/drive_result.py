@@ -12,6 +12,11 @@ NOT_ENDED = "not ended"
 """Text for a slip that does not end: the motor keeps it going, or the simulated time is too short (see findings)."""
 
 
+def _open(unit: str, symbol: str, description: str, **shown: Any) -> Any:
+    """Declare a field that is left out where it does not apply; people are told of a slip that does not end."""
+    return quantity(unit, symbol, description, optional=True, null=NOT_ENDED, **shown)
+
+
 def ends_of(values: Iterable[Any]) -> dict[str, Any]:
     """Values at f_min, mean friction and f_max as fields of a ``Triple``, or of an ``OpenTriple``."""
     return dict(zip(("min", "mean", "max"), values, strict=True))
@@ -29,9 +34,7 @@ class SimulatePoint(Result):
     dynamic_factor: float = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
     slip_time: float | None = quantity("s", "t_s", "time of slip", null=NOT_ENDED, digits=3)
     slip_energy: float | None = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
-    key_energy: float | None = quantity(
-        "J", "Q_key", "energy lost at the key until the slip ends", optional=True, null=NOT_ENDED
-    )
+    key_energy: float | None = _open("J", "Q_key", "energy lost at the key until the slip ends")
     travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     peak_torque_conventional: float = quantity("N*m", "T_peak,0", "peak torque with an ordinary clutch of equal T_н")
 
@@ -60,15 +63,9 @@ class SimulateResult(Answer):
     peak_over_machine: Triple | None = quantity("1", "T_peak/T_0", "peak torque over the load before it", optional=True)
     slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED, digits=3)
     slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
-    slip_time_spread: OpenTriple | None = quantity(
-        "1", "δ_t", "change of the time of slip against twice the time step", optional=True, null=NOT_ENDED
-    )
-    slip_energy_spread: OpenTriple | None = quantity(
-        "1", "δ_Q", "change of the heat against twice the time step", optional=True, null=NOT_ENDED
-    )
-    key_energy: OpenTriple | None = quantity(
-        "J", "Q_key", "energy lost at the key until the slip ends", optional=True, null=NOT_ENDED
-    )
+    slip_time_spread: OpenTriple | None = _open("1", "δ_t", "change of the time of slip against twice the time step")
+    slip_energy_spread: OpenTriple | None = _open("1", "δ_Q", "change of the heat against twice the time step")
+    key_energy: OpenTriple | None = _open("J", "Q_key", "energy lost at the key until the slip ends")
     travel_max: Triple | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: Triple | None = quantity("N", "F_n", "largest contact force on one ball", optional=True)
     peak_torque_bypass: float | None = quantity(
@@ -111,26 +108,16 @@ class HeatResult(Answer):
     energy_source: EnergySource = quantity("", None, "where time and heat of the slip are from")
     slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED, digits=3)
     energy: OpenTriple = quantity("J", "Q", "heat of a trip", null=NOT_ENDED)
-    specific_work: OpenTriple | None = quantity(
-        "J/m^2", "q_A", "work per area of a pair", optional=True, null=NOT_ENDED
-    )
+    specific_work: OpenTriple | None = _open("J/m^2", "q_A", "work per area of a pair")
     power_density: Triple | None = quantity("W/m^2", "q", "largest power per area of a pair", optional=True)
-    temperature_rise: OpenTriple | None = quantity(
-        "K", "ΔΘ_d", "mean rise of the discs by a trip, the lining taking its share", optional=True, null=NOT_ENDED
+    temperature_rise: OpenTriple | None = _open(
+        "K", "ΔΘ_d", "mean rise of the discs by a trip, the lining taking its share"
     )
-    temperature: OpenTriple | None = quantity(
-        "K abs", "Θ", "mean temperature of the discs after a trip", optional=True, null=NOT_ENDED
+    temperature: OpenTriple | None = _open("K abs", "Θ", "mean temperature of the discs after a trip")
+    surface_temperature_rise: OpenTriple | None = _open(
+        "K", "ΔΘ_s", "largest rise of the faces during a trip, the lining taking its share"
     )
-    surface_temperature_rise: OpenTriple | None = quantity(
-        "K",
-        "ΔΘ_s",
-        "largest rise of the faces during a trip, the lining taking its share",
-        optional=True,
-        null=NOT_ENDED,
-    )
-    face_temperature: OpenTriple | None = quantity(
-        "K abs", "Θ_s", "largest temperature of the faces during a trip", optional=True, null=NOT_ENDED
-    )
+    face_temperature: OpenTriple | None = _open("K abs", "Θ_s", "largest temperature of the faces during a trip")
     temperature_limit: float | None = quantity(
         "K abs", "Θ_max", "allowable temperature, for the discs", optional=True, digits=5
     )

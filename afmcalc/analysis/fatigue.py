@@ -34,8 +34,6 @@ UNLIMITED = "unlimited"
 """Text shown for a life that fatigue does not limit."""
 _NEEDS: dict[StressRule, str] = {"amplitude": "mean_stress_sensitivity", "goodman": "ultimate_strength"}
 """Rule that counts each slip as one cycle → key of [fatigue] that the rule needs."""
-_BLOCK = 1_000
-"""Number of sweep points calculated at a time by the rules that count slips: each point has 256 slips."""
 
 
 class MethodCycles(Result):
@@ -203,8 +201,7 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: 
         return lives_of(_load(load, side))
 
     outputs = {side: partial(lives, side) for side in _SWEPT}
-    block = {"block": _BLOCK} if model in _NEEDS else {}
-    return series(LifeSweep, clutch.spec, axes, outputs, open_at=_SWEPT, **block) or []
+    return series(LifeSweep, clutch.spec, axes, outputs, open_at=_SWEPT) or []
 
 
 _SWEPT = ("protected", "unprotected", "protected_forecast")

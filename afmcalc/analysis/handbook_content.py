@@ -121,10 +121,5 @@ def _entry(equation: Equation) -> Entry:
 
 def commands_of(name: str) -> list[str]:
     """Commands that calculate an equation: they note it as a step in an example, or are listed in ``uses.toml``."""
-    return sorted({command for _, command, _ in _steps().get(name, [])}.union(_uses().get(name, ())))
-
-
-@cache
-def _uses() -> dict[str, list[str]]:
-    """Equation → further commands that calculate it without noting a step, from ``uses.toml``."""
-    return tomllib.loads(HANDBOOK.joinpath("uses.toml").read_text(encoding="utf-8"))
+    further: dict[str, list[str]] = tomllib.loads(HANDBOOK.joinpath("uses.toml").read_text(encoding="utf-8"))
+    return sorted({command for _, command, _ in _steps().get(name, [])}.union(further.get(name, ())))

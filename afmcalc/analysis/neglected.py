@@ -1,7 +1,7 @@
 """Effects that the torque law neglects, for one clutch, in numbers (handbook, chapter 13)."""
 
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, Literal, NamedTuple
 
@@ -80,12 +80,6 @@ class EffectSource(NamedTuple):
     bracket: Callable[..., Bracket]
     """Function that returns the bracket for a clutch and the values of the keys in ``needs``."""
     words: str
-    own: int = 0
-    """Number of keys at the start of ``needs`` that no other effect uses."""
-
-    def is_begun(self, clutch: Clutch) -> bool:
-        """True if the spec has some of the keys that no other effect uses."""
-        return any(_value(clutch, path) is not None for path in self.needs[: self.own])
 
     def missing(self, clutch: Clutch) -> list[str]:
         """Keys in ``needs`` that the spec lacks; a stiffness that a spring part gives is not missing."""
@@ -100,49 +94,32 @@ def _value(clutch: Clutch, path: str) -> Any:
 
 def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
     """Calculate each effect for which the spec has the data (else SpecError); the springs stay as they are set."""
-    brackets = _brackets(clutch)
-    if not brackets:
-        listed, paths = _wanting(clutch, {name for name, source in SOURCES.items() if source.is_begun(clutch)})
+    told = {name: source for name, source in SOURCES.items() if not source.missing(clutch)}
+    if not told:
+        begun = [source for source in SOURCES.values() if source.needs[0] != _SPEED and _value(clutch, source.needs[0])]
+        listed, paths = _wanting(clutch, begun or SOURCES.values())
         needs = "\n  ".join([say("the data of one effect at least:"), *listed])
         raise lacking(clutch.spec, "effects", needs, "drive", paths)
-    result = EffectsResult(
-        accuracy_factor=clutch.accuracy_factor,
-        torque=ends_of(_torque(clutch, *_ends(clutch)).tolist()),
-        effects=[_effect(clutch, name, curves) for name, (curves, _) in brackets.items() if curves],
-    )
-    remarks = [remark for _, found in brackets.values() for remark in found]
-    taken = speed_findings(clutch.spec) if "centrifugal" in brackets else ()
-    return result, [*clutch_findings(clutch), *taken, *remarks, *_findings(clutch, result)]
+    # accuracy factor: largest over smallest torque as f_1 and f_2 rise together
+    path, (first, second) = clutch.path(np.linspace(0.0, 1.0, POINTS)), map(np.array, clutch.spec.friction.groups)
+    found, remarks = list[Effect](), [*speed_findings(clutch.spec)] if "centrifugal" in told else []
+    for name, source in told.items():
+        curves, said = source.bracket(clutch, *(_value(clutch, path) for path in source.needs))
+        remarks += said
+        if curves:
+            factors = sorted(float(course.max() / course.min()) for course in (curve(*path) for curve in curves))
+            torques = np.sort([curve(first, second) for curve in curves], axis=0)
+            ends = {"torque_low": ends_of(torques[0].tolist()), "torque_high": ends_of(torques[-1].tolist())}
+            effect = Effect(effect=name, **ends, accuracy_factor_low=factors[0], accuracy_factor_high=factors[-1])
+            found.append(effect)
+    torque = ends_of(_torque(clutch, first, second).tolist())
+    result = EffectsResult(accuracy_factor=clutch.accuracy_factor, torque=torque, effects=found)
+    return result, [*clutch_findings(clutch), *remarks, *_findings(clutch, result)]
 
 
 def _torque(clutch: Clutch, driving: Floats, driven: Floats) -> Floats:
     """Slip torques at f_1 and f_2, N·m."""
     return np.broadcast_to(clutch.at_friction(driving, driven)["torque"], driving.shape)
-
-
-def _brackets(clutch: Clutch) -> dict[EffectName, Bracket]:
-    return {
-        name: source.bracket(clutch, *(_value(clutch, path) for path in source.needs))
-        for name, source in SOURCES.items()
-        if not source.missing(clutch)
-    }
-
-
-def _effect(clutch: Clutch, name: EffectName, curves: Sequence[Torque]) -> Effect:
-    # accuracy factor: largest over smallest torque as f_1 and f_2 rise together
-    path, ends = clutch.path(np.linspace(0.0, 1.0, POINTS)), _ends(clutch)
-    factors = sorted(float(course.max() / course.min()) for course in (curve(*path) for curve in curves))
-    torques = np.sort([curve(*ends) for curve in curves], axis=0)
-    return Effect(
-        effect=name, torque_low=ends_of(torques[0].tolist()), torque_high=ends_of(torques[-1].tolist()),
-        accuracy_factor_low=factors[0], accuracy_factor_high=factors[-1],
-    )  # fmt: skip
-
-
-def _ends(clutch: Clutch) -> tuple[Floats, Floats]:
-    """f_1 and f_2, each as an array of its minimum, mean and maximum."""
-    first, second = map(np.array, clutch.spec.friction.groups)
-    return first, second
 
 
 def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
@@ -167,14 +144,14 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
                 yield finding("worn-below-machine", "warning", value=worn, limit=machine, path=path)
             elif worn < nominal * (1 - 1e-12):
                 yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
-    listed, paths = _wanting(clutch)
+    listed, paths = _wanting(clutch, SOURCES.values())
     if listed:
         yield finding("effect-not-told", "info", path=paths[0], listed="; ".join(listed))
 
 
-def _wanting(clutch: Clutch, names: Collection[str] = ()) -> tuple[list[str], list[str]]:
-    """Effects (among ``names``, if given) that lack keys of the spec, each with these keys; and all these keys."""
-    gone = {source.words: source.missing(clutch) for name, source in SOURCES.items() if name in (names or SOURCES)}
+def _wanting(clutch: Clutch, sources: Iterable[EffectSource]) -> tuple[list[str], list[str]]:
+    """Effects that lack keys of the spec, each with these keys; and all these keys."""
+    gone = {source.words: source.missing(clutch) for source in sources}
     gone = {words: paths for words, paths in gone.items() if paths and not foreign_keys(paths, clutch.spec.variant)}
     listed = [
         say("{name} (needs {listed})", name=translate(words), listed=", ".join(paths)) for words, paths in gone.items()
@@ -290,7 +267,6 @@ SOURCES: Mapping[EffectName, EffectSource] = {
         tuple(f"friction_group.{key}" for key in ("spline_friction", "inner_spline_radius", "outer_spline_radius")),
         _splines,
         deferred("discs held in their splines"),
-        own=3,
     ),
     "centrifugal": EffectSource(
         (_SPEED, "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),
@@ -301,13 +277,11 @@ SOURCES: Mapping[EffectName, EffectSource] = {
         ("heat.lining", STIFFNESS),
         lambda clutch, lining, *_: _weaker(clutch, float(lost_by_wear(clutch, lining)), "heat.lining"),
         deferred("wear of the lining"),
-        own=1,
     ),
     "pressure-disc-key": EffectSource(
         ("control_unit.pressure_disc_key",),
         _pressure_disc_key,
         deferred("friction at the key of the pressure disc"),
-        own=1,
     ),
 }
 """Definitions of the effects, in the order of the result."""

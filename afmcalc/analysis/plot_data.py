@@ -13,7 +13,6 @@ from ..errors import AfmcalcError, CalculationError, given
 from ..messages import did_you_mean
 from ..papers.claims import paper_figure
 from ..result import quantity
-from ..spec import Spec
 from ..spec.keys import is_whole
 from ..spec.models import Method
 from .accuracy_factor import AccuracySweep
@@ -231,8 +230,6 @@ class SimulateFigure(NamedTuple):
     name: str | None
     kind: str
     """Kind of the event."""
-    load: float
-    """Load before the event, N·m."""
     result: SimulateResult
     courses: list[list[MomentRow]]
     """Moments of the event, in order of time, at each of f_min, mean friction and f_max."""
@@ -282,11 +279,22 @@ def gathered(name: str, request: Request) -> Any:
         case "pocket":
             return shop_drawing(subject.clutch, subject.ask("pocket")[0])  # raises an error without balls
         case "tolerance":
-            return _tolerance(subject)
+            spec, study = subject.clutch.spec, subject.of(ToleranceResult)
+            if not study.histogram:
+                raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
+            return ToleranceFigure(spec.name, float(subject.clutch.nominal_torque), spec.tolerance.seed, study)
         case "simulate":
-            return _simulate(subject)
+            spec, event = subject.clutch.spec, subject.of(SimulateResult)
+            rows = history(subject.clutch, short=True).moments
+            courses = [list(course) for _, course in groupby(rows, lambda row: (row.friction, row.friction_driving))]
+            return SimulateFigure(spec.name, spec.drive.event.kind, event, courses)
         case "pareto":
-            return _pareto(subject)
+            result, findings = design(subject)
+            if len(set(result.objectives)) < 2:
+                raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
+            if not result.front:
+                raise CalculationError(findings[0].message)
+            return ParetoFigure(subject.name, result)
         case _:  # "paper", the only name left in PLOTS
             return paper_figure(subject)
 
@@ -302,28 +310,3 @@ def _life(request: Request) -> list[LifeCurve]:
             "plot life: by the model {model!r} fatigue sets no limit anywhere in the range", model=curves[0].model
         )
     return curves
-
-
-def _tolerance(answers: Answers) -> ToleranceFigure:
-    result, spec = answers.of(ToleranceResult), answers.clutch.spec
-    if not result.histogram:
-        raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
-    assert spec.tolerance is not None
-    return ToleranceFigure(spec.name, float(answers.clutch.nominal_torque), spec.tolerance.seed, result)
-
-
-def _simulate(answers: Answers) -> SimulateFigure:
-    spec, result = answers.clutch.spec, answers.of(SimulateResult)
-    rows = history(answers.clutch, short=True).moments
-    courses = [list(course) for _, course in groupby(rows, lambda row: (row.friction, row.friction_driving))]
-    assert spec.drive.event is not None
-    return SimulateFigure(spec.name, spec.drive.event.kind, result.load_torque, result, courses)
-
-
-def _pareto(spec: Spec) -> ParetoFigure:
-    result, findings = design(spec)
-    if len(set(result.objectives)) < 2:
-        raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
-    if not result.front:
-        raise CalculationError(findings[0].message)
-    return ParetoFigure(spec.name, result)

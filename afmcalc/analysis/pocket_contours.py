@@ -11,7 +11,6 @@ from typing import NamedTuple, TypeAlias
 from ..engines import Clutch
 from ..engines.rings import parts_of, sizes_of
 from ..errors import CalculationError
-from ..messages import say
 from ..spec import Spec
 from .pocket_wall import Wall, wall_of
 from .synthesize import SynthesisResult
@@ -72,13 +71,12 @@ def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
     wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
     if not wall.can_be_cut:
         assert wall.undercut_radius is not None
-        message = say(
+        raise CalculationError(
             "no pocket to draw: a ball of {ball:.5g mm} undercuts its curved wall, as does every one from "
             "{limit:.5g mm} on (afmcalc pocket says what makes it possible)",
             ball=unit.ball_diameter,
             limit=2 * wall.undercut_radius,
         )
-        raise CalculationError(message)
     if unit.web is not None and unit.web <= 0:
         raise CalculationError("no pocket to draw: the pockets cut into each other")
     sleeve = _sleeve_of(clutch.spec, unit, wall)
@@ -120,14 +118,13 @@ def _sleeve_of(spec: Spec, unit: SynthesisResult, wall: Wall) -> SleeveSizes:
     elif depth is None:
         depth, assumed = (1 + BESIDE) * cut + relief, assumed | {"depth"}
     if depth <= cut + relief:
-        message = say(
+        raise CalculationError(
             "no pocket to draw: {cut:.5g mm} deep, and {relief:.5g mm} under the ball, it goes through a sleeve of "
             "{depth:.5g mm}",
             cut=cut,
             relief=relief,
             depth=depth,
         )
-        raise CalculationError(message)
     return SleeveSizes(
         outer_diameter=2 * circle + ball,
         bore=bore,

@@ -101,11 +101,6 @@ def _can_be_simulated(clutch: "Clutch") -> bool:
     return clutch.spec.drive.event is not None
 
 
-def _can_be_synthesized(clutch: "Clutch") -> bool:
-    unit = clutch.spec.control_unit
-    return unit is not None and unit.ball_circle_radius is not None and bool(clutch["gain"] > 0)
-
-
 def _any_effect(clutch: "Clutch") -> bool:
     from .neglected import SOURCES
 
@@ -152,7 +147,8 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("overload", "trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
         ),
         Analysis(
-            "pocket", "analysis.synthesize", "SynthesisResult", _can_be_synthesized, explained=True, judged=True,
+            "pocket", "analysis.synthesize", "SynthesisResult",
+            lambda clutch: "ball_circle_radius" in clutch and bool(clutch["gain"] > 0), explained=True, judged=True,
             conclusion=lambda result: "ball" if result.ball_diameter_standard else "no-ball",
             plot=Plot("pocket", "section through ball and pockets, to scale; .dxf and .svg for the shop", "clutch"),
         ),

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..drive.cases import Case, Outcome, case_of, outcome_of
-from ..drive.integrator import CLOSE, CLOSE_CLUTCH, CLOSED, SPREAD, Event, Row, peak_time
+from ..drive.integrator import CLOSE, CLOSE_CLUTCH, CLOSED, SPREAD, Event, peak_time
 from ..drive.pack_and_sleeve import Sleeve
 from ..drive.train import Train, train_of
 from ..engines import Clutch
@@ -40,6 +40,7 @@ def _end_symbols() -> tuple[str, str, str]:
 _NEAR = 1e-3
 """Relative difference below which a number of the spec counts as equal to the simulated one."""
 _ROUNDING = 1e-9
+_AT_POINT = SimulatePoint.model_fields.keys()
 _MOMENTS = 2000
 """Approximate number of moments in a history."""
 
@@ -59,19 +60,14 @@ def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result
         yield finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia")
     if carried < load * (1 - _ROUNDING):
         yield finding("ordinary-slips-before-event", "info", value=carried, limit=load, path="adjustment.method")
-    # the clutch must carry the load before the event, and the motor must drive it
     for end, one in zip(_end_symbols(), outcomes, strict=True):
-        if (carried := float(one.case.pack.breakaway)) < load * (1 - _ROUNDING):
-            path = "drive.load_torque"
-            yield finding("slips-before-event", "error", value=carried, limit=load, path=path, at=end)
+        yield from _of_event(end, one)
     motor = float(train.engine.at(train.speed))
     if abs(motor - load) > _NEAR * max(load, motor):
         path = "drive.speed" if train.engine.slip is not None else "drive.motor_torque"
         yield finding("drive-not-in-balance", "info", value=motor, limit=load, path=path)
-    yield from _endless(train, outcomes)
     if result.energy_residual > CLOSED:
         yield finding("energy-not-closed", "error", value=result.energy_residual, limit=CLOSED)
-    yield from _accuracy(outcomes)
     # S22 leaves open where between slip torque T_муф and potential torque T_п a clutch trips: here as a number
     last, unit = outcomes[-1], clutch.spec.control_unit
     if unit is not None and unit.release_lag and last.trip_position is not None:
@@ -94,40 +90,33 @@ def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
     return finding("inertia-torque/slow", "info", value=float(beyond), limit=limit, path=path, swing=swing)
 
 
-def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Yield findings on a motor that does not stop, and on slip that does not end within the simulated time."""
-    strongest = float(train.engine.torque)
-    for end, one in zip(_end_symbols(), outcomes, strict=True):
-        pulled = abs(one.event.last) if one.endless else one.event.pulled
-        if not pulled or not (one.endless or pulled <= strongest):
-            continue
-        carries, sliding = measured(pulled, "N*m", 5), float(one.case.pack.sliding)
+def _of_event(end: str, one: Outcome) -> Iterator[Finding]:
+    """Yield findings on one event: what slips before it, a motor or a slip that does not stop, an inaccurate result."""
+    event, train, sliding = one.event, one.case.train, float(one.case.pack.sliding)
+    if (carried := float(one.case.pack.breakaway)) < train.load * (1 - _ROUNDING):
+        yield finding("slips-before-event", "error", value=carried, limit=train.load, path="drive.load_torque", at=end)
+    pulled, strongest = abs(event.last) if one.endless else event.pulled, float(train.engine.torque)
+    if pulled and (one.endless or pulled <= strongest):
+        carries = measured(pulled, "N*m", 5)
         if pulled < sliding * (1 - _NEAR):
             carries = say(
                 "{pulled:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises",
                 pulled=pulled, sliding=sliding,
             )  # fmt: skip
-        heat = one.event.heat if one.event.ended else 0.0
-        yield carried_by_motor(pulled, strongest, end, carries, heat, train.cut_off)
-    for end, one in zip(_end_symbols(), outcomes, strict=True):
-        path, lasted = "drive.event.duration", one.event.time
-        if not one.event.stuck and not one.endless:
-            yield finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end)
-        elif one.event.stuck and not one.event.settled:
-            yield finding("event-not-settled", "warning", value=lasted, path=path, at=end)
-
-
-def _accuracy(outcomes: Sequence[Outcome]) -> Iterator[Finding]:
-    """Yield findings on results that differ too much from a run with twice the time step."""
-    for end, one in zip(_end_symbols(), outcomes, strict=True):
-        event = one.event
-        for error, limit in ((event.peak_error, CLOSE), (event.clutch_error, CLOSE_CLUTCH)):
-            if error > limit:
-                yield finding("peak-not-converged", "warning", value=error, limit=limit, at=end)
-                break
-        if event.ended and (error := max(event.time_error, event.heat_error)) > SPREAD:
-            path = "control_unit" if isinstance(one.case.pack, Sleeve) else "drive.event"
-            yield finding("ill-conditioned", "warning", value=error, limit=SPREAD, path=path, at=end)
+        yield carried_by_motor(pulled, strongest, end, carries, event.heat if event.ended else 0.0, train.cut_off)
+    if not event.stuck and not one.endless:
+        path = "drive.event.duration"
+        yield finding("slip-outlasts-duration", "warning", value=event.time, path=path, at=end)
+    elif event.stuck and not event.settled:
+        yield finding("event-not-settled", "warning", value=event.time, path="drive.event.duration", at=end)
+    # results that differ too much from a run with twice the time step
+    for error, limit in ((event.peak_error, CLOSE), (event.clutch_error, CLOSE_CLUTCH)):
+        if error > limit:
+            yield finding("peak-not-converged", "warning", value=error, limit=limit, at=end)
+            break
+    if event.ended and (error := max(event.time_error, event.heat_error)) > SPREAD:
+        path = "control_unit" if isinstance(one.case.pack, Sleeve) else "drive.event"
+        yield finding("ill-conditioned", "warning", value=error, limit=SPREAD, path=path, at=end)
 
 
 def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
@@ -218,7 +207,12 @@ def simulate(
     ``friction`` has further values, (f, None) for all friction pairs alike or (f_1, f_2); a sweep returns only peaks.
     With ``heated`` the result includes the heat of the trip. Raises SpecError if the spec has no event.
     """
-    train, points = train_of(clutch), pairs_asked(clutch, friction)
+    train, points, rows = train_of(clutch), pairs_asked(clutch, friction), list[SimulatePoint]()
+    for pair in counted(say("simulating the event"), points):
+        if not all(pair):
+            raise CalculationError("--friction 0: without friction there is no torque to simulate")
+        own = {name: value for name, value in _figures(clutch, outcome_of(clutch, *pair)).items() if name in _AT_POINT}
+        rows.append(SimulatePoint(**own | friction_fields(clutch, *pair)))
     ends = counted(say("simulating the event"), list(zip(*clutch.spec.friction.groups, strict=True)))
     outcomes = [outcome_of(clutch, *end) for end in ends]
     figures, events = [_figures(clutch, one) for one in outcomes], [one.event for one in outcomes]
@@ -236,7 +230,7 @@ def simulate(
         inertia_torque=train.inertia_torque,
         load_torque=train.load,
         energy_residual=max(event.residual for event in events),
-        points=[_point(clutch, *pair) for pair in counted(say("simulating the event"), points)] or None,
+        points=rows or None,
         sweep=sweep,
     )
     findings = [
@@ -282,14 +276,6 @@ def _figures(clutch: Clutch, outcome: Outcome) -> dict[str, float | None]:
         figures |= {"trip_torque": event.trip_torque or None, "trip_position": outcome.trip_position}
     force = _contact_force(clutch, outcome)
     return figures if force is None else figures | {"contact_force": force}
-
-
-def _point(clutch: Clutch, *frictions: float) -> SimulatePoint:
-    if not all(frictions):
-        raise CalculationError("--friction 0: without friction there is no torque to simulate")
-    figures = _figures(clutch, outcome_of(clutch, *frictions))
-    own = {name: value for name, value in figures.items() if name in SimulatePoint.model_fields}
-    return SimulatePoint(**own | friction_fields(clutch, *frictions))
 
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:
@@ -393,16 +379,11 @@ def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = Fals
             window = float(peak_time(case.train, case.pack.sliding))
             moments = tuple(moment for moment in moments if moment.time <= window)
         own, travels = friction_fields(clutch, *pair), clutch.spec.kind.travels
-        for moment in _thinned(moments):
-            fields = {name: value for name, value in moment._asdict().items() if name in MomentRow.model_fields}
-            rows.append(MomentRow(**own, **fields | {"travel": moment.travel if travels else None}))
+        # first, last, peak, beginnings and ends of slip, and others at equal intervals
+        peak, every = max(moments, key=lambda row: abs(row.torque_shaft)), -(-len(moments) // _MOMENTS)
+        for number, moment in enumerate(moments):
+            turned = bool(moment.slip) != bool(moments[number - 1].slip)
+            if moment is peak or turned or number % every == 0 or number == len(moments) - 1:
+                fields = {name: value for name, value in moment._asdict().items() if name in MomentRow.model_fields}
+                rows.append(MomentRow(**own, **fields | {"travel": moment.travel if travels else None}))
     return HistoryResult(moments=rows)
-
-
-def _thinned(rows: Sequence[Row]) -> Iterator[Row]:
-    """Yield a few thousand moments: first, last, peak, beginnings and ends of slip, and others at equal intervals."""
-    peak, every = max(rows, key=lambda row: abs(row.torque_shaft)), -(-len(rows) // _MOMENTS)
-    for number, row in enumerate(rows):
-        turned = bool(row.slip) != bool(rows[number - 1].slip)
-        if row is peak or turned or number % every == 0 or number == len(rows) - 1:
-            yield row

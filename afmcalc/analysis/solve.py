@@ -163,8 +163,10 @@ def solve(
     about: dict[str, Any] = {"target": target, "name": name, "low": place(low), "high": place(high), "count": at.size}
     if arrays and not whole:
         at = _with_extremes(values, wanted, at)
-    rounding = _rounding(values, wanted, at) if arrays else _SAME * abs(wanted)
-    gap = values(at) - wanted
+    gap, rounding = values(at) - wanted, _SAME * abs(wanted)
+    if arrays and not wanted:  # rounding moves a target of 0 as the last digits of the key do
+        moved = np.abs(values(np.clip(at * (1 + _SAME / 10), at[0], at[-1])) - values(at))
+        rounding = 4 * float(np.max(moved, where=np.isfinite(moved), initial=0.0))
     on = np.abs(gap) <= rounding
     # of a stretch on which the target has the wanted value, its ends are roots
     places, crossed = {*np.flatnonzero(on).tolist()}, _crossed(np.where(on, 0.0, gap))
@@ -327,13 +329,6 @@ def _within_gain_limit(clutch: Clutch, path: str, at: Floats) -> Floats:
     if not within.size:
         raise CalculationError("no value of {path} keeps the gain limit (--beyond-limit goes past it)", path=path)
     return within
-
-
-@np.errstate(all="ignore")
-def _rounding(function: Function, wanted: float, at: Floats) -> float:
-    """Return how far rounding moves the target; if it is to be 0, how far the last digits of the key move it."""
-    moved = function(np.clip(at * (1 + _SAME / 10), at[0], at[-1])) - function(at) if wanted == 0 else np.zeros(1)
-    return max(_SAME * abs(wanted), 4 * float(np.max(np.abs(moved), where=np.isfinite(moved), initial=0.0)))
 
 
 def _crossed(gap: Floats) -> NDArray[np.intp]:

@@ -169,10 +169,7 @@ def springs(
     The result also has the parts that the spec names and, if no part fits, the nearest part. By default parts are
     sorted by length if a stiffness is wanted (it may deviate by the share ``tolerance``), else by force lost by wear.
     """
-    fields: dict[str, Any] = {}
-    nearest: list[SpringOption] = []
-    remarks: list[Finding] = []
-    number = count(1)
+    fields, nearest, remarks, number = dict[str, Any](), list[SpringOption](), list[Finding](), count(1)
     demands, named = bounded_demands(clutch), clutch.spec.spring_parts
     for demand in demands:
         tables = _tables(demand, kind, tolerance)
@@ -181,10 +178,7 @@ def springs(
             f"{demand.name}_force": demand.force,
             f"{demand.name}_stiffness": demand.stiffness,
             f"{demand.name}_found": len(found),
-            demand.name: [
-                option_of(demand, table.part(row)).model_copy(update={"number": next(number)})
-                for table, row in found[:top]
-            ],
+            demand.name: [option_of(demand, table.part(row), number=next(number)) for table, row in found[:top]],
         }
         if not found and (worst := [(table.worst().min(), table) for table in tables if table.worst().size]):
             table = min(worst, key=lambda each: each[0])[1]
@@ -198,11 +192,7 @@ def springs(
             remarks.append(finding("room-not-given", "info", limit=_width(clutch), path=path))
         if demand.stiffness is None:
             remarks.append(finding("any-stiffness", "info", path=f"{demand.name}_spring.stiffness"))
-    in_use = [
-        option_of(demand, named[demand.name]).model_copy(update={"spring": demand.name})
-        for demand in demands
-        if demand.name in named
-    ]
+    in_use = [option_of(demand, named[demand.name], spring=demand.name) for demand in demands if demand.name in named]
     result = SpringsResult(
         **fields, nearest=nearest or None, named=in_use or None,
         utilisation=max((option.utilisation for option in in_use), default=None),
@@ -341,15 +331,18 @@ def coil_diameters(room: Room, number: int, wire: float) -> list[float]:
     return [each * 1e-3 for each in range(first, math.floor(round(high / 1e-3, 6)) + 1, round(step / 1e-3))]
 
 
-def option_of(demand: SpringDemand, part: Part) -> SpringOption:
-    """Return a part as a ``SpringOption``, with its forces, lengths and stresses as set and in service."""
+def option_of(demand: SpringDemand, part: Part, **called: Any) -> SpringOption:
+    """Return a part as a ``SpringOption``, with its forces, lengths and stresses as set and in service.
+
+    ``called``: its number, or the name of its spring.
+    """
     spring, known = characteristic(part), values_of_part(demand, part)
     deflection, low, high = (known[name] for name in ("deflection", "deflection_least", "deflection_most"))
     force, stiffness = float(spring.force(deflection)), known["stiffness"]
     setting = float(spring.deflection((1 + SETTING) * force) - spring.deflection((1 - SETTING) * force))
     told: dict[str, Any] = dict.fromkeys(("parallel", "series", "count", "turns", "force_up", "force_down"))
     told |= {name: value for name, value in (vars(part) | known).items() if name in SpringOption.model_fields}
-    told |= {"number": None, "kind": "coil", "force": force}
+    told |= {"kind": "coil", "force": force, **called}
     if isinstance(part, DiscStack):
         told["kind"] = "disc"
         if demand.friction is not None:

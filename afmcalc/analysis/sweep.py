@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from ..engines import build
-from ..engines.evaluate import BLOCK, Output, evaluate
+from ..engines.evaluate import Output, evaluate
 from ..equations.arrays import Floats
 from ..errors import AfmcalcError, SpecError
 from ..findings import Finding, finding
@@ -27,8 +27,6 @@ MOST_POINTS = 200_000
 """Largest number of points of a sweep; the results of so many points take 0.3 GB."""
 _MOST_COUNTED = 200
 """Largest number of values of a key with whole numbers, if no range is given."""
-
-
 _RANGE = re.compile(r"\.\.|…|\d\s*(?:-|–|to)\s*\d")
 """Pattern of ranges that are not written as start:stop:count, such as 1..5, 1–5 or 1 to 5."""
 
@@ -113,9 +111,9 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
     if not ranged:
         return np.array([number(part) for part in parts])
     asked = parts[2] if len(parts) == 3 else ""
-    if (count := int(asked) if asked.isdecimal() and len(asked) < 99 else 0) < 2:
+    if not asked.isdecimal() or (len(asked) <= 4 and int(asked) < 2):
         raise AfmcalcError("--sweep {text:.80}: write start:stop:count with a whole count of at least 2", text=text)
-    if count > MOST_POINTS:
+    if len(asked) > 10 or (count := int(asked)) > MOST_POINTS:
         raise AfmcalcError(
             "--sweep {text:.80}: {count:.20} points; at most {most:,} are swept",
             text=text, count=asked, most=MOST_POINTS,
@@ -218,7 +216,6 @@ def series(
     axes: Sequence[Axis],
     outputs: Mapping[str, Output],
     open_at: Sequence[str] = (),
-    block: int = BLOCK,
 ) -> list[S] | None:
     """Sweep ``outputs`` (column → quantity) over the grid of ``axes``; return one series per axis, None without axes.
 
@@ -228,7 +225,7 @@ def series(
         return None
     points = grid(axes)
     values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
-    answers = {name: array.tolist() for name, array in evaluate(spec, values, outputs, block).items()}
+    answers = {name: array.tolist() for name, array in evaluate(spec, values, outputs).items()}
     answers |= {
         name: [value if math.isfinite(value) else None for value in answers[name]]
         for name in open_at

@@ -66,7 +66,13 @@ def pocket(clutch: Clutch) -> tuple[SynthesisResult, list[Finding]]:
 
     Raises SpecError if the spec lacks what synthesis needs.
     """
-    unit = _unit(clutch)
+    spec, unit = clutch.spec, clutch.spec.control_unit
+    if unit is None:
+        raise spec.refused("variant", say("has no control unit, so no pockets"), spec.variant)
+    if unit.ball_circle_radius is None:
+        raise spec.refused("control_unit.ball_circle_radius", say("required by afmcalc pocket"))
+    if clutch["gain"] == 0:
+        raise spec.refused("control_unit.gain", say("must be greater than 0 to have pockets"), "0")
     diameter = float(clutch["ball_diameter_standard"])
     chosen = None if np.isnan(diameter) else diameter
     wall = wall_of(clutch, clutch["face_gap"], clutch["ball_radius_chosen"])
@@ -107,18 +113,6 @@ def _contact(clutch: Quantities, unit: ControlUnit, *, by_hertz: bool) -> dict[s
         "contact_force_hertz": hertz,
         "contact_pressure": clutch["contact_pressure"] if force is not None and by_hertz else None,
     }  # fmt: skip
-
-
-def _unit(clutch: Clutch) -> ControlUnit:
-    """Return the control unit. Raises SpecError if the unit, its ball circle or its gain is missing."""
-    spec, unit = clutch.spec, clutch.spec.control_unit
-    if unit is None:
-        raise spec.refused("variant", say("has no control unit, so no pockets"), spec.variant)
-    if unit.ball_circle_radius is None:
-        raise spec.refused("control_unit.ball_circle_radius", say("required by afmcalc pocket"))
-    if clutch["gain"] == 0:
-        raise spec.refused("control_unit.gain", say("must be greater than 0 to have pockets"), "0")
-    return unit
 
 
 def completed(result: SynthesisResult) -> dict[str, Any]:

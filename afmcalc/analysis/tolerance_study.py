@@ -177,10 +177,8 @@ def input_of(spec: Spec, path: str, given: Distribution) -> tuple[InputRow, Quan
     about, kind, bounded = scatter_at(path), given.distribution, given.distribution in ("uniform", "triangular")
     assert about is not None
     least, most = about.limits
-    center: Any
-    low: Any
-    high: Any
-    center, low, high = (end if end is None else float(end) for end in (given.center, given.min, given.max))
+    ends: Any = (end if end is None else float(end) for end in (given.center, given.min, given.max))
+    center, low, high = ends
     if path in FRICTION:
         friction = value_at(spec, path).range
         center = friction.mean if center is None else center
@@ -350,12 +348,11 @@ def peaks(model: Model, clutch: Clutch, sample: Sample, torque: Array) -> Array:
     given = {path: float(np.median(values)) for path, values in sample.items() if path not in FRICTION}
     given["drive.load_torque"] = float(clutch.running_torque) if load is None else load
     nominal, share, sampled = build(with_values(model.spec, given)), np.linspace(0, 1, EVENTS), _at(clutch, sample)
-    groups = clutch.spec.friction.groups
-    lows = [min(own.min, np.min(values)) for own, values in zip(groups, sampled, strict=True)]
-    widths = [max(own.max, np.max(f)) - low for own, f, low in zip(groups, sampled, lows, strict=True)]
-    path = [low + share * width for low, width in zip(lows, widths, strict=True)]
+    spans = zip(clutch.spec.friction.groups, sampled, strict=True)
+    ends = [(min(own.min, np.min(values)), max(own.max, np.max(values))) for own, values in spans]
+    path = [low + share * (high - low) for low, high in ends]
     peak, own = case_of(nominal, *path).peaks().peak, nominal.at_friction(*path)["torque"]
-    places = [(values - low) / (width or 1.0) for values, low, width in zip(sampled, lows, widths, strict=True)]
+    places = [(values - low) / ((high - low) or 1.0) for values, (low, high) in zip(sampled, ends, strict=True)]
     with np.errstate(all="ignore"):
         # slope between 0 (the clutch sticks and the peak does not grow) and proportional (the clutch slips)
         slope = np.fmin(np.fmax(np.gradient(peak) / np.gradient(own), 0.0), peak / own)

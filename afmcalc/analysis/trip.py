@@ -1,6 +1,6 @@
 """Overload with a torque margin (S22): potential torque, actuation torque as published and at equilibrium."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from ..engines import Clutch
 from ..errors import CalculationError
@@ -11,7 +11,6 @@ from .asking import Asking, answer, asked, asked_by
 from .clutch_findings import clutch_findings
 from .registry import ANALYSES
 from .sweep import Axis, replaced, series
-from .torque import Pair, outside_range, pairs_asked
 
 
 class OverloadSweep(Asking, Series):
@@ -27,20 +26,6 @@ class OverloadSweep(Asking, Series):
     actuation_torque_equilibrium: list[float] = asked(
         "actuation_torque_equilibrium_at_f_max", "actuation torque at equilibrium, at f_max", symbol="T_eq"
     )
-
-
-class OverloadPoint(Asking):
-    """The trip at one chosen friction."""
-
-    friction: float = asked()
-    potential_torque: float = asked(description="potential torque at T_н.маш")
-    potential_torque_bypass_first: float | None = asked(optional=True)
-    potential_torque_bound: float = asked()
-    expected_torque: float = asked(description="expected slip torque")
-    load_rise: float = asked()
-    actuation_torque_published: float = asked()
-    actuation_torque_equilibrium: float = asked()
-    actuation_factor: float = asked()
 
 
 class OverloadResult(Asking, Answer):
@@ -72,36 +57,28 @@ class OverloadResult(Asking, Answer):
     accuracy_factor_actual: float = asked()
     accuracy_factor_equilibrium: float = asked()
     sweep: list[OverloadSweep] | None = described("overload over the swept values", optional=True)
-    points: list[OverloadPoint] | None = described("at the friction asked for", optional=True)
 
 
-def overload(
-    clutch: Clutch, sweeps: Sequence[Axis] = (), friction: Iterable[Pair] = ()
-) -> tuple[OverloadResult, list[Finding]]:
+def overload(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[OverloadResult, list[Finding]]:
     """Calculate the overload of an all-driving or differentiated clutch of one material.
 
     Raises CalculationError if S22 does not treat the variant, or unlike materials.
     """
     refuse(clutch)
     spec = clutch.spec
-    points = pairs_asked(clutch, friction)
-    trips = [clutch.at(friction=value) for value, _ in points]
-    first = {} if clutch["bypass_pairs"] else {"potential_torque_bypass_first": None}
-    alike = {} if clutch["bypass_pairs"] else {"potential_torque_gain": None}
+    alike = dict.fromkeys(() if clutch["bypass_pairs"] else ("potential_torque_bypass_first", "potential_torque_gain"))
     # frictions between which the published actuation torque is below the expected torque, S22 (17)
     low = high = 0.0
     if clutch["reduced_gain"] != 0:
         ends = sorted((clutch["friction_at_equal_potential"], clutch["friction_at_unit_loop_gain"]))
         low, high = max(ends[0], clutch["friction_min"]), min(ends[1], clutch["friction_max"])
     result = answer(
-        OverloadResult, clutch, **alike, **first, friction_interval=[low, high] if low < high else None,
-        points=[answer(OverloadPoint, trip, **first) for trip in trips] or None,
+        OverloadResult, clutch, **alike, friction_interval=[low, high] if low < high else None,
         sweep=series(OverloadSweep, spec, sweeps, asked_by(OverloadSweep, clutch)),
     )  # fmt: skip
     findings = [*clutch_findings(clutch), finding("published-against-equilibrium", "info")]
     if spec.adjustment.method == "mean-friction":
         findings.append(finding("margin-role", "warning", value=spec.adjustment.margin, path="adjustment.method"))
-    findings += [remark for pair in points for remark in outside_range(clutch, *pair)]
     return result, [*findings, *replaced(spec, sweeps)]
 
 

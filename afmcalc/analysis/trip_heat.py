@@ -161,11 +161,24 @@ def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, li
     # the mean temperature of the discs over many trips
     limit = next((low for path, low in limits.items() if path != "requirements.face_temperature"), None)
     figures = [_figures(clutch, own, area, None if own.ambient is None else limit, slip) for slip in slips.values()]
+    # relative loss of force on the pack at rest by wear, as the spring that presses the pack extends
+    setting, stiffness = dict[str, float](), following_stiffness(clutch)
+    if stiffness is not None:
+        rest = clutch["pack_force_at_rest"]
+        setting["setting_loss_per_wear"] = clutch.apply(law.setting_loss_per_wear, stiffness, group.pairs, rest)
+        if own.lining is not None:
+            setting["setting_loss_worn"] = lost_by_wear(clutch, own.lining) / rest
     result = HeatResult(
         energy_source=source, temperature_limit=None if own.ambient is None else limit,
-        **{name: ends_of(each[name] for each in figures) for name in figures[0]}, **_setting(clutch, own),
+        **{name: ends_of(each[name] for each in figures) for name in figures[0]}, **setting,
     )  # fmt: skip
-    return result, [*clutch_findings(clutch), *ended, *_taken(clutch.spec, own), *remarks(clutch, own, result)]
+    # properties of the discs that are assumed
+    wrote = clutch.spec.heat or Heat()
+    if listed := [f"heat.{name}" for name in STEEL if getattr(wrote, name) is None]:
+        ended.append(finding("discs-of-steel", "info", path=listed[0], listed=", ".join(listed), **STEEL))
+    if wrote.disc_mass is None and own.disc_mass is not None:
+        ended.append(finding("discs-from-layout", "info", value=own.disc_mass, path="heat.disc_mass"))
+    return result, [*clutch_findings(clutch), *ended, *remarks(clutch, own, result)]
 
 
 def _figures(
@@ -203,7 +216,13 @@ def _figures(
     if cooling is not None:
         found["trips_per_hour"] = HOUR * apply(law.trips_per_time, cooling, limit, ambient, energy) if energy else None
     if cooling is not None and mass is not None:
-        found["trips_per_hour_peak"] = _rate(own, slip, given(ambient) + rise, limit) if rise else None
+        found["trips_per_hour_peak"] = None
+        if rise:  # each trip ends at the temperature limit; 0 if one trip exceeds it
+            used = apply(law.share_of_rise, given(ambient) + rise, ambient, limit)
+            found["trips_per_hour_peak"] = 0.0
+            if used < 1:
+                between = apply(law.time_between_trips, mass, own.specific_heat, cooling, -math.log1p(-used))
+                found["trips_per_hour_peak"] = HOUR / float(between)
     return found
 
 
@@ -222,16 +241,6 @@ def discs_of(spec: Spec) -> Heat:
     return own.model_copy(update=taken)
 
 
-def _taken(spec: Spec, own: Heat) -> Iterator[Finding]:
-    """Yield findings on properties of the discs that are assumed."""
-    wrote = spec.heat or Heat()
-    listed = [f"heat.{name}" for name in STEEL if getattr(wrote, name) is None]
-    if listed:
-        yield finding("discs-of-steel", "info", path=listed[0], listed=", ".join(listed), **STEEL)
-    if wrote.disc_mass is None and own.disc_mass is not None:
-        yield finding("discs-from-layout", "info", value=own.disc_mass, path="heat.disc_mass")
-
-
 def layers_of(own: Heat, pairs: int, area: float) -> list[Layer]:
     """Layers that take heat: the disc, and the lining if its data are known."""
     conductivity, density, specific_heat = given(own.conductivity), given(own.density), given(own.specific_heat)
@@ -240,26 +249,6 @@ def layers_of(own: Heat, pairs: int, area: float) -> list[Layer]:
     if own.lining_conductivity and own.lining_density and own.lining_specific_heat:
         layers.append(Layer(own.lining_conductivity, own.lining_density, own.lining_specific_heat, own.lining))
     return layers
-
-
-def _rate(own: Heat, slip: Slip, temperature: Values, limit: float) -> float:
-    """Number of trips per hour at which each trip ends at the temperature limit; 0 if one trip exceeds it."""
-    used = slip.apply(law.share_of_rise, temperature, own.ambient, limit)
-    if used >= 1:
-        return 0.0
-    logarithm = -math.log1p(-used)
-    return HOUR / float(slip.apply(law.time_between_trips, own.disc_mass, own.specific_heat, own.cooling, logarithm))
-
-
-def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
-    """Relative loss of force on the pack at rest by wear, as the spring that presses the pack extends."""
-    stiffness = following_stiffness(clutch)
-    if stiffness is None:
-        return {}
-    rest = clutch["pack_force_at_rest"]
-    loss = clutch.apply(law.setting_loss_per_wear, stiffness, clutch.spec.friction_group.pairs, rest)
-    worn = {} if own.lining is None else {"setting_loss_worn": lost_by_wear(clutch, own.lining) / rest}
-    return {"setting_loss_per_wear": loss, **worn}
 
 
 def trips(clutch: Clutch, answers: Answers | None = None) -> Trips:

@@ -90,23 +90,16 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
 
 
 @with_common
-def overload(
-    spec: SpecArgument = None,
-    friction: FrictionOption = None,
-    sweep: SweepOption = None,
-    *,
-    common: Common,
-) -> None:
+def overload(spec: SpecArgument = None, sweep: SweepOption = None, *, common: Common) -> None:
     """Torque at which a clutch with a torque margin trips: potential, expected, actuation (S22).
 
     \b
     afmcalc overload clutch.toml
-    afmcalc overload clutch.toml --friction 0.3
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
     clutch = common.clutch(spec)
-    common.calculate(clutch, sweeps=axes_of(sweep, clutch), friction=frictions(friction))
+    common.calculate(clutch, sweeps=axes_of(sweep, clutch))
 
 
 @with_common

@@ -118,7 +118,7 @@ def design(
     if pick not in (None, "compromise") and not pick.lstrip("0").isdecimal():
         raise AfmcalcError("--pick {number}: a number of the front from 1, or compromise", number=pick)
     given = common.read(spec)
-    result, findings = common.ask(given)
+    result, findings = common.ask(given, sort)
     row = chosen = None
     if result.front and (pick is not None or common.chosen_format == "json"):
         row, chosen = picked(given, result, pick or result.compromise or 1)

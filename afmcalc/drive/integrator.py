@@ -178,18 +178,13 @@ def _refined(train: Train, pack: Any, h: Floats, end: Floats, until: dict[str, A
 
 
 def _compared(fine: Event, coarse: Event) -> Event:
-    """Event ``fine`` with its errors estimated by the event with twice the step."""
-    return fine._replace(
-        peak_error=_change(fine.peak, coarse.peak),
-        clutch_error=_change(fine.peak_clutch, coarse.peak_clutch),
-        time_error=_change(fine.slip_time, coarse.slip_time),
-        heat_error=_change(fine.heat, coarse.heat),
-    )
-
-
-def _change(own: Any, other: Any) -> Any:
-    """Relative difference of ``other`` from ``own``; the absolute difference where ``own`` is 0."""
-    return abs(own - other) / where(own == 0, 1.0, own)
+    """Event ``fine`` with its errors: relative differences of ``coarse``, with twice the step; absolute ones from 0."""
+    names = {"peak_error": "peak", "clutch_error": "peak_clutch", "time_error": "slip_time", "heat_error": "heat"}
+    errors = {}
+    for error, name in names.items():
+        own, other = getattr(fine, name), getattr(coarse, name)
+        errors[error] = abs(own - other) / np.where(own == 0, 1.0, own)
+    return fine._replace(**errors)
 
 
 def step_of(train: Train, pack: DirectPack | Sleeve) -> Values:

@@ -181,8 +181,6 @@ class Sleeve(Pack):
     """Closing-spring force F_п1 at the setting, N."""
     closing_spring: ClassVar[SetSpring]
     control_spring: ClassVar[SetSpring]
-    straight_springs: ClassVar[tuple[Any, Any] | None]
-    """Stiffnesses c_1 and c_2 of linear springs, N/m; None with disc springs."""
     stop_gain: ClassVar[Any]
     net_gain: ClassVar[Any]
     net_gain_returning: ClassVar[Any]
@@ -198,7 +196,6 @@ class Sleeve(Pack):
             name: SetSpring(law[f"{name}_force"], law[f"{name}_stiffness"], law.given.get(f"{name}_disc"))
             for name in ("closing", "control")
         }
-        straight = all(spring.disc is None for spring in springs.values())
         vars(self).update(
             mean_radius=law["mean_radius"],
             friction_pairs=law["pairs"] * self.friction,
@@ -209,7 +206,6 @@ class Sleeve(Pack):
             net_gain_returning=returning,
             stop_gain=law["gain"],
             gain_slope=law.get("gain_slope", 0.0),
-            straight_springs=tuple(spring.straight_stiffness for spring in springs.values()) if straight else None,
             stop_gains=(net, returning),
             **{f"{name}_spring": spring for name, spring in springs.items()},
         )
@@ -250,9 +246,6 @@ class Sleeve(Pack):
 
     def moment(self, travel: Any) -> Any:
         """Moment of both springs S(x), N·m."""
-        if self.straight_springs is not None:
-            springs = self.closing_force, self.resting_force, *self.straight_springs
-            return sleeve.spring_moment(self.mean_radius, *springs, travel)
         control = self.control_spring.force(travel)
         return sleeve.spring_moment(self.mean_radius, self._slackened(travel), control, 0.0, 0.0, 0.0)
 
@@ -283,7 +276,7 @@ class Sleeve(Pack):
 
     def turn_under(self, torque: float) -> Values:
         """Turn of the balls at rest after the torque has risen to ``torque``, rad; 0 up to T_н."""
-        if self.straight_springs is None:
+        if self.closing_spring.disc or self.control_spring.disc:
             travel = root(
                 lambda at: self.moment(at) - torque * self.net_gain,
                 lambda at: self.mean_radius * sum(self._stiffnesses(at)),

@@ -182,8 +182,8 @@ def check_of(row: str) -> Check:
 
 
 def _requirement_of(row: str) -> Check:
-    name, sign, value, needs = f"{row} ".split(" ")[:4]
-    path, part = f"requirements.{name}", cast(Part, needs) or None
+    name, sign, value, *needs = row.split()
+    path, part = f"requirements.{name}", cast(Part, needs[0]) if needs else None
     return Check("requirement-missed", "", "", "", value, "stated", sign == "≥", path=path, needs=part, topic=name)
 
 

@@ -1,6 +1,6 @@
 """Elasticities of K_т by spec path, from finite differences calculated with one array."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -35,26 +35,20 @@ def elasticities(clutch: Quantities) -> dict[str, Elasticity]:
     A constant-torque pocket keeps its present slope C_1.
     """
     laws, given = clutch.laws, dict(clutch.given)
-    function, variant, method, keys = clutch.laws.made_by or ()
+    variant, _, keys = clutch.laws.choice
     if "constant-torque" in keys:
         given["gain_slope"] = clutch["gain_slope"]
     if variant == "differentiated":
         given["bypass_pairs"] = clutch["bypass_pairs"]
-    needs = laws.needs("accuracy_factor", frozenset(given))
-    varied = [one for one in PATHS if one in needs and given.get(one)]
-    shares = np.array([-2, -1, 0, 1, 2]) * STEP
-    arrays: dict[str, Any] = {}
-    for place, one in enumerate(varied):
-        arrays[one] = np.full((len(varied), len(shares)), float(given[one]))
-        arrays[one][place] *= np.exp(shares)
-        arrays[one] = arrays[one].ravel()
-    with np.errstate(all="ignore"):
-        values = np.log(np.broadcast_to(Quantities(laws, given | arrays)["accuracy_factor"], len(varied) * len(shares)))
-    beside = values.reshape(len(varied), len(shares)).tolist()
-    found = dict(zip(varied, map(_slopes, beside), strict=True))
-    return {PATHS[one]: found[one] for one in varied} | {
-        PATHS[one]: Elasticity(0.0, 0.0) for one in PATHS if one in needs and one in given and not given[one]
-    }
+    needs, fixed = laws.needs("accuracy_factor", frozenset(given)), Quantities(laws, given)
+    shares, found = np.exp(np.array([-2, -1, 0, 1, 2]) * STEP), dict[str, Elasticity]()
+    for one in sorted((one for one in PATHS if one in needs and one in given), key=lambda one: not given[one]):
+        found[PATHS[one]] = Elasticity(0.0, 0.0)
+        if given[one]:
+            with np.errstate(all="ignore"):
+                values = np.log(fixed.at(**{one: float(given[one]) * shares})["accuracy_factor"])
+            found[PATHS[one]] = _slopes(np.broadcast_to(values, shares.shape).tolist())
+    return found
 
 
 def _slopes(beside: list[float]) -> Elasticity:

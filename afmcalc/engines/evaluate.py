@@ -14,16 +14,13 @@ from . import Clutch, build
 
 SLOPE = "control_unit.gain_slope"
 """Key whose value 0 means a straight wall, which has other laws."""
-BLOCK = 16_000
-"""Number of points calculated at a time: arrays of 128 KiB, which the allocator reuses. Larger arrays go back to the
-system each time, and fetching their memory pages again takes longer than all the arithmetic."""
+BLOCK = 8_000
+"""Number of points calculated at a time: their arrays stay in the processor's cache and go back to the allocator."""
 Output = str | Callable[[Clutch], Values]
 """Output calculated at every point: the name of a quantity, or a function of the clutch."""
 
 
-def evaluate(
-    spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Output], block: int = BLOCK
-) -> dict[str, Floats]:
+def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Output]) -> dict[str, Floats]:
     """Evaluate outputs of a clutch with arrays of one size, SI, in place of numbers at some paths of its spec.
 
     Every constraint of a spec bounds one value or orders two values, so it suffices to validate the extremes of the
@@ -51,7 +48,7 @@ def evaluate(
     with np.errstate(all="ignore"):
         # in blocks, so that intermediate arrays stay in the processor's cache; straight and curved walls separately
         walls = (np.flatnonzero(kind) for kind in (slopes != 0, slopes == 0))
-        for part in (wall[start : start + block] for wall in walls for start in range(0, wall.size, block)):
+        for part in (wall[start : start + BLOCK] for wall in walls for start in range(0, wall.size, BLOCK)):
             swept = edit.with_values(valid, {path: array[part] for path, array in arrays.items()})
             clutch = build(swept)
             for name, output in outputs.items():

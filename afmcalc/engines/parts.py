@@ -261,20 +261,19 @@ def checks_of_springs(clutch: Clutch, travel: float = 0.0, apply: Apply = call) 
 def part_findings(clutch: Clutch) -> list[Finding]:
     """Findings on the spring parts of a clutch: too weak, too large, overstressed, or used outside their range."""
     missed = [(path, each) for path, each in checks_of_springs(clutch) if each.beyond > ROUNDING]
-    weak = {path for path, each in missed if each.rule.topic == "force"}
-    found = [_finding(path, each) for path, each in missed if path not in weak or each.rule.topic == "force"]
+    weak, found = {path for path, each in missed if each.rule.topic == "force"}, list[Finding]()
+    for path, each in missed:
+        rule, value, limit, _ = each
+        if rule.topic == "force":
+            value, limit = limit, value
+        elif path in weak:
+            continue
+        elif rule.code == "spring-beyond-range":
+            share = LEAST_USED if rule.least else MOST_USED
+            value, limit = value / limit * share, share
+        found.append(finding(rule.code, rule.level, value=value, limit=limit, path=path, what=translate(rule.name)))
     found += (each for demand in spring_demands(clutch) for each in _remarks(clutch, demand))
     return list({(each.code, each.path): each for each in found}.values())
-
-
-def _finding(path: str, missed: PartCheck) -> Finding:
-    rule, value, limit = missed.rule, missed.value, missed.limit
-    if rule.topic == "force":
-        value, limit = limit, value
-    elif rule.code == "spring-beyond-range":
-        share = LEAST_USED if rule.least else MOST_USED
-        value, limit = value / limit * share, share
-    return finding(rule.code, rule.level, value=value, limit=limit, path=path, what=translate(rule.name))
 
 
 def _remarks(clutch: Clutch, demand: SpringDemand) -> Iterator[Finding]:

@@ -54,8 +54,8 @@ class Laws:
         self.cases |= cases or {}
         self.arguments = {name: _arguments(law) for name, law in self.laws.items()}
         self.names = frozenset(self.laws).union(*self.arguments.values(), *self.cases.values())
-        self.made_by: tuple[Any, ...] | None = None
-        """Function and arguments that made these laws."""
+        self.choice: Any = None
+        """Arguments of ``engines.selection.laws_for`` that made these laws."""
         self._needs: dict[tuple[Names, str], Names] = {}
 
     def case_of(self, name: str) -> tuple[str, str] | None:

@@ -80,7 +80,7 @@ def laws_for(variant: str, method: str, keys: frozenset[str]) -> Laws:
     if not keys.isdisjoint(RULES):
         cases["forecast"] = slips_from_mean
     laws = Laws(*parts, cases=cases)
-    laws.made_by = laws_for, variant, method, keys
+    laws.choice = variant, method, keys
     return laws
 
 
@@ -149,11 +149,11 @@ def quantities_of(spec: Spec, *, noted: bool = False) -> Clutch:
 
 def by_rule(clutch: Clutch, rule: str) -> Clutch:
     """Return the clutch with a rule for the damaging stress: ``amplitude``, ``goodman``, else the mean stress."""
-    choose, variant, method, keys = clutch.laws.made_by or ()
+    variant, method, keys = clutch.laws.choice
     chosen = keys - {*RULES} | ({rule} & {*RULES})
     if chosen == keys:
         return clutch
-    found = Clutch(clutch.spec, choose(variant, method, chosen), clutch.given)
+    found = Clutch(clutch.spec, laws_for(variant, method, chosen), clutch.given)
     found.steps = clutch.steps
     return found
 
@@ -220,9 +220,8 @@ def as_set(clutch: Clutch, **values: Any) -> Clutch:
     kept = {name: clutch[name] for name in ("closing_force", "gain_slope") if name in clutch}
     if "control_force" in clutch:
         kept["control_force_made"] = clutch["control_force"]
-        assert laws.made_by is not None
-        function, variant, method, keys = laws.made_by
-        laws = function(variant, method, keys | {"control_force_made"})
+        variant, method, keys = laws.choice
+        laws = laws_for(variant, method, keys | {"control_force_made"})
     return Clutch(clutch.spec, laws, clutch.given | kept | values)
 
 

@@ -5,13 +5,11 @@ from conftest import CONFIGS, S21
 from sources import DATA
 
 from afmcalc.analysis.asking import answer
-from afmcalc.analysis.compare import compare_variants
+from afmcalc.analysis.compare import compare
 from afmcalc.analysis.explain.explain import noting, steps_of
 from afmcalc.analysis.torque import FrictionPoint, torque
-from afmcalc.analysis.trip import overload
 from afmcalc.engines import build
 from afmcalc.equations.terms import DETAILS
-from afmcalc.errors import CalculationError
 from afmcalc.result import shown_as
 from afmcalc.spec import read_spec
 from afmcalc.variants import VARIANTS, Variant
@@ -47,22 +45,6 @@ def test_first_torque_of_the_bypass_pairs():
         assert torque(example(name))[0].onset_torque is None
 
 
-def test_the_trip_at_a_friction_asked_for():
-    """S22 (6), (9) by hand: z 8, z_1 1, C 0.5, R 0.1 m, F_п 2 kN, f_min 0.1, β_н 1.25, at f = 0.3."""
-    result = overload(example("default"), friction=[(0.3, None)])[0]
-    (point,) = result.points
-    machine = 8 * 2000 * 0.1 * 0.1 / 1.35 / 1.25
-    potential = 8 * 0.3 * 0.1 * (2000 - machine * 7 / 8 * 0.5 / 0.1)  # the release force of T_н.маш, shared 1 : 7
-    assert (point.potential_torque, point.expected_torque) == pytest.approx((potential, 480 / 2.05))
-
-
-def test_friction_asked_for_of_overload():
-    _, found = overload(example("all-driving"), friction=[(0.01, None)])
-    assert "friction-outside-range" in {each.code for each in found}
-    with pytest.raises(CalculationError, match="unlike"):
-        overload(example("all-driving"), friction=[(0.1, 0.2)])
-
-
 def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
     rows = afmcalc("compare", S21, "--variants", "--json").json["result"]["clutches"]
     assert [row["variant"] for row in rows] == ["conventional", "differentiated", "all-driving", "indirect"] * 2
@@ -81,7 +63,7 @@ def test_nominal_torque_ratio_with_springs_as_made(force, method):
     """K_п is T_н over that of the all-driving clutch of equal F_п1 and gain, however the control spring is made."""
     setting = f"adjustment.method={method}"
     clutch = build(read_spec(CONFIGS / "indirect.toml", [f"control_spring.force={force}", setting]))
-    rows = {(row.variant, row.basis): row.nominal_torque for row in compare_variants(clutch)[0].clutches}
+    rows = {(row.variant, row.basis): row.nominal_torque for row in compare([clutch], variants=True)[0].clutches}
     ratio = rows["indirect", "spring force"] / rows["all-driving", "spring force"]
     assert clutch.nominal_torque_ratio == pytest.approx(ratio, rel=1e-12)
     by_s21 = build(read_spec(CONFIGS / "indirect.toml", [setting]))

@@ -157,7 +157,7 @@ def simulate(figure: plot_data.SimulateFigure) -> Sheet:
     """An event of the drive over time: shaft torque and travel of the sleeve at three frictions, and the speeds."""
     mean = figure.courses[1]
     time, times = axis_of(mean[0], "time"), [row.time for row in mean]
-    load = guide_at(deferred("load before the event {stated}"), "T_0", figure.load, "N*m")
+    load = guide_at(deferred("load before the event {stated}"), "T_0", figure.result.load_torque, "N*m")
     torques = _at_frictions(figure, lambda row: row.torque_shaft)
     title = translate("Torque in the shaft")
     panels = [Chart(time, axis_of(mean[0], "torque_shaft"), torques, title, guides=[load])]
