@@ -1,9 +1,12 @@
 """A document for people as typed blocks: its content, before it is set as a page or on sheets of paper."""
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from typing import Any, Literal
 
+from ...errors import AfmcalcError
 from .formulas import Formula
 
 
@@ -197,6 +200,16 @@ class Document:
     author: str = ""
     frame: Mapping[str, Any] | None = None
     """Entries of a title block of ГОСТ 2.104, forms 2 and 2а, for sheets with a frame."""
+
+
+def today() -> str:
+    """Today's date, or the date in SOURCE_DATE_EPOCH, which makes a build repeatable."""
+    epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
+    if not epoch:
+        return datetime.now().date().isoformat()
+    if not epoch.isdecimal() or len(epoch) > 11:  # enough digits up to the year 5000
+        raise AfmcalcError("SOURCE_DATE_EPOCH = {epoch!r:.40}: seconds since 1970 are wanted", epoch=epoch)
+    return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()
 
 
 def data_of(block: Any) -> dict[str, Any]:

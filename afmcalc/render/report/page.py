@@ -1,5 +1,6 @@
 """Report of a clutch as a document and as a page, from its dossier (the results of all its calculations)."""
 
+import json
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -17,17 +18,18 @@ from ...papers.register import misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
+from ...spec.parse import is_json, parse
+from ...spec.write import annotated
 from ..amounts import display, display_unit, measured, worded
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..text_tables import TextTable, ranked
 from . import blocks
-from .blocks import Block, Document, Text, listed, piece, text, when
+from .blocks import Block, Document, Text, listed, piece, text, today, when
 from .chapters import chapters, explained, peaks
 from .html import page
 from .pieces import MISPRINT, cell, cited, name_of, plain, said, table, unparted
-from .title import text_as_given, today
 from .words import PEOPLE, SHORT, form, titled, told
 
 
@@ -319,7 +321,13 @@ class _Parts:
         if overrides := self.subject.overrides:
             lead = say("Overridden on the command line")
             yield blocks.Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
-        yield blocks.Code(printable(text_as_given(self.dossier.spec.label), lines=True))
+        source = self.dossier.spec.label
+        given = source.text
+        if spoken() != "en" and source.startswith("example:"):
+            given = say("# {file}, its comments translated", file=source) + f"\n{annotated(given)}"
+        if is_json(source):  # JSON of a command has the spec among the rest
+            given = json.dumps(parse(source), indent=2, ensure_ascii=False)
+        yield blocks.Code(printable(given.strip("\n"), lines=True))
 
 
 def see(*shown: blocks.Table | blocks.Figure) -> Text:
