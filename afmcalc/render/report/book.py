@@ -17,9 +17,8 @@ from ..amounts import measured, worded
 from ..plot import sheet_of
 from ..plot.schemes import SCHEMES
 from . import blocks
-from .blocks import Block, Document, Piece, Text, listed, piece, text, today, when
+from .blocks import Block, Document, Piece, Text, broken, equated, formula, listed, piece, text, today, when
 from .chapters import explained
-from .formulas import broken, equated, formula
 from .html import page
 from .page import figure_of
 from .pieces import said, table

@@ -19,8 +19,7 @@ from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curve_sheets import SPRINGS
 from ..text_tables import TextTable, blocks, cells, quantities
-from .blocks import Piece, Step, Text, listed, piece, text, when
-from .formulas import SHORT, broken, formula, size
+from .blocks import SHORT, Piece, Step, Text, broken, formula, listed, piece, size, text, when
 from .pieces import MISPRINT, said
 from .words import form, told
 

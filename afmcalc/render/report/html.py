@@ -9,8 +9,7 @@ from ...formula_tree import Node, Tree
 from ...messages import say
 from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
 from . import blocks
-from .blocks import Block, Document, Piece, Section, Text
-from .formulas import Formula
+from .blocks import Block, Document, Formula, Piece, Section, Text
 
 
 def element(tag: str, *body: str, **attributes: object) -> str:

@@ -9,8 +9,7 @@ from ...messages import filled, printable, translate
 from ...papers.register import sources
 from ...spec.keys import keys
 from ..symbols import split
-from .blocks import Piece, Svg, Table, Text, piece, text
-from .formulas import Formula
+from .blocks import Formula, Piece, Svg, Table, Text, piece, text
 
 
 def plain(words: str | None) -> Text:
