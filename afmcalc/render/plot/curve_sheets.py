@@ -125,11 +125,8 @@ def life(curves: Sequence[plot_data.LifeCurve]) -> Sheet:
     if single:
         sides = ("protected", "unprotected", "protected_forecast")
         lines = [line_of(first.series, side, first.series.values) for side in sides]
-        lines += [
-            Line(translate(_METHODS[setting.method]), [setting.scatter], [setting.cycles], points=True)
-            for setting in first.settings
-            if setting.cycles
-        ]
+        own = ((translate(_METHODS[each.method]), each.scatter, each.cycles) for each in first.settings)
+        lines += [Line(label, [band], [cycles], points=True) for label, band, cycles in own if cycles]
         title = translate("Life against the scatter band")
         guides = [Guide(say("base cycles N_0 = {cycles}", cycles=power(first.base_cycles)), first.base_cycles)]
     else:
@@ -244,10 +241,11 @@ def paper(figure: PaperFigure) -> Sheet:
     x, *axes = (ChartAxis(translate(axis.name), axis.symbol, axis.unit) for axis in (figure.x, *figure.y))
     panels = []
     for y, drawn, curves in zip(axes, figure.y, figure.panels, strict=True):
-        labels = [": ".join(filter(None, (curve.number, translate(curve.label)))) for curve in curves]
-        lines = zip(labels, curves, strict=True)
-        # the number that a curve has in the paper is written at the end of the curve
-        shown = [Line(label, c.x, c.y, points=c.points, names=[""] * (len(c.x) - 1) + [c.number]) for label, c in lines]
+        shown = []
+        for number, label, along, up, points in curves:
+            name = ": ".join(filter(None, (number, translate(label))))
+            # the number that a curve has in the paper is written at the end of the curve
+            shown.append(Line(name, along, up, points=points, names=[""] * (len(along) - 1) + [number]))
         panels.append(Chart(x, y, shown, log=drawn.log))
     caption = [translate(figure.inputs), say("Mended: {mended}.", mended="; ".join(map(translate, figure.corrections)))]
     if figure.assumed:
@@ -265,16 +263,14 @@ def tolerance(figure: plot_data.ToleranceFigure) -> Sheet:
         Guide("" if number else label, row.torque, across=False, tag=_percent(row.probability), style=0)
         for number, row in enumerate(result.quantiles)
     ]
-    nominal, machine, limit = figure.nominal_torque, result.machine_torque, result.torque_limit
-    torques = [
-        ("T_н", translate("clutch's nominal torque"), nominal),
-        ("T_н.маш", translate("machine's nominal torque"), None if math.isclose(machine, nominal) else machine),
-        ("T_lim", translate("torque limit"), limit),
-    ]
-    marked = [(symbol, about, value) for symbol, about, value in torques if value is not None]
+    torques = [("T_н", translate("clutch's nominal torque"), figure.nominal_torque)]
+    if not math.isclose(result.machine_torque, figure.nominal_torque):
+        torques.append(("T_н.маш", translate("machine's nominal torque"), result.machine_torque))
+    if result.torque_limit is not None:
+        torques.append(("T_lim", translate("torque limit"), result.torque_limit))
     guides += [
         Guide(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
-        for style, (symbol, about, value) in enumerate(marked, 1)
+        for style, (symbol, about, value) in enumerate(torques, 1)
     ]
     ends = [*x, *(guide.value for guide in guides)]
     room = 0.03 * (max(ends) - min(ends))
@@ -328,6 +324,12 @@ def _front(result: DesignResult, x: str, y: str) -> Chart:
         along, up = ([row.objective(name) for row in rows] for name in (x, y))
         return Line(label, along, up, points=True, names=[str(row.number) for row in rows])
 
+    def bounds(name: str) -> tuple[float, float]:
+        values = [row.objective(name) for row in result.front]
+        low, high = min(values), max(values)
+        room = 0.04 * (high - low) or 0.04 * abs(high) or 1.0
+        return low - room, high + room
+
     variants = sorted({row.variant for row in result.front})
     lines = [
         points(translate(variant, "value"), [row for row in result.front if row.variant == variant])
@@ -337,14 +339,8 @@ def _front(result: DesignResult, x: str, y: str) -> Chart:
         if row.mark:
             marked = points(say("compromise: no. {number}", number=str(row.number)), [row])
             lines.append(marked._replace(filled=True))
-    along, up = (_ends([row.objective(name) for row in result.front]) for name in (x, y))
-    return Chart(axis_of(result.front[0], x), axis_of(result.front[0], y), lines, bounds=(*along, *up))
-
-
-def _ends(values: list[float]) -> tuple[float, float]:
-    low, high = min(values), max(values)
-    room = 0.04 * (high - low) or 0.04 * abs(high) or 1.0
-    return low - room, high + room
+    x_axis, y_axis = (axis_of(result.front[0], name) for name in (x, y))
+    return Chart(x_axis, y_axis, lines, bounds=(*bounds(x), *bounds(y)))
 
 
 def _front_caption(result: DesignResult) -> str:
