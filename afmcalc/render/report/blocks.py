@@ -175,13 +175,6 @@ class Step:
 
 
 @dataclass(frozen=True)
-class Findings:
-    """Findings, each with its grade."""
-
-    items: Sequence[tuple[Piece, Text]]
-
-
-@dataclass(frozen=True)
 class Bullets:
     """A list, or the lines of a ``derivation``."""
 
@@ -191,9 +184,9 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Definitions:
-    """Symbols and their meanings (``symbols``), or sources by their numbers (``references``)."""
+    """Symbols and their meanings, sources by their numbers, or findings after their grades."""
 
-    role: Literal["symbols", "references"]
+    role: Literal["symbols", "references", "findings"]
     items: Sequence[tuple[Text, Text]]
 
 
@@ -222,7 +215,7 @@ class Section:
     appendix: bool = False
 
 
-Block = Paragraph | Heading | Table | Figure | Step | Findings | Bullets | Definitions | Code | Entries | Section
+Block = Paragraph | Heading | Table | Figure | Step | Bullets | Definitions | Code | Entries | Section
 
 
 @dataclass(frozen=True)

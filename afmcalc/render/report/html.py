@@ -103,8 +103,8 @@ def _block(block: Block, level: int) -> str:
             return element("figure", *parts, id=f"figure-{block.number}")
         case blocks.Step():
             return _step(block)
-        case blocks.Findings(found):
-            return _list((_piece(grade) + " " + element("span", inline(text)) for grade, text in found), "findings")
+        case blocks.Definitions("findings", found):
+            return _list((f"{inline(grade)} {element('span', inline(text))}" for grade, text in found), "findings")
         case blocks.Bullets(texts, role):
             return _list(map(inline, texts), role)
         case blocks.Definitions(role, pairs):

@@ -367,15 +367,15 @@ def quantities(block: TextTable) -> blocks.Table:
     return blocks.Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric)
 
 
-def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Findings:
+def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Definitions:
     """Lay out findings; the keys of the spec are replaced by names unless ``keys`` is true."""
     items = []
     for finding in findings:
         grade = {"error": "fail", "warning": "warning", "info": "note"}[finding.level]
         words = said(finding.message if keys else in_words(finding.message))
         code = when(keys and finding.path, " ", piece("code", finding.path or ""))
-        items.append((piece("grade", told(f"level/{finding.level}"), grade), text(words, code)))
-    return blocks.Findings(items)
+        items.append((text(piece("grade", told(f"level/{finding.level}"), grade)), text(words, code)))
+    return blocks.Definitions("findings", items)
 
 
 def figure_of(number: int, sheet: Sheet) -> blocks.Figure:
