@@ -4,9 +4,17 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 
-from ...analysis import plot_data
 from ...analysis.design import DesignResult, DesignRow
 from ...analysis.neglected import EffectsCurve
+from ...analysis.plot_data import (
+    AccuracyCurve,
+    LifeCurve,
+    OverloadCurve,
+    ParetoFigure,
+    SimulateFigure,
+    ToleranceFigure,
+    TorqueCurve,
+)
 from ...analysis.simulate import MomentRow
 from ...analysis.spring_search import SpringCurve, SpringsCurve
 from ...messages import deferred, localized, named, say, translate
@@ -16,12 +24,12 @@ from ..amounts import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
 
-def _called(curve: plot_data.TorqueCurve | plot_data.AccuracyCurve | plot_data.LifeCurve) -> str:
+def _called(curve: TorqueCurve | AccuracyCurve | LifeCurve) -> str:
     """Label for the curve of a clutch, if several clutches are drawn."""
     return named(curve.name) or translate(curve.variant, "value")
 
 
-def torque(curves: Sequence[plot_data.TorqueCurve]) -> Sheet:
+def torque(curves: Sequence[TorqueCurve]) -> Sheet:
     """Torque over friction: one clutch set by both methods, with scatter bands, or several clutches as they are set."""
     unlike = any(curve.friction_driving for curve in curves)
     x = axis_of(curves[0], "friction_driving" if unlike else "friction")
@@ -49,7 +57,7 @@ def torque(curves: Sequence[plot_data.TorqueCurve]) -> Sheet:
     return Sheet(title, [chart], caption, curve.name)
 
 
-def accuracy(curves: Sequence[plot_data.AccuracyCurve]) -> Sheet:
+def accuracy(curves: Sequence[AccuracyCurve]) -> Sheet:
     """Accuracy factor K_т over the gain or another key; for one clutch also its present value and the gain limit."""
     y = axis_of(curves[0].series, "accuracy_factor")
     x = ChartAxis(translate(curves[0].about).partition(";")[0], curves[0].symbol, curves[0].unit)
@@ -75,7 +83,7 @@ def accuracy(curves: Sequence[plot_data.AccuracyCurve]) -> Sheet:
     return Sheet(title, [Chart(x, y, lines, guides=guides)], name=curve.name)
 
 
-def overload(curve: plot_data.OverloadCurve) -> Sheet:
+def overload(curve: OverloadCurve) -> Sheet:
     """Trip torque over friction, and expected and actual accuracy over the reduced gain (S22 fig. 3)."""
     caption = translate(
         "Equilibrium: at slip the load equals the expected torque for every margin; the published T_ср = T_п − ΔT' "
@@ -117,7 +125,7 @@ _METHODS = {
 }
 
 
-def life(curves: Sequence[plot_data.LifeCurve]) -> Sheet:
+def life(curves: Sequence[LifeCurve]) -> Sheet:
     """Life over the scatter band: both sides and settings of one clutch, or the protected side of several clutches."""
     x = ChartAxis(translate("torque scatter band"), "ΔT", "N*m")
     y = axis_of(curves[0].series, "protected", quantity=translate("cycles to failure"))
@@ -200,7 +208,7 @@ _EVENTS = {
 }
 
 
-def simulate(figure: plot_data.SimulateFigure) -> Sheet:
+def simulate(figure: SimulateFigure) -> Sheet:
     """An event of the drive over time: shaft torque and travel of the sleeve at three frictions, and the speeds."""
     mean = figure.courses[1]
     time, times = axis_of(mean[0], "time"), [row.time for row in mean]
@@ -229,7 +237,7 @@ def simulate(figure: plot_data.SimulateFigure) -> Sheet:
     return Sheet(translate("When the clutch trips"), panels, caption, figure.name)
 
 
-def _at_frictions(figure: plot_data.SimulateFigure, value: Callable[[MomentRow], float | None]) -> list[Line]:
+def _at_frictions(figure: SimulateFigure, value: Callable[[MomentRow], float | None]) -> list[Line]:
     return [
         Line(say("at {friction}", friction=friction), [row.time for row in course], [value(row) for row in course])
         for friction, course in zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True)
@@ -253,7 +261,7 @@ def paper(figure: PaperFigure) -> Sheet:
     return Sheet(f"{translate(figure.name)}: {translate(figure.title)}", panels, "\n".join(caption))
 
 
-def tolerance(figure: plot_data.ToleranceFigure) -> Sheet:
+def tolerance(figure: ToleranceFigure) -> Sheet:
     """Histogram of the torque, with quantiles, the nominal torques and the limit marked."""
     result, bars = figure.result, figure.result.histogram
     x = [bars[0].low, *(end for bar in bars for end in (bar.low, bar.high)), bars[-1].high]
@@ -285,7 +293,7 @@ def tolerance(figure: plot_data.ToleranceFigure) -> Sheet:
     return Sheet(translate("Slip torque over tolerances and scatter"), [chart], _study_caption(figure), figure.name)
 
 
-def _study_caption(figure: plot_data.ToleranceFigure) -> str:
+def _study_caption(figure: ToleranceFigure) -> str:
     result = figure.result
     listed = "; ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)
     risks = [_risk("T < T_н.маш", result.probability_below_machine, result.samples)]
@@ -309,7 +317,7 @@ def _percent(probability: float) -> str:
     return f"{localized(f'{100 * probability:.4g}')} %"
 
 
-def pareto(figure: plot_data.ParetoFigure) -> Sheet:
+def pareto(figure: ParetoFigure) -> Sheet:
     """The Pareto front of a design: the first objective against each other objective, each clutch with its number."""
     result = figure.result
     x, *others = dict.fromkeys(name.removeprefix("-") for name in result.objectives)
