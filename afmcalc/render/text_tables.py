@@ -10,6 +10,17 @@ from ..result import Output
 from .amounts import display, display_unit, estimate, headed, measured, worded
 from .document import ENDS, Column, Document, Table
 
+_LONG = 3
+"""Number of rows above which a table leaves out columns marked ``detail``."""
+_NUMBER = re.compile(r"(\(?[-−]?\d+(?:\xa0\d{3})*|–)(.*)")
+_APART: Mapping[str, Mapping[str | None, str]] = {
+    "setting": {
+        None: deferred("springs as made"), "min-friction": deferred("springs set anew at f_min"),
+        "mean-friction": deferred("springs set anew at mean f"),
+    },
+    "side": {None: "protected side", "unprotected": "unprotected side"},
+}  # fmt: skip
+
 
 class TextTable(NamedTuple):
     """One table of text cells."""
@@ -91,10 +102,6 @@ def cells(column: Column) -> list[str]:
     return [*map(native, texts)] if column.path.endswith("symbol") else texts
 
 
-_LONG = 3
-"""Number of rows above which a table leaves out columns marked ``detail``."""
-
-
 def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
     shown = [column for column in table.columns if not (column.hidden or (long and column.shown.detail))]
@@ -121,9 +128,6 @@ def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
         else:
             kept.append(column)
     return kept, say("the same in all: {list}", list="; ".join(same)) if same else ""
-
-
-_NUMBER = re.compile(r"(\(?[-−]?\d+(?:\xa0\d{3})*|–)(.*)")
 
 
 def padded(block: TextTable) -> TextTable:
@@ -187,15 +191,6 @@ def step_lines(laid_out: Document) -> list[str]:
         if step.print_differs:
             lines.append(say("    print differs: {what}", what=step.print_differs))
     return lines
-
-
-_APART: Mapping[str, Mapping[str | None, str]] = {
-    "setting": {
-        None: deferred("springs as made"), "min-friction": deferred("springs set anew at f_min"),
-        "mean-friction": deferred("springs set anew at mean f"),
-    },
-    "side": {None: "protected side", "unprotected": "unprotected side"},
-}  # fmt: skip
 
 
 def ranked(findings: Iterable[Finding]) -> list[Finding]:

@@ -27,6 +27,11 @@ from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
 from .formula import FormulaText
 
+_LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
+_SETTINGS: dict[str, Method] = {"by_min": "min-friction", "by_mean": "mean-friction"}
+_FEW = 4
+"""Number of cases above which the formulas with numbers are set in one line, without fractions."""
+
 
 class Step(Result):
     """One quantity: what it is, its formula, the formula with numbers, its value."""
@@ -98,9 +103,6 @@ def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
             yield step
 
 
-_LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
-
-
 def shown(steps: Iterable[NotedStep], known: set[object] | None = None) -> list[NotedStep]:
     """Return each step once whose law is a formula and whose numbers are finite, except steps that are ``known``."""
     known, found = set() if known is None else known, list[NotedStep]()
@@ -159,9 +161,6 @@ class Circumstance(NamedTuple):
     """Method by which the spring is set; None: as in the spec."""
     side: str | None
     """``unprotected`` if the load is on that side of the clutch, else None."""
-
-
-_SETTINGS: dict[str, Method] = {"by_min": "min-friction", "by_mean": "mean-friction"}
 
 
 def _circumstance(cases: str) -> Circumstance:
@@ -238,10 +237,6 @@ class Derivation(NamedTuple):
     source: str = ""
     differs: str = ""
     """Text of the misprints in the papers; empty if there are none."""
-
-
-_FEW = 4
-"""Number of cases above which the formulas with numbers are set in one line, without fractions."""
 
 
 def derivations(sections: Mapping[str, Iterable[NotedStep]]) -> dict[str, list[Derivation]]:

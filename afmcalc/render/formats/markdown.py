@@ -7,6 +7,9 @@ from ...result import Output
 from ..document import document
 from ..text_tables import findings_lines, lead, step_lines, title, unfolded
 
+_MARKUP = re.compile(r"[\\|<>*`\[\]]|(?<!\w)_|_(?!\w)")
+"""Pattern of characters that are markup in Markdown; an underscore is markup only at the edge of a word."""
+
 
 def render(output: Output, terminal: bool) -> str:
     """Write tables in the engineer's units and the findings as a list."""
@@ -29,7 +32,3 @@ def render(output: Output, terminal: bool) -> str:
 def _escape(text: str) -> str:
     """Text on one line, its markup characters escaped."""
     return " ".join(_MARKUP.sub(r"\\\g<0>", printable(text)).split())
-
-
-_MARKUP = re.compile(r"[\\|<>*`\[\]]|(?<!\w)_|_(?!\w)")
-"""Pattern of characters that are markup in Markdown; an underscore is markup only at the edge of a word."""

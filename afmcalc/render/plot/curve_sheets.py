@@ -23,6 +23,21 @@ from ...spec.keys import is_whole
 from ..amounts import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
+_METHODS = {
+    "min-friction": deferred("protected side, set at f_min"),
+    "mean-friction": deferred("protected side, set at mean f with margin"),
+}
+_EFFECTS = {
+    "spline-friction": deferred("discs held in their splines"),
+    "centrifugal": deferred("balls thrown against conical pockets"),
+    "wear": deferred("lining worn"),
+}
+SPRINGS = {"closing": deferred("closing spring"), "control": deferred("control spring")}
+_EVENTS = {
+    "stop": deferred("At t = 0 the tool is stopped; friction is constant during the event."),
+    "load": deferred("At t = 0 the load of the tool rises; friction is constant during the event."),
+}
+
 
 def _called(curve: TorqueCurve | AccuracyCurve | LifeCurve) -> str:
     """Label for the curve of a clutch, if several clutches are drawn."""
@@ -119,12 +134,6 @@ def overload(curve: OverloadCurve) -> Sheet:
     return Sheet(title, [trip, accuracy], caption, curve.name)
 
 
-_METHODS = {
-    "min-friction": deferred("protected side, set at f_min"),
-    "mean-friction": deferred("protected side, set at mean f with margin"),
-}
-
-
 def life(curves: Sequence[LifeCurve]) -> Sheet:
     """Life over the scatter band: both sides and settings of one clutch, or the protected side of several clutches."""
     x = ChartAxis(translate("torque scatter band"), "ΔT", "N*m")
@@ -151,13 +160,6 @@ def life(curves: Sequence[LifeCurve]) -> Sheet:
     return Sheet(title, [chart], f"{about} {beyond}", first.name if single else None)
 
 
-_EFFECTS = {
-    "spline-friction": deferred("discs held in their splines"),
-    "centrifugal": deferred("balls thrown against conical pockets"),
-    "wear": deferred("lining worn"),
-}
-
-
 def effects(curve: EffectsCurve) -> Sheet:
     """Torque over friction by the law, and its upper and lower limit with each neglected effect."""
     lines = [line_of(curve, "torque", curve.friction, style=0)]
@@ -169,9 +171,6 @@ def effects(curve: EffectsCurve) -> Sheet:
     x, y = axis_of(curve, "friction"), axis_of(curve, "torque", quantity=translate("slip torque"))
     caption = translate("Springs as set. Of each effect both ends: the torque lies between, by what happened before.")
     return Sheet(translate("What the law neglects"), [Chart(x, y, lines, from_zero=True)], caption, curve.name)
-
-
-SPRINGS = {"closing": deferred("closing spring"), "control": deferred("control spring")}
 
 
 def springs(curve: SpringsCurve) -> Sheet:
@@ -200,12 +199,6 @@ def _spring(spring: SpringCurve) -> Chart:
 def _upright(label: str, ends: Iterable[float], style: int) -> list[Guide]:
     """Vertical guides with the same meaning; the legend names only the first guide."""
     return [Guide("" if number else label, end, across=False, style=style) for number, end in enumerate(ends)]
-
-
-_EVENTS = {
-    "stop": deferred("At t = 0 the tool is stopped; friction is constant during the event."),
-    "load": deferred("At t = 0 the load of the tool rises; friction is constant during the event."),
-}
 
 
 def simulate(figure: SimulateFigure) -> Sheet:

@@ -23,6 +23,11 @@ from ..drawing import (
 )
 from .chart import Sheet
 
+_HATCH = {"body": (45.0,), "drum": (135.0,), "moving": (90.0,), "bearing": (45.0, 135.0)}
+"""Kind of a part → angles of its hatches."""
+_FILLED = {"disc": "discs", "key": "bypass"}
+_TURNS = 4
+
 
 class Part(NamedTuple):
     """One part of a clutch in half section; the axis of the clutch is below."""
@@ -32,12 +37,6 @@ class Part(NamedTuple):
     """Position of the number, its place among the parts; None if the part has no number in the paper."""
     kind: str = "body"
     """One of ``_HATCH``, else ``disc``, ``spring``, ``ball`` or ``key``."""
-
-
-_HATCH = {"body": (45.0,), "drum": (135.0,), "moving": (90.0,), "bearing": (45.0, 135.0)}
-"""Kind of a part → angles of its hatches."""
-_FILLED = {"disc": "discs", "key": "bypass"}
-_TURNS = 4
 
 
 def _half_section(parts: tuple[Part, ...], length: float, top: float) -> Drawing:

@@ -10,6 +10,9 @@ from ...errors import AfmcalcError
 from ...formula_tree import TIMES, Node, Tree
 from ...formula_tree import text as line_of
 
+SHORT = 64
+"""Largest number of signs in a line of a formula."""
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -82,10 +85,6 @@ def formula(*sides: Tree) -> Formula:
 def equated(*sides: Tree) -> Tree:
     """Tree of the sides of an equation, joined by equals signs."""
     return tuple(sign for side in sides for sign in ("=", *side))[1:]
-
-
-SHORT = 64
-"""Largest number of signs in a line of a formula."""
 
 
 def size(tree: Tree) -> int:

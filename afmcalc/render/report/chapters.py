@@ -23,6 +23,16 @@ from .blocks import SHORT, Piece, Step, Text, broken, formula, listed, piece, si
 from .pieces import MISPRINT, said
 from .words import form, told
 
+_PEAKS = (
+    "peak_torque", "dynamic_factor", "slip_time", "energy", "temperature", "face_temperature", "trips_per_hour",
+    "trips_to_wear_out",
+)  # fmt: skip
+_FRICTION = {
+    "friction": ("f", deferred("friction in service")),
+    "friction.driving": ("f_1", deferred("friction of the driving pairs in service")),
+    "friction.driven": ("f_2", deferred("friction of the driven pairs in service")),
+}
+
 
 class Chapter(NamedTuple):
     """One calculation of the report."""
@@ -72,12 +82,6 @@ def peaks(dossier: Dossier) -> list[TextTable]:
     return blocks(Document([], [], shown, []))
 
 
-_PEAKS = (
-    "peak_torque", "dynamic_factor", "slip_time", "energy", "temperature", "face_temperature", "trips_per_hour",
-    "trips_to_wear_out",
-)  # fmt: skip
-
-
 def _side_by_side(heads: Sequence[str], results: Sequence[Result], without: Sequence[str] = ()) -> TextTable:
     """Table with a column for each result of the same type; rows without values are left out, a triple has three."""
     columns = []
@@ -100,13 +104,6 @@ def _named(column: Column) -> list[Column]:
         Column("symbol", "", "Symbol", "", [symbol for symbol, _ in rows]),
         Column("quantity", "", "Quantity", "", [translate(name).partition(";")[0] for _, name in rows]),
     ]
-
-
-_FRICTION = {
-    "friction": ("f", deferred("friction in service")),
-    "friction.driving": ("f_1", deferred("friction of the driving pairs in service")),
-    "friction.driven": ("f_2", deferred("friction of the driven pairs in service")),
-}
 
 
 def step_of(step: Derivation, method: str) -> Step:

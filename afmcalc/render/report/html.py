@@ -11,6 +11,9 @@ from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
 from . import blocks
 from .blocks import Block, Document, Formula, Piece, Section, Text
 
+_APART = ("section", "div", "dl", "ol", "ul", "tr", "tbody")
+"""Elements whose parts are each written on their own line."""
+
 
 def element(tag: str, *body: str, **attributes: object) -> str:
     """HTML of an element; its ``body`` is already markup."""
@@ -21,10 +24,6 @@ def element(tag: str, *body: str, **attributes: object) -> str:
     )
     between = "\n" if tag in _APART else ""
     return f"<{tag}{''.join(given)}>" + between.join(body) + (f"</{tag}>" if tag != "meta" else "")
-
-
-_APART = ("section", "div", "dl", "ol", "ul", "tr", "tbody")
-"""Elements whose parts are each written on their own line."""
 
 
 def inline(pieces: Text) -> str:

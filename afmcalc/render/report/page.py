@@ -32,6 +32,12 @@ from .html import page
 from .pieces import MISPRINT, cell, cited, name_of, plain, said, table, unparted
 from .words import PEOPLE, SHORT, form, titled, told
 
+_PROGRAM = f"afmcalc {__version__}"
+_MOST, _LEAST = 12, 4
+"""Largest number of requirements and limits together in a short report, and smallest number of limits."""
+_ELSEWHERE = ("name", "report", "requirements", "catalogues", "objectives", "search")
+_PATH = re.compile(r"\[([a-z_.]+)\]|\b[a-z_]+(?:\.[a-z_]+)+\b")
+
 
 class Subject(NamedTuple):
     """Subject of a report: the dossier of a clutch, and how the report shows it."""
@@ -51,9 +57,6 @@ class Subject(NamedTuple):
         """The [report] block of the spec, dated today if the block has no date."""
         block = self.dossier.spec.report or TitleBlock()
         return block if block.date else block.model_copy(update={"date": today()})
-
-
-_PROGRAM = f"afmcalc {__version__}"
 
 
 class _SpecLine(NamedTuple):
@@ -389,10 +392,6 @@ def _three(share: float) -> str:
     return localized(next((shown for digits in range(3, 10) if float(shown := f"{share:.{digits}g}") != 1), "1"))
 
 
-_MOST, _LEAST = 12, 4
-"""Largest number of requirements and limits together in a short report, and smallest number of limits."""
-
-
 def _changed(overrides: Iterable[str]) -> list[str]:
     """Paths of the keys, or tables, that overrides change."""
     given = (override.partition("=")[0].strip() for override in overrides)
@@ -470,9 +469,6 @@ def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
             )
 
 
-_ELSEWHERE = ("name", "report", "requirements", "catalogues", "objectives", "search")
-
-
 def _titled(path: str) -> str:
     """Title of a table of the spec, preceded by the title of the table that contains it."""
     above, _, _ = path.rpartition(".")
@@ -492,9 +488,6 @@ def in_words(text: str) -> str:
         return found[0] if path in name.split(": ") else translate("“…”", "symbol").replace("…", name)
 
     return _PATH.sub(named_so, text)
-
-
-_PATH = re.compile(r"\[([a-z_.]+)\]|\b[a-z_]+(?:\.[a-z_]+)+\b")
 
 
 def _scatter(group: str, name: str, given: dict[str, Any]) -> _SpecLine:
