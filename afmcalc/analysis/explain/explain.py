@@ -152,22 +152,12 @@ def _result(step: NotedStep) -> Term:
     return Term(*term_of(f"{step.name}_at_{own}")) if own else _equation(step).result
 
 
-class Circumstance(NamedTuple):
-    """Circumstance in which a value was calculated."""
-
-    at: str | None
-    """Friction, or another condition, in words, such as ``f_max``; None if there is none."""
-    setting: Method | None
-    """Method by which the spring is set; None: as in the spec."""
-    side: str | None
-    """``unprotected`` if the load is on that side of the clutch, else None."""
-
-
-def _circumstance(cases: str) -> Circumstance:
+def _circumstance(cases: str) -> tuple[str | None, Method | None, str | None]:
+    """Friction or condition, method by which the spring is set, and side, as in ``CaseRow``."""
     words = [case for case, word in CASES.items() if word and case in cases.split()]
     at = [translate(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
     setting = next((_SETTINGS[case] for case in words if case in _SETTINGS), None)
-    return Circumstance(", ".join(at) or None, setting, "unprotected" if "unprotected" in words else None)
+    return ", ".join(at) or None, setting, "unprotected" if "unprotected" in words else None
 
 
 def _formula(step: NotedStep, *, special: bool = True) -> FormulaText:
@@ -189,10 +179,11 @@ def _print_differs(function: str) -> str:
 
 
 def _step(step: NotedStep) -> Step:
-    equation, formula, case, result = _equation(step), _formula(step), _circumstance(step.case), _result(step)
+    equation, formula, result = _equation(step), _formula(step), _result(step)
+    at, setting, side = _circumstance(step.case)
     return Step(
         symbol=native(result.symbol),
-        name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
+        name=translate(result.meaning or equation.about), at=at, setting=setting, side=side,
         formula=text(formula.tree), substituted=text(formula.with_numbers()), value=float(step.value),
         unit=result.unit, source=translate(equation.source),
         print_differs=_print_differs(equation.name) or None, function=equation.name,
@@ -214,9 +205,14 @@ class Meaning(NamedTuple):
 
 
 class CaseRow(NamedTuple):
-    """One case of a formula: circumstance, formula with numbers, and value (SI)."""
+    """One case of a formula: its circumstance, the formula with numbers, and the value (SI)."""
 
-    case: Circumstance
+    at: str | None
+    """Friction, or another condition, in words, such as ``f_max``; None if there is none."""
+    setting: Method | None
+    """Method by which the spring is set; None: as in the spec."""
+    side: str | None
+    """``unprotected`` if the load is on that side of the clutch, else None."""
     numbers: Tree
     value: float
 
@@ -268,7 +264,7 @@ class _Report:
         formulas = [_formula(step, special=False) for step in steps]
         where, line = [*self.meanings_of(steps)], len(steps) > _FEW
         rows = [
-            CaseRow(_circumstance(step.case), formula.with_numbers(units=False, line=line), float(step.value))
+            CaseRow(*_circumstance(step.case), formula.with_numbers(units=False, line=line), float(step.value))
             for step, formula in zip(steps, formulas, strict=True)
         ]
         own = Derivation(number, result.symbol, result.meaning or equation.about, result.unit, (), where, rows)

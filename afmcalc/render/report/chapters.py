@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
-from ...analysis.explain.explain import Circumstance, Derivation, Meaning
+from ...analysis.explain.explain import CaseRow, Derivation, Meaning
 from ...analysis.spring_search import SpringsResult
 from ...formula_tree import Tree, symbol_tree, value_tree
 from ...messages import deferred, say, translate, with_unit
@@ -108,7 +108,7 @@ def _named(column: Column) -> list[Column]:
 
 def step_of(step: Derivation, method: str) -> Step:
     """Lay out a derivation; lines that all have the spring setting of the spec, ``method``, do not name it."""
-    columns = _labels([row.case for row in step.rows], method)
+    columns = _labels(step.rows, method)
     symbol, first = symbol_tree(translate(step.symbol)), step.rows[0]
     in_one_line = not columns and len(step.rows) == 1 and size(step.formula) + size(first.numbers) <= SHORT
     # the formula may consist of the symbol alone, and the formula with numbers of the value alone
@@ -153,7 +153,7 @@ def _values(value: float, unit: str) -> list[Tree]:
     return [*map(value_tree, dict.fromkeys([*in_si, measured(value, unit)]))]
 
 
-def _labels(cases: Sequence[Circumstance], method: str) -> dict[str, list[str]]:
+def _labels(cases: Sequence[CaseRow], method: str) -> dict[str, list[str]]:
     """Columns of labels that tell cases apart; the spring setting ``method`` is named only beside another."""
     columns = {}
     if any(case.at for case in cases):
