@@ -31,10 +31,8 @@ class TextTable(NamedTuple):
     numeric: list[bool]
     """True for each column that is set flush right."""
     source: Table | None = None
-    legend: str = ""
-    """Line above the table with the values that are the same in all rows."""
-    meanings: str = ""
-    """Line above the table with the meanings of the symbols in the header."""
+    notes: Sequence[str] = ()
+    """Lines above the table: the values that are the same in all rows, the meanings of the symbols in the header."""
 
 
 def title(output: Output) -> str:
@@ -105,16 +103,16 @@ def cells(column: Column) -> list[str]:
 def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
     shown = [column for column in table.columns if not (column.hidden or (long and column.shown.detail))]
-    shown, legend = _folded(shown) if table.shown.folds else (shown, "")
+    shown, same = _folded(shown) if table.shown.folds else (shown, "")
     named = (column for column in shown if column.symbol and column.name != table.title)
-    meanings = (f"{native(translate(column.symbol))}: {column.name}" for column in named)
+    meanings = "; ".join(f"{native(translate(column.symbol))}: {column.name}" for column in named)
     heads = [headed(native(translate(column.symbol or column.name)), column.unit) for column in shown]
     numeric = [
         any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
         for column in shown
     ]
     title, rows = table.title[:1].upper() + table.title[1:], [[*row] for row in zip(*map(cells, shown), strict=True)]
-    return TextTable(title, heads, rows, numeric, table._replace(columns=shown), legend, "; ".join(meanings))
+    return TextTable(title, heads, rows, numeric, table._replace(columns=shown), [*filter(None, (same, meanings))])
 
 
 def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
@@ -171,7 +169,7 @@ def _turned(block: TextTable) -> TextTable:
             others.append((column._replace(units=None), texts))
     (_, heads), *rest = others
     title = f"{block.title} ({'; '.join(shared)})" if shared else block.title
-    return quantities(heads, rest, title)._replace(legend=block.legend)
+    return quantities(heads, rest, title)
 
 
 def step_lines(laid_out: Document) -> list[str]:

@@ -18,7 +18,7 @@ def render(output: Output, terminal: bool) -> str:
     lines += [_escape(judged), ""] if (judged := lead(output)) else []
     for block in unfolded(laid_out):
         lines += [f"### {_escape(block.title)}", ""] if block.title else []
-        for line in filter(None, (block.legend, block.meanings)):
+        for line in block.notes:
             lines += [_escape(line), ""]
         rule = ["---:" if right else "---" for right in block.numeric]
         lines += ["| " + " | ".join(map(_escape, row)) + " |" for row in (block.header, rule, *block.rows)]

@@ -43,7 +43,7 @@ def render(output: Output, terminal: bool) -> str:
     for block in unfolded(laid_out):
         show("")
         show(*filter(None, (block.title,)), style="italic")
-        show(*filter(None, (block.legend, block.meanings)), style="dim")
+        show(*block.notes, style="dim")
         numeric = [right and most <= _SENTENCE for right, most in zip(block.numeric, _widths(block), strict=True)]
         for number, part in enumerate(_parts(padded(block._replace(numeric=numeric)), width)):
             show(*[""] * bool(number))
