@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 from ...analysis.design import DesignResult, DesignRow
 from ...analysis.neglected import EffectsCurve
@@ -15,7 +15,6 @@ from ...analysis.plot_data import (
     ToleranceFigure,
     TorqueCurve,
 )
-from ...analysis.simulate import MomentRow
 from ...analysis.spring_search import SpringCurve, SpringsCurve
 from ...messages import deferred, localized, named, say, translate
 from ...papers.claims import PaperFigure
@@ -206,18 +205,14 @@ def simulate(figure: SimulateFigure) -> Sheet:
     mean = figure.courses[1]
     time, times = axis_of(mean[0], "time"), [row.time for row in mean]
     load = guide_at(deferred("load before the event {stated}"), "T_0", figure.load, "N*m")
-    torques = _at_frictions(figure, lambda row: row.torque_shaft)
-    title = translate("Torque in the shaft")
+    torques, title = _at_frictions(figure, "torque_shaft"), translate("Torque in the shaft")
     panels = [Chart(time, axis_of(mean[0], "torque_shaft"), torques, title, guides=[load])]
-    speeds = [
-        Line(translate("motor side ω_1"), times, [row.speed_motor for row in mean]),
-        Line(translate("driven half ω_2"), times, [row.speed_driven for row in mean]),
-        Line(translate("tool ω_3"), times, [row.speed_tool for row in mean]),
-    ]
+    halves = {"speed_motor": "motor side ω_1", "speed_driven": "driven half ω_2", "speed_tool": "tool ω_3"}
+    speeds = [Line(translate(text), times, [getattr(row, half) for row in mean]) for half, text in halves.items()]
     speed = ChartAxis(translate("speed"), "ω", "rad/s")
     panels.append(Chart(time, speed, speeds, translate("Speeds at the mean friction")))
     if figure.result.travel_max is not None:
-        travels = _at_frictions(figure, lambda row: row.travel)
+        travels = _at_frictions(figure, "travel")
         panels.append(Chart(time, axis_of(mean[0], "travel"), travels, translate("Travel of the sleeve")))
     peak_torques = (figure.result.peak_torque, figure.result.peak_torque_conventional)
     listed, ordinary = ("; ".join(display(end, "N*m") for _, end in ends) for ends in peak_torques)
@@ -230,10 +225,15 @@ def simulate(figure: SimulateFigure) -> Sheet:
     return Sheet(translate("When the clutch trips"), panels, caption, figure.name)
 
 
-def _at_frictions(figure: SimulateFigure, value: Callable[[MomentRow], float | None]) -> list[Line]:
+def _at_frictions(figure: SimulateFigure, name: str) -> list[Line]:
+    courses = zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True)
     return [
-        Line(say("at {friction}", friction=friction), [row.time for row in course], [value(row) for row in course])
-        for friction, course in zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True)
+        Line(
+            say("at {friction}", friction=friction),
+            [row.time for row in course],
+            [getattr(row, name) for row in course],
+        )
+        for friction, course in courses
     ]
 
 

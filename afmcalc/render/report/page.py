@@ -174,9 +174,10 @@ class _Parts:
         self.labels = {name: str(number) for number, name in enumerate(sections, 1)}
         lettered = zip(appendices, form().letters, strict=False)
         self.labels |= {name: say("Appendix {letter}", letter=letter) for name, letter in lettered}
+        # the references, cited in all sections, are known only after them
         titles = {name: told("next" if self.short and name == "conclusion" else name) for name in self.labels}
         return [
-            blocks.Section(name, label, text(titles[name]), [*getattr(self, f"_{name}")()], name in appendices)
+            blocks.Section(name, label, text(titles[name]), [*getattr(self, f"_{name}", tuple)()], name in appendices)
             for name, label in self.labels.items()
         ]
 
@@ -272,9 +273,6 @@ class _Parts:
         lines += [say("Give what it takes to judge “{name}”.", name=name) for name in not_judged]
         lines = lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
         yield blocks.Bullets([*map(said, lines)], "next")
-
-    def _references(self) -> Iterable[Block]:
-        return ()  # the cited sources are known only after everything else is laid out
 
     def _symbols(self) -> Iterator[Block]:
         if spoken() == "en":
