@@ -226,15 +226,11 @@ def simulate(figure: SimulateFigure) -> Sheet:
 
 
 def _at_frictions(figure: SimulateFigure, name: str) -> list[Line]:
-    courses = zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True)
-    return [
-        Line(
-            say("at {friction}", friction=friction),
-            [row.time for row in course],
-            [getattr(row, name) for row in course],
-        )
-        for friction, course in courses
-    ]
+    lines = []
+    for friction, course in zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True):
+        time, values = ([getattr(row, each) for row in course] for each in ("time", name))
+        lines.append(Line(say("at {friction}", friction=friction), time, values))
+    return lines
 
 
 def paper(figure: PaperFigure) -> Sheet:
