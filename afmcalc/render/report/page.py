@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from datetime import date
@@ -53,10 +53,10 @@ class Subject(NamedTuple):
     """True if the report is to take two pages: task, limits, section, peaks, heat, conclusions."""
 
     @property
-    def title(self) -> TitleBlock:
-        """The [report] block of the spec, dated today if the block has no date."""
+    def title(self) -> dict[str, str]:
+        """Entries of the [report] block of the spec, empty if not given, but dated today if it has no date."""
         block = self.dossier.spec.report or TitleBlock()
-        return block if block.date else block.model_copy(update={"date": today()})
+        return {name: printable(text or "") for name, text in block} | ({} if block.date else {"date": today()})
 
 
 class _SpecLine(NamedTuple):
@@ -94,8 +94,8 @@ def report(subject: Subject) -> Document:
     name = unparted(printable(named(dossier.spec.name) or say("Adaptive friction clutch")))
     kind, day = say("Calculation report"), today()
     with suppress(ValueError):
-        day = date.fromisoformat(title.date or "").isoformat()
-    paper = "report" if title.form == "report" and not short else form().paper
+        day = date.fromisoformat(title["date"]).isoformat()
+    paper = "report" if title["form"] == "report" and not short else form().paper
     verdict = blocks.Paragraph(said(dossier.check.verdict.sentence), f"sum {dossier.check.grade}", "verdict")
     body, numbers = cited(_Parts(subject).sections())
     sources = references()
@@ -111,11 +111,11 @@ def report(subject: Subject) -> Document:
             for each in body
             if entries or each.key != "references"
         ],
-        running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
+        running=" · ".join(filter(None, (name, title["drawing"], title["revision"]))),
         date=day,
         paper=paper,
         short=short,
-        author=title.author or "",
+        author=title["author"],
         frame=_frame(title, f"{name}. {kind}") if paper == "framed" else None,
     )
 
@@ -399,35 +399,30 @@ def _changed(overrides: Iterable[str]) -> list[str]:
 def _entries(subject: Subject) -> blocks.Entries:
     """Entries of the title block: given entries and those of every report; ISO dates become dates of the language."""
     spec = subject.dossier.spec
-    title = dict(subject.title) | {"variant": translate(spec.variant, "value"), "program": _PROGRAM}
+    title = subject.title | {"variant": translate(spec.variant, "value"), "program": _PROGRAM}
     with suppress(ValueError):
-        title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
+        title["date"] = date.fromisoformat(title["date"]).strftime(translate("%Y-%m-%d", "date"))
     entries = [name for name in form().entries if title[name] or name in form().signed]
     changed = "; ".join(name_of(path) if path in keys() else path for path in _changed(subject.overrides))
-    given = [*((told(name), printable(title[name] or ""), False) for name in entries)]
+    given = [(told(name), title[name], False) for name in entries]
     given += [(say("Spec"), printable(spec.label), True), (say("SHA-256 of the spec as given"), subject.digest, True)]
     given += [(say("Overridden on the command line"), printable(changed), True)] if changed else []
     return blocks.Entries(given)
 
 
-def _signatures(title: TitleBlock) -> blocks.Table:
+def _signatures(title: Mapping[str, str]) -> blocks.Table:
     """Table of signatures: all roles that sign in this language, and other roles for which a name is given."""
-    names = {who: getattr(title, who) for who in PEOPLE}
-    rows = [
-        [text(told(who)), text(printable(name or "")), text(), text()]
-        for who, name in names.items()
-        if name or who in form().signed
-    ]
+    roles = [who for who in PEOPLE if title[who] or who in form().signed]
+    rows = [[text(told(who)), text(title[who]), text(), text()] for who in roles]
     return table("signatures", ("Responsible", "Name", "Signature", "Date"), rows)
 
 
-def _frame(title: TitleBlock, headline: str) -> dict[str, Any]:
-    roles = ("Drawn", title.author), ("Checked", title.checked), ("", ""), ("Standards", title.norm_control)
+def _frame(title: Mapping[str, str], headline: str) -> dict[str, Any]:
+    roles = {"Drawn": "author", "Checked": "checked", "": "", "Standards": "norm_control", "Approved": "approved"}
     margin = "Signature and date", "No. of copy", "Instead of no.", "Signature and date", "No. of original"
-    own = {name: printable(getattr(title, name) or "") for name in ("drawing", "organisation", "revision")}
-    return own | {
+    return {name: title[name] for name in ("drawing", "organisation", "revision")} | {
         "headline": headline,
-        "people": [(translate(role), printable(who or "")) for role, who in (*roles, ("Approved", title.approved))],
+        "people": [(translate(role), title.get(who, "")) for role, who in roles.items()],
         "changes": [*map(translate, ("Chg.", "Sheet", "Document no.", "Sign.", "Date"))],
         "stage": [*map(translate, ("Stage", "Sheet", "Sheets"))],
         "margin": [*map(translate, margin)],
