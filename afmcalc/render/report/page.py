@@ -97,27 +97,19 @@ def report(subject: Subject) -> Document:
         day = date.fromisoformat(title["date"]).isoformat()
     paper = "report" if title["form"] == "report" and not short else form().paper
     verdict = blocks.Paragraph(said(dossier.check.verdict.sentence), f"sum {dossier.check.grade}", "verdict")
+    cover = [_entries(subject), _signatures(title), verdict, *_trip(dossier.check)]
     body, numbers = cited(_Parts(subject).sections())
     sources = references()
     entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
-    return Document(
-        language=spoken(),
-        program=_PROGRAM,
-        kind=kind,
-        name=name,
-        cover=[_entries(subject), _signatures(title), verdict, *_trip(dossier.check)],
-        body=[
-            replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
-            for each in body
-            if entries or each.key != "references"
-        ],
-        running=" · ".join(filter(None, (name, title["drawing"], title["revision"]))),
-        date=day,
-        paper=paper,
-        short=short,
-        author=title["author"],
-        frame=_frame(title, f"{name}. {kind}") if paper == "framed" else None,
-    )
+    body = [
+        replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
+        for each in body
+        if entries or each.key != "references"
+    ]
+    running = " · ".join(filter(None, (name, title["drawing"], title["revision"])))
+    frame = _frame(title, f"{name}. {kind}") if paper == "framed" else None
+    more: dict[str, Any] = {"paper": paper, "short": short, "author": title["author"], "frame": frame}
+    return Document(spoken(), _PROGRAM, kind, name, cover, body, running, day, **more)
 
 
 def _trip(check: CheckResult) -> list[Block]:
