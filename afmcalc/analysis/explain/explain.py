@@ -5,7 +5,7 @@
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -72,8 +72,7 @@ def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[
         )  # fmt: skip
     clutch = noting(spec)
     _, findings = ANALYSES[command].function(clutch, **({"model": model} if model else {}))
-    steps = [*where_largest(steps_of(clutch))]
-    told = [_step(step) for part in by_law(steps, shown(steps)) for step in part]
+    told = [_step(step) for part in by_law(steps_of(clutch)) for step in part]
     return ExplainResult(explained=command, steps=told), findings
 
 
@@ -88,9 +87,8 @@ def steps_of(clutch: Clutch) -> list[NotedStep]:
     return clutch.steps or []
 
 
-def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
+def _where_largest(steps: Sequence[NotedStep]) -> Iterator[NotedStep]:
     """Yield steps with one value each; along a wall the value at the largest pressure, or largest contact force."""
-    steps = list(steps)
     largest = {
         step.name: int(step.value.argmax()) for step in steps if step.case == "along_wall" and step.name in _LARGEST
     }
@@ -117,13 +115,14 @@ def shown(steps: Iterable[NotedStep], known: set[object] | None = None) -> list[
     return found
 
 
-def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[NotedStep]]:
-    """Group the steps in ``shown`` by law, each group after the steps that it uses.
+def by_law(noted: Sequence[NotedStep], known: set[object] | None = None) -> list[list[NotedStep]]:
+    """Group the steps that are ``shown`` by law, each group after the steps that it uses.
 
     A group is split if the order requires it: a spring setting follows from a torque, other torques from the setting.
     """
+    steps = [*_where_largest(noted)]
     left, parts, before = dict[tuple[str, str], list[NotedStep]](), list[list[NotedStep]](), dict[int, set[int]]()
-    of_quantity, kept = dict[str, set[int]](), {*map(id, shown)}
+    of_quantity, kept = dict[str, set[int]](), {*map(id, shown(steps, known))}
     for step in steps:
         uses = set().union(*(of_quantity.get(quantity_of(one), ()) for one in step.arguments.values()))
         if id(step) in kept:
@@ -133,8 +132,7 @@ def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[
     missing = {*before}
     while left:
         ready = {name: [one for one in own if not before[id(one)] & missing] for name, own in left.items()}
-        whole = (name for name in left if len(ready[name]) == len(left[name]))
-        name = next(whole, None) or next(name for name in left if ready[name])
+        name = max(left, key=lambda name: (len(ready[name]) == len(left[name]), bool(ready[name])))  # a whole one first
         parts.append(ready[name])
         missing -= {*map(id, ready[name])}
         left[name] = [one for one in left[name] if id(one) in missing]
@@ -235,13 +233,10 @@ class Derivation(NamedTuple):
     """Text of the misprints in the papers; empty if there are none."""
 
 
-def derivations(sections: Mapping[str, Iterable[NotedStep]]) -> dict[str, list[Derivation]]:
+def derivations(sections: Mapping[str, Sequence[NotedStep]]) -> dict[str, list[Derivation]]:
     """Return the derivations of each section, from the steps noted in it; each formula is shown once."""
-    report, known, made = _Report(), set[object](), dict[str, list[Derivation]]()
-    for name, noted in sections.items():
-        steps = [*where_largest(noted)]
-        made[name] = [report.derivation(part) for part in by_law(steps, shown(steps, known))]
-    return made
+    report, known = _Report(), set[object]()
+    return {name: [report.derivation(part) for part in by_law(steps, known)] for name, steps in sections.items()}
 
 
 class _Report:
