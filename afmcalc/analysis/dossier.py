@@ -51,18 +51,13 @@ class Dossier(NamedTuple):
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
     """Run every analysis that applies to a clutch, once; ``explained`` adds the derivations."""
     answers, derived = Answers(noting(spec) if explained else build(spec), model=model), dict[str, list[NotedStep]]()
-    # analyses note their steps; a formula is shown where it is first used
-    for analysis in ANALYSES.values() if explained else ():
-        if analysis.section and analysis.explained and analysis.applies(answers.clutch):
+    applying = [each for each in ANALYSES.values() if each.section and each.applies(answers.clutch)]
+    for analysis in applying:
+        if explained and analysis.explained:  # it notes its steps; a formula is shown where it is first used
             before = len(steps_of(answers.clutch))
             answers.ask(analysis.name)
             derived[analysis.name] = steps_of(answers.clutch)[before:]
-    shown = derivations(derived)
-    applying = [
-        analysis
-        for analysis in ANALYSES.values()
-        if analysis.section and analysis.applies(answers.clutch) and analysis.reported(answers.clutch)
-    ]
+    applying, shown = [each for each in applying if each.reported(answers.clutch)], derivations(derived)
     verdict, findings = answers.ask("check")
     findings = [*findings, *(finding for analysis in applying for finding in answers.ask(analysis.name)[1])]
     findings = list(dict.fromkeys(findings))

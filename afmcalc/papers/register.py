@@ -67,6 +67,7 @@ def misprints() -> list[Misprint]:
     return [Misprint(**{"status": "in print", "proof": None, **entry}) for entry in data("misprints.toml")["misprint"]]
 
 
+@cache
 def data(name: str) -> dict[str, Any]:
     """Data of a TOML file of this package."""
     return tomllib.loads(files("afmcalc.papers").joinpath(name).read_text(encoding="utf-8"))
@@ -77,7 +78,6 @@ def references() -> dict[str, str]:
     return {key: entry[spoken()] for key, entry in sources().items()}
 
 
-@cache
 def sources() -> dict[str, Any]:
     """Key of a source → its references by language, and the pattern of its citations."""
     return data("references.toml")

@@ -17,6 +17,9 @@ LEAST, MEAN = 200.0, 600.0
 """Smallest torque T_min, and torque at mean friction T_cp, N·m."""
 PAIRS, FIRST, SECOND = (12, 15, 19, 22), (500.0, 700.0, 900.0, 1100.0), (627.0, 811.0, 1008.0, 1223.0)
 """Numbers of pairs z, and scatter bands ΔT with the first and with the second adjustment method, N·m."""
+_MIN, _MEAN, _GAIN, _MARGIN = 0.15, 0.33, 1.6, 1.25
+_MAX = 1 / _GAIN
+"""S19 never prints f_max; its C = 1/f_max with C = 1.6 gives 0.625."""
 
 
 def cycles(band: Values, least: float = LEAST) -> Any:
@@ -36,11 +39,6 @@ def figure_2() -> Curves:
     yield band, forecast(band)
     for points in map(np.array, (FIRST, SECOND)):
         yield points, cycles(points)
-
-
-_MIN, _MEAN, _GAIN, _MARGIN = 0.15, 0.33, 1.6, 1.25
-_MAX = 1 / _GAIN
-"""S19 never prints f_max; its C = 1/f_max with C = 1.6 gives 0.625."""
 
 
 def _arm(friction: float, pairs: int) -> float:

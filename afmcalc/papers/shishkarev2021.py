@@ -21,6 +21,10 @@ _CLOSING, _CONTROL = (20e3, 30e3, 40e3), 10e3
 _BALL_CIRCLE, _FORCE, _GAP = 0.05, 1000.0, 0.002
 _THRESHOLD = indirect.gain_threshold(_RADIUS, _KEY, _HUB)
 """Gain above which there is feedback."""
+_RANGES = ((3.0, 12.0), (1.5, 19.0))
+"""Two of the ranges of the gain C over which both printed averages result; fig. 2 prints no range."""
+_WIDE = np.linspace(0.6, 60.6, 60001)
+"""Gains for p8, p28 and p29, from the threshold of feedback on."""
 
 
 def _stiffness(gain: Values, friction: float, closing: float = _CLOSING[0]) -> Any:
@@ -73,10 +77,6 @@ def figure_4() -> Curves:
         yield gain, curve
 
 
-_RANGES = ((3.0, 12.0), (1.5, 19.0))
-"""Two of the ranges of the gain C over which both printed averages result; fig. 2 prints no range."""
-
-
 def _stiffer(gain: Values) -> Any:
     return factor(gain) / factor(gain, 40e3)
 
@@ -125,10 +125,6 @@ def p8() -> Recomputed:
     )
     tops, bottoms = ([_WIDE[place] for place in places] for places in zip(*turns, strict=True))
     return judged(holds and turns == [(0, len(_WIDE) - 1)] * 3, holds, tops=tops, bottoms=bottoms, forces=forces)
-
-
-_WIDE = np.linspace(0.6, 60.6, 60001)
-"""Gains for p8, p28 and p29, from the threshold of feedback on."""
 
 
 def _turns(values: NDArray[np.float64]) -> tuple[int, int]:

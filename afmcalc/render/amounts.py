@@ -11,6 +11,22 @@ from ..units import ENGINEER, in_unit, per_si, typeset
 CHOICES: dict[str, dict[str, str]] = {"engineer": ENGINEER, "si": {}}
 """Choice of units → SI unit → unit shown to people, if this is not the SI unit."""
 _chosen = ContextVar("units", default=ENGINEER)
+_DIGITS = 5
+_ESTIMATED = dict.fromkeys(("J", "J/m^2", "W/m^2", "K", "K abs", "1/h", "kg", "kg*m^2"), 3)
+"""SI unit of a quantity that rests on estimates (heat, temperature, mass) → its significant figures."""
+_IN_ENGLISH = {
+    "min-friction": "smallest friction, f_min",
+    "mean-friction": "mean friction, f_cp",
+    "mean-stress": "mean stress",
+    "hertz-ball-on-flat": "Hertz, ball on a flat",
+    "hertz-ball-on-curved-wall": "Hertz, ball on a curved wall",
+    "uniform-wear": "uniform wear",
+    "uniform-pressure": "uniform pressure",
+    "as-made": "as made for the nominal clutch",
+    "each-adjusted": "each clutch adjusted",
+    "simulate": "simulation of the event",
+}
+"""Word that is a value in a spec or in JSON → words shown to people instead."""
 
 
 @contextmanager
@@ -49,11 +65,6 @@ def converted(value: float, unit: str) -> float:
     """
     shown = _chosen.get().get(unit)
     return in_unit(value, shown) if shown else value
-
-
-_DIGITS = 5
-_ESTIMATED = dict.fromkeys(("J", "J/m^2", "W/m^2", "K", "K abs", "1/h", "kg", "kg*m^2"), 3)
-"""SI unit of a quantity that rests on estimates (heat, temperature, mass) → its significant figures."""
 
 
 def display(value: object, unit: str, digits: int = 0) -> str:
@@ -106,21 +117,6 @@ def worded(text: str) -> str:
         if (told := translate(text, context)) != text:
             return told
     return "; ".join(translate(part) for part in _IN_ENGLISH.get(text, text).split("; "))
-
-
-_IN_ENGLISH = {
-    "min-friction": "smallest friction, f_min",
-    "mean-friction": "mean friction, f_cp",
-    "mean-stress": "mean stress",
-    "hertz-ball-on-flat": "Hertz, ball on a flat",
-    "hertz-ball-on-curved-wall": "Hertz, ball on a curved wall",
-    "uniform-wear": "uniform wear",
-    "uniform-pressure": "uniform pressure",
-    "as-made": "as made for the nominal clutch",
-    "each-adjusted": "each clutch adjusted",
-    "simulate": "simulation of the event",
-}
-"""Word that is a value in a spec or in JSON → words shown to people instead."""
 
 
 def significant(value: float, digits: int = _DIGITS) -> str:

@@ -17,6 +17,17 @@ Point: TypeAlias = tuple[float, float]
 Polyline: TypeAlias = tuple[Point, ...]
 Rectangle: TypeAlias = tuple[float, float, float, float]
 """Left, right, lower and upper coordinate of a rectangle."""
+HIDDEN, CENTRE, GHOST = "HIDDEN2", "CENTER2", "DIVIDE2"
+DASHES = {HIDDEN: (1.4, 0.7), CENTRE: (3.2, 0.7, 0.5, 0.7), GHOST: (2.5, 0.5, 0.35, 0.5, 0.35, 0.5)}
+"""Line type → lengths of its dashes and gaps, mm on paper."""
+WIDTH = 175.0
+"""Width of a drawing that fills the text width of a page, mm on paper."""
+TEXT = 3.2
+"""Size of texts in a drawing, mm on paper: nine points."""
+_LETTER = 0.62
+"""Upper estimate of the width of a letter, relative to the font size."""
+_LONG, _HALF = 0.55, 0.14
+"""Length and half width of an arrowhead, relative to the font size."""
 
 
 class Layer(NamedTuple):
@@ -35,9 +46,6 @@ class Layer(NamedTuple):
     """Colour of areas on the layer, if it is not ``colour``; that of the paper hides what was painted before."""
 
 
-HIDDEN, CENTRE, GHOST = "HIDDEN2", "CENTER2", "DIVIDE2"
-DASHES = {HIDDEN: (1.4, 0.7), CENTRE: (3.2, 0.7, 0.5, 0.7), GHOST: (2.5, 0.5, 0.35, 0.5, 0.35, 0.5)}
-"""Line type → lengths of its dashes and gaps, mm on paper."""
 LAYERS: dict[str, Layer] = {
     "faces": Layer("friction faces, from their end", SHADE, 8, 0.18, fill=0.28),
     "discs": Layer("friction discs, one a pair", COLOURS[0], 5, 0.18, fill=0.3),
@@ -152,15 +160,6 @@ class Angle(NamedTuple):
 
 Simple: TypeAlias = Region | Stroke | Circle | Inscription
 Shape: TypeAlias = Simple | Length | Diameter | Angle
-
-WIDTH = 175.0
-"""Width of a drawing that fills the text width of a page, mm on paper."""
-TEXT = 3.2
-"""Size of texts in a drawing, mm on paper: nine points."""
-_LETTER = 0.62
-"""Upper estimate of the width of a letter, relative to the font size."""
-_LONG, _HALF = 0.55, 0.14
-"""Length and half width of an arrowhead, relative to the font size."""
 
 
 class Drawing(NamedTuple):

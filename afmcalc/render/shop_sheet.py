@@ -12,7 +12,7 @@ from typing import Any
 
 from ..analysis.assembly import ClutchSection
 from ..analysis.pocket_contours import ShopDrawing
-from ..messages import localized, named, say, translate
+from ..messages import filled, localized, named, say, translate
 from ..spec import Spec
 from ..spec.models import ShopNotes, TitleBlock
 from .amounts import display
@@ -218,7 +218,7 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     shapes += _end_view(sheet, drawing, sheet.at(x, middle), own / sheet.scale)
     title = say("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
     shapes.append(Inscription(title, (0.0, side + 30 * sheet.unit), _TITLE_TEXT * sheet.unit, "middle"))
-    title = say("Sleeve 1 ({scale})" if unit.wall else "Sleeve 1, sleeve 2 alike ({scale})", scale=_stated(own))
+    title = filled("Sleeve 1 ({scale})" if unit.wall else "Sleeve 1, sleeve 2 alike ({scale})", {"scale": _stated(own)})
     shapes.append(Inscription(title, sheet.at(_LEFT + 8, _HIGH - 15), _TITLE_TEXT * sheet.unit))
     return sheet.drawing(shapes)
 

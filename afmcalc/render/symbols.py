@@ -6,6 +6,8 @@ from ..messages import native, printable
 
 _SUBSCRIPT = re.compile(r"(?<![^\W_]{3})_([^\W_²³⁶]+(?:[.,][^\W_²³⁶]+)*)")
 """Pattern of a subscript after at most two letters: ``control_unit.gain`` is a key of the spec, not a symbol."""
+DOWN, UP = "\u2062", "\u2063"
+"""Zero-width marks before and after a subscript in a plot; ``printable`` escapes them in texts of a user."""
 
 
 def split(text: str, ours: bool = True) -> list[tuple[str, bool]]:
@@ -22,10 +24,6 @@ def split(text: str, ours: bool = True) -> list[tuple[str, bool]]:
     """
     pieces = _SUBSCRIPT.split(native(text) if ours else text)
     return [(piece, bool(number % 2)) for number, piece in enumerate(pieces) if piece]
-
-
-DOWN, UP = "\u2062", "\u2063"
-"""Zero-width marks before and after a subscript in a plot; ``printable`` escapes them in texts of a user."""
 
 
 def marked(text: str) -> str:

@@ -10,6 +10,17 @@ from ..result import Output
 from .amounts import display, display_unit, estimate, headed, measured, worded
 from .document import ENDS, Column, Document, Table
 
+_LONG = 3
+"""Number of rows above which a table leaves out columns marked ``detail``."""
+_NUMBER = re.compile(r"(\(?[-−]?\d+(?:\xa0\d{3})*|–)(.*)")
+_APART: Mapping[str, Mapping[str | None, str]] = {
+    "setting": {
+        None: deferred("springs as made"), "min-friction": deferred("springs set anew at f_min"),
+        "mean-friction": deferred("springs set anew at mean f"),
+    },
+    "side": {None: "protected side", "unprotected": "unprotected side"},
+}  # fmt: skip
+
 
 class TextTable(NamedTuple):
     """One table of text cells."""
@@ -20,10 +31,8 @@ class TextTable(NamedTuple):
     numeric: list[bool]
     """True for each column that is set flush right."""
     source: Table | None = None
-    legend: str = ""
-    """Line above the table with the values that are the same in all rows."""
-    meanings: str = ""
-    """Line above the table with the meanings of the symbols in the header."""
+    notes: Sequence[str] = ()
+    """Lines above the table: the values that are the same in all rows, the meanings of the symbols in the header."""
 
 
 def title(output: Output) -> str:
@@ -91,23 +100,19 @@ def cells(column: Column) -> list[str]:
     return [*map(native, texts)] if column.path.endswith("symbol") else texts
 
 
-_LONG = 3
-"""Number of rows above which a table leaves out columns marked ``detail``."""
-
-
 def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
     shown = [column for column in table.columns if not (column.hidden or (long and column.shown.detail))]
-    shown, legend = _folded(shown) if table.shown.folds else (shown, "")
+    shown, same = _folded(shown) if table.shown.folds else (shown, "")
     named = (column for column in shown if column.symbol and column.name != table.title)
-    meanings = (f"{native(translate(column.symbol))}: {column.name}" for column in named)
+    meanings = "; ".join(f"{native(translate(column.symbol))}: {column.name}" for column in named)
     heads = [headed(native(translate(column.symbol or column.name)), column.unit) for column in shown]
     numeric = [
         any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
         for column in shown
     ]
     title, rows = table.title[:1].upper() + table.title[1:], [[*row] for row in zip(*map(cells, shown), strict=True)]
-    return TextTable(title, heads, rows, numeric, table._replace(columns=shown), legend, "; ".join(meanings))
+    return TextTable(title, heads, rows, numeric, table._replace(columns=shown), [*filter(None, (same, meanings))])
 
 
 def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
@@ -121,9 +126,6 @@ def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
         else:
             kept.append(column)
     return kept, say("the same in all: {list}", list="; ".join(same)) if same else ""
-
-
-_NUMBER = re.compile(r"(\(?[-−]?\d+(?:\xa0\d{3})*|–)(.*)")
 
 
 def padded(block: TextTable) -> TextTable:
@@ -167,7 +169,7 @@ def _turned(block: TextTable) -> TextTable:
             others.append((column._replace(units=None), texts))
     (_, heads), *rest = others
     title = f"{block.title} ({'; '.join(shared)})" if shared else block.title
-    return quantities(heads, rest, title)._replace(legend=block.legend)
+    return quantities(heads, rest, title)
 
 
 def step_lines(laid_out: Document) -> list[str]:
@@ -187,15 +189,6 @@ def step_lines(laid_out: Document) -> list[str]:
         if step.print_differs:
             lines.append(say("    print differs: {what}", what=step.print_differs))
     return lines
-
-
-_APART: Mapping[str, Mapping[str | None, str]] = {
-    "setting": {
-        None: deferred("springs as made"), "min-friction": deferred("springs set anew at f_min"),
-        "mean-friction": deferred("springs set anew at mean f"),
-    },
-    "side": {None: "protected side", "unprotected": "unprotected side"},
-}  # fmt: skip
 
 
 def ranked(findings: Iterable[Finding]) -> list[Finding]:

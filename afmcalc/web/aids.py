@@ -25,9 +25,8 @@ from ..papers.handbook_text import sections
 from ..render import renderer, shop_sheet
 from ..render.dxf import dxf
 from ..render.report import Subject, report
-from ..render.report.blocks import Step
+from ..render.report.blocks import Step, formula
 from ..render.report.chapters import step_of
-from ..render.report.formulas import formula
 from ..render.report.pieces import said
 from ..render.report.sheets import print_pdf
 from ..result import Output

@@ -213,7 +213,7 @@ def _design(state: State, job: Job) -> Answer:
     numbers = [job["first"] + number for number in range(len(bases))]
     tables, none = blocks(document(front)), TextTable("", [], [], [])
     table = next((each for each in tables if each.source and each.source.path == "front"), none)
-    notes = [line for line in (table.legend, table.meanings) if line]
+    notes = [*table.notes]
     if more := len(result.front) - len(front.front):
         notes.append(say("the front has {count} more: --all shows them", count=more))
     number = 2 + list(_ANSWERS).index("design")

@@ -16,7 +16,7 @@ from sources import DATA, READ, REFUSED
 from afmcalc.analysis.solve import parse_target
 from afmcalc.errors import LONGEST_LINE, AfmcalcError, SpecError
 from afmcalc.messages import did_you_mean
-from afmcalc.render.report.title import today
+from afmcalc.render.report.blocks import today
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.edit import replaced, respecified
 from afmcalc.spec.parse import DEEPEST, Source, parse

@@ -5,7 +5,7 @@
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -26,6 +26,11 @@ from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
 from .formula import FormulaText
+
+_LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
+_SETTINGS: dict[str, Method] = {"by_min": "min-friction", "by_mean": "mean-friction"}
+_FEW = 4
+"""Number of cases above which the formulas with numbers are set in one line, without fractions."""
 
 
 class Step(Result):
@@ -67,8 +72,7 @@ def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[
         )  # fmt: skip
     clutch = noting(spec)
     _, findings = ANALYSES[command].function(clutch, **({"model": model} if model else {}))
-    steps = [*where_largest(steps_of(clutch))]
-    told = [_step(step) for part in by_law(steps, shown(steps)) for step in part]
+    told = [_step(step) for part in by_law(steps_of(clutch)) for step in part]
     return ExplainResult(explained=command, steps=told), findings
 
 
@@ -83,9 +87,8 @@ def steps_of(clutch: Clutch) -> list[NotedStep]:
     return clutch.steps or []
 
 
-def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
+def _where_largest(steps: Sequence[NotedStep]) -> Iterator[NotedStep]:
     """Yield steps with one value each; along a wall the value at the largest pressure, or largest contact force."""
-    steps = list(steps)
     largest = {
         step.name: int(step.value.argmax()) for step in steps if step.case == "along_wall" and step.name in _LARGEST
     }
@@ -96,9 +99,6 @@ def where_largest(steps: Iterable[NotedStep]) -> Iterator[NotedStep]:
             yield step._replace(values=at, value=step.value.flat[place])
         else:
             yield step
-
-
-_LARGEST = ("contact_force_at_ball", "contact_pressure_at_ball")
 
 
 def shown(steps: Iterable[NotedStep], known: set[object] | None = None) -> list[NotedStep]:
@@ -115,13 +115,14 @@ def shown(steps: Iterable[NotedStep], known: set[object] | None = None) -> list[
     return found
 
 
-def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[NotedStep]]:
-    """Group the steps in ``shown`` by law, each group after the steps that it uses.
+def by_law(noted: Sequence[NotedStep], known: set[object] | None = None) -> list[list[NotedStep]]:
+    """Group the steps that are ``shown`` by law, each group after the steps that it uses.
 
     A group is split if the order requires it: a spring setting follows from a torque, other torques from the setting.
     """
+    steps = [*_where_largest(noted)]
     left, parts, before = dict[tuple[str, str], list[NotedStep]](), list[list[NotedStep]](), dict[int, set[int]]()
-    of_quantity, kept = dict[str, set[int]](), {*map(id, shown)}
+    of_quantity, kept = dict[str, set[int]](), {*map(id, shown(steps, known))}
     for step in steps:
         uses = set().union(*(of_quantity.get(quantity_of(one), ()) for one in step.arguments.values()))
         if id(step) in kept:
@@ -131,8 +132,7 @@ def by_law(steps: Iterable[NotedStep], shown: Iterable[NotedStep]) -> list[list[
     missing = {*before}
     while left:
         ready = {name: [one for one in own if not before[id(one)] & missing] for name, own in left.items()}
-        whole = (name for name in left if len(ready[name]) == len(left[name]))
-        name = next(whole, None) or next(name for name in left if ready[name])
+        name = max(left, key=lambda name: (len(ready[name]) == len(left[name]), bool(ready[name])))  # a whole one first
         parts.append(ready[name])
         missing -= {*map(id, ready[name])}
         left[name] = [one for one in left[name] if id(one) in missing]
@@ -150,25 +150,12 @@ def _result(step: NotedStep) -> Term:
     return Term(*term_of(f"{step.name}_at_{own}")) if own else _equation(step).result
 
 
-class Circumstance(NamedTuple):
-    """Circumstance in which a value was calculated."""
-
-    at: str | None
-    """Friction, or another condition, in words, such as ``f_max``; None if there is none."""
-    setting: Method | None
-    """Method by which the spring is set; None: as in the spec."""
-    side: str | None
-    """``unprotected`` if the load is on that side of the clutch, else None."""
-
-
-_SETTINGS: dict[str, Method] = {"by_min": "min-friction", "by_mean": "mean-friction"}
-
-
-def _circumstance(cases: str) -> Circumstance:
+def _circumstance(cases: str) -> tuple[str | None, Method | None, str | None]:
+    """Friction or condition, method by which the spring is set, and side, as in ``CaseRow``."""
     words = [case for case, word in CASES.items() if word and case in cases.split()]
     at = [translate(CASES[case]) for case in words if case not in (*_SETTINGS, "unprotected")]
     setting = next((_SETTINGS[case] for case in words if case in _SETTINGS), None)
-    return Circumstance(", ".join(at) or None, setting, "unprotected" if "unprotected" in words else None)
+    return ", ".join(at) or None, setting, "unprotected" if "unprotected" in words else None
 
 
 def _formula(step: NotedStep, *, special: bool = True) -> FormulaText:
@@ -190,10 +177,11 @@ def _print_differs(function: str) -> str:
 
 
 def _step(step: NotedStep) -> Step:
-    equation, formula, case, result = _equation(step), _formula(step), _circumstance(step.case), _result(step)
+    equation, formula, result = _equation(step), _formula(step), _result(step)
+    at, setting, side = _circumstance(step.case)
     return Step(
         symbol=native(result.symbol),
-        name=translate(result.meaning or equation.about), at=case.at, setting=case.setting, side=case.side,
+        name=translate(result.meaning or equation.about), at=at, setting=setting, side=side,
         formula=text(formula.tree), substituted=text(formula.with_numbers()), value=float(step.value),
         unit=result.unit, source=translate(equation.source),
         print_differs=_print_differs(equation.name) or None, function=equation.name,
@@ -215,9 +203,14 @@ class Meaning(NamedTuple):
 
 
 class CaseRow(NamedTuple):
-    """One case of a formula: circumstance, formula with numbers, and value (SI)."""
+    """One case of a formula: its circumstance, the formula with numbers, and the value (SI)."""
 
-    case: Circumstance
+    at: str | None
+    """Friction, or another condition, in words, such as ``f_max``; None if there is none."""
+    setting: Method | None
+    """Method by which the spring is set; None: as in the spec."""
+    side: str | None
+    """``unprotected`` if the load is on that side of the clutch, else None."""
     numbers: Tree
     value: float
 
@@ -240,17 +233,10 @@ class Derivation(NamedTuple):
     """Text of the misprints in the papers; empty if there are none."""
 
 
-_FEW = 4
-"""Number of cases above which the formulas with numbers are set in one line, without fractions."""
-
-
-def derivations(sections: Mapping[str, Iterable[NotedStep]]) -> dict[str, list[Derivation]]:
+def derivations(sections: Mapping[str, Sequence[NotedStep]]) -> dict[str, list[Derivation]]:
     """Return the derivations of each section, from the steps noted in it; each formula is shown once."""
-    report, known, made = _Report(), set[object](), dict[str, list[Derivation]]()
-    for name, noted in sections.items():
-        steps = [*where_largest(noted)]
-        made[name] = [report.derivation(part) for part in by_law(steps, shown(steps, known))]
-    return made
+    report, known = _Report(), set[object]()
+    return {name: [report.derivation(part) for part in by_law(steps, known)] for name, steps in sections.items()}
 
 
 class _Report:
@@ -273,7 +259,7 @@ class _Report:
         formulas = [_formula(step, special=False) for step in steps]
         where, line = [*self.meanings_of(steps)], len(steps) > _FEW
         rows = [
-            CaseRow(_circumstance(step.case), formula.with_numbers(units=False, line=line), float(step.value))
+            CaseRow(*_circumstance(step.case), formula.with_numbers(units=False, line=line), float(step.value))
             for step, formula in zip(steps, formulas, strict=True)
         ]
         own = Derivation(number, result.symbol, result.meaning or equation.about, result.unit, (), where, rows)

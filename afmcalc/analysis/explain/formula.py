@@ -10,6 +10,9 @@ from ...formula_tree import TIMES, Node, Tree, bracketed, is_single, raised, sym
 from ...messages import localized, translate
 from ...units import typeset
 
+_FUNCTIONS = {"larger": "max", "smaller": "min", "sin": "sin", "cos": "cos", "tan": "tan", "atan": "arctan"}
+"""Function of ``equations.arrays`` → its name in a formula."""
+
 
 @cache
 def _returned(function: Callable[..., Any]) -> ast.expr:
@@ -70,10 +73,6 @@ def _product(node: ast.expr) -> _Product:
         case ast.Constant(1):
             return _Product(False, [], [])
     return _Product(False, [node], [])
-
-
-_FUNCTIONS = {"larger": "max", "smaller": "min", "sin": "sin", "cos": "cos", "tan": "tan", "atan": "arctan"}
-"""Function of ``equations.arrays`` → its name in a formula."""
 
 
 class _Writer(NamedTuple):

@@ -9,7 +9,7 @@ from typing import Any
 from ...engines import Clutch, build
 from ...errors import AfmcalcError
 from ...findings import Finding
-from ...messages import did_you_mean, measured, say, spoken
+from ...messages import did_you_mean, filled, measured, say, spoken
 from ...papers.handbook_text import Way, sections
 from ...result import Answer, Result, described
 from ...spec import Spec
@@ -103,7 +103,9 @@ def steps_to_take(spec: Spec, findings: list[Finding]) -> Iterator[str]:
 
 def direction(path: str, way: Way) -> str:
     """Sentence on the direction in which to change a key so that it clears a finding."""
-    return say("Increase {path}" if way == "+" else "Decrease {path}" if way == "-" else "Change {path}", path=path)
+    return filled(
+        "Increase {path}" if way == "+" else "Decrease {path}" if way == "-" else "Change {path}", {"path": path}
+    )
 
 
 def _first_choice(cures: Iterable[Remedy]) -> Remedy | None:
@@ -121,10 +123,10 @@ def _first_choice(cures: Iterable[Remedy]) -> Remedy | None:
 def _change(cure: Remedy) -> str:
     """Return a sentence on how far a key must be changed."""
     now, value = (measured(each or 0.0, ENGINEER.get(cure.unit, cure.unit), 5) for each in (cure.value, cure.clears))
-    change = say(
+    change = filled(
         "Increase {path} from {now} to {value}" if cure.way == "+" else "Decrease {path} from {now} to {value}",
-        path=cure.path, now=now, value=value,
-    )  # fmt: skip
+        {"path": cure.path, "now": now, "value": value},
+    )
     along = ", ".join(each.partition("=")[0] for each in (cure.along or "").split(", "))
     return say("{change}, and {along} to match", change=change, along=along) if along else change
 

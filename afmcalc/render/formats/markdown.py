@@ -7,6 +7,9 @@ from ...result import Output
 from ..document import document
 from ..text_tables import findings_lines, lead, step_lines, title, unfolded
 
+_MARKUP = re.compile(r"[\\|<>*`\[\]]|(?<!\w)_|_(?!\w)")
+"""Pattern of characters that are markup in Markdown; an underscore is markup only at the edge of a word."""
+
 
 def render(output: Output, terminal: bool) -> str:
     """Write tables in the engineer's units and the findings as a list."""
@@ -15,7 +18,7 @@ def render(output: Output, terminal: bool) -> str:
     lines += [_escape(judged), ""] if (judged := lead(output)) else []
     for block in unfolded(laid_out):
         lines += [f"### {_escape(block.title)}", ""] if block.title else []
-        for line in filter(None, (block.legend, block.meanings)):
+        for line in block.notes:
             lines += [_escape(line), ""]
         rule = ["---:" if right else "---" for right in block.numeric]
         lines += ["| " + " | ".join(map(_escape, row)) + " |" for row in (block.header, rule, *block.rows)]
@@ -29,7 +32,3 @@ def render(output: Output, terminal: bool) -> str:
 def _escape(text: str) -> str:
     """Text on one line, its markup characters escaped."""
     return " ".join(_MARKUP.sub(r"\\\g<0>", printable(text)).split())
-
-
-_MARKUP = re.compile(r"[\\|<>*`\[\]]|(?<!\w)_|_(?!\w)")
-"""Pattern of characters that are markup in Markdown; an underscore is markup only at the edge of a word."""

@@ -16,7 +16,7 @@ def render(output: Output, terminal: bool) -> str:
     parts: list[Block] = [Heading(4, text(title(output)))]
     parts += [Paragraph(said(line)) for line in lead(output).splitlines()]
     for block in unfolded(laid_out):
-        parts += [Paragraph(said(line), "note") for line in (block.legend, block.meanings) if line]
+        parts += [Paragraph(said(line), "note") for line in block.notes]
         parts.append(quantities(block))
     parts += [Code(printable("\n".join(step_lines(laid_out)), lines=True))] if laid_out.steps else []
     return fragment([*parts, findings_of(ranked(output.findings), keys=True)]) + "\n"

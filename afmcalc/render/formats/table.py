@@ -31,29 +31,32 @@ def render(output: Output, terminal: bool) -> str:
     text = io.StringIO()
     plain = None if terminal else True
     console = Console(file=text, force_terminal=terminal, no_color=plain, width=width, height=1, highlight=False)
-    verdict = [(line, "") for line in lead(output).splitlines()]
+
+    def show(*lines: str, style: str = "") -> None:
+        for line in lines:
+            console.print(Text(line, style=style))
+
+    verdict = lead(output).splitlines()
     last = output.command == "check"  # the verdict of a check is printed last, where it stays on the screen
-    _print(console, (title(output), "bold"), *([] if last else verdict))
+    show(title(output), style="bold")
+    show(*([] if last else verdict))
     for block in unfolded(laid_out):
-        _print(console, ("", ""))
-        _print(console, (block.title, "italic"), (block.legend, "dim"), (block.meanings, "dim"), filled=True)
+        show("")
+        show(*filter(None, (block.title,)), style="italic")
+        show(*block.notes, style="dim")
         numeric = [right and most <= _SENTENCE for right, most in zip(block.numeric, _widths(block), strict=True)]
         for number, part in enumerate(_parts(padded(block._replace(numeric=numeric)), width)):
-            _print(console, *[("", "")] * bool(number))
+            show(*[""] * bool(number))
             console.print(_table(part, width, ruled=terminal and is_unicode(sys.stdout)))
-    _print(console, *((line, "" if line.startswith(" ") else "bold") for line in step_lines(laid_out)))
+    for line in step_lines(laid_out):
+        show(line, style="" if line.startswith(" ") else "bold")
     styles = {translate(level, "value"): style for level, style in _STYLES.items()}
-    for number, line in enumerate(findings_lines(output.findings)):
-        _print(console, *[("", "")] * (not number), (line, styles[line.partition(":")[0]]))
-    _print(console, *([("", ""), *verdict] if last else []))
+    remarks = findings_lines(output.findings)
+    show(*[""] * bool(remarks))
+    for line in remarks:
+        show(line, style=styles[line.partition(":")[0]])
+    show(*(["", *verdict] if last else []))
     return "\n".join(line.rstrip() for line in text.getvalue().splitlines()) + "\n"
-
-
-def _print(console: Console, *lines: tuple[str, str], filled: bool = False) -> None:
-    """Print lines in their styles; if ``filled``, without empty lines."""
-    for line, style in lines:
-        if line or not filled:
-            console.print(Text(line, style=style))
 
 
 def columns(terminal: bool) -> int:

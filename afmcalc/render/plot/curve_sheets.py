@@ -2,24 +2,41 @@
 
 import math
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
-from ...analysis import plot_data
 from ...analysis.design import DesignResult, DesignRow
-from ...analysis.simulate import MomentRow
+from ...analysis.plot_data import (
+    AccuracyCurve,
+    LifeCurve,
+    OverloadCurve,
+    ParetoFigure,
+    SimulateFigure,
+    ToleranceFigure,
+    TorqueCurve,
+)
 from ...messages import deferred, localized, named, say, translate
 from ...papers.claims import PaperFigure
 from ...spec.keys import is_whole
 from ..amounts import display
 from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
+_METHODS = {
+    "min-friction": deferred("protected side, set at f_min"),
+    "mean-friction": deferred("protected side, set at mean f with margin"),
+}
+SPRINGS = {"closing": deferred("closing spring"), "control": deferred("control spring")}
+_EVENTS = {
+    "stop": deferred("At t = 0 the tool is stopped; friction is constant during the event."),
+    "load": deferred("At t = 0 the load of the tool rises; friction is constant during the event."),
+}
 
-def _called(curve: plot_data.TorqueCurve | plot_data.AccuracyCurve | plot_data.LifeCurve) -> str:
+
+def _called(curve: TorqueCurve | AccuracyCurve | LifeCurve) -> str:
     """Label for the curve of a clutch, if several clutches are drawn."""
     return named(curve.name) or translate(curve.variant, "value")
 
 
-def torque(curves: Sequence[plot_data.TorqueCurve]) -> Sheet:
+def torque(curves: Sequence[TorqueCurve]) -> Sheet:
     """Torque over friction: one clutch set by both methods, with scatter bands, or several clutches as they are set."""
     unlike = any(curve.friction_driving for curve in curves)
     x = axis_of(curves[0], "friction_driving" if unlike else "friction")
@@ -47,7 +64,7 @@ def torque(curves: Sequence[plot_data.TorqueCurve]) -> Sheet:
     return Sheet(title, [chart], caption, curve.name)
 
 
-def accuracy(curves: Sequence[plot_data.AccuracyCurve]) -> Sheet:
+def accuracy(curves: Sequence[AccuracyCurve]) -> Sheet:
     """Accuracy factor K_т over the gain or another key; for one clutch also its present value and the gain limit."""
     y = axis_of(curves[0].series, "accuracy_factor")
     x = ChartAxis(translate(curves[0].about).partition(";")[0], curves[0].symbol, curves[0].unit)
@@ -73,7 +90,7 @@ def accuracy(curves: Sequence[plot_data.AccuracyCurve]) -> Sheet:
     return Sheet(title, [Chart(x, y, lines, guides=guides)], name=curve.name)
 
 
-def overload(curve: plot_data.OverloadCurve) -> Sheet:
+def overload(curve: OverloadCurve) -> Sheet:
     """Trip torque over friction, and expected and actual accuracy over the reduced gain (S22 fig. 3)."""
     caption = translate(
         "Equilibrium: at slip the load equals the expected torque for every margin; the published T_ср = T_п − ΔT' "
@@ -109,13 +126,7 @@ def overload(curve: plot_data.OverloadCurve) -> Sheet:
     return Sheet(title, [trip, accuracy], caption, curve.name)
 
 
-_METHODS = {
-    "min-friction": deferred("protected side, set at f_min"),
-    "mean-friction": deferred("protected side, set at mean f with margin"),
-}
-
-
-def life(curves: Sequence[plot_data.LifeCurve]) -> Sheet:
+def life(curves: Sequence[LifeCurve]) -> Sheet:
     """Life over the scatter band: both sides and settings of one clutch, or the protected side of several clutches."""
     x = ChartAxis(translate("torque scatter band"), "ΔT", "N*m")
     y = axis_of(curves[0].series, "protected", quantity=translate("cycles to failure"))
@@ -123,11 +134,8 @@ def life(curves: Sequence[plot_data.LifeCurve]) -> Sheet:
     if single:
         sides = ("protected", "unprotected", "protected_forecast")
         lines = [line_of(first.series, side, first.series.values) for side in sides]
-        lines += [
-            Line(translate(_METHODS[setting.method]), [setting.scatter], [setting.cycles], points=True)
-            for setting in first.settings
-            if setting.cycles
-        ]
+        own = ((translate(_METHODS[each.method]), each.scatter, each.cycles) for each in first.settings)
+        lines += [Line(label, [band], [cycles], points=True) for label, band, cycles in own if cycles]
         title = translate("Life against the scatter band")
         guides = [Guide(say("base cycles N_0 = {cycles}", cycles=power(first.base_cycles)), first.base_cycles)]
     else:
@@ -144,32 +152,19 @@ def life(curves: Sequence[plot_data.LifeCurve]) -> Sheet:
     return Sheet(title, [chart], f"{about} {beyond}", first.name if single else None)
 
 
-SPRINGS = {"closing": deferred("closing spring"), "control": deferred("control spring")}
-
-
-_EVENTS = {
-    "stop": deferred("At t = 0 the tool is stopped; friction is constant during the event."),
-    "load": deferred("At t = 0 the load of the tool rises; friction is constant during the event."),
-}
-
-
-def simulate(figure: plot_data.SimulateFigure) -> Sheet:
+def simulate(figure: SimulateFigure) -> Sheet:
     """An event of the drive over time: shaft torque and travel of the sleeve at three frictions, and the speeds."""
     mean = figure.courses[1]
     time, times = axis_of(mean[0], "time"), [row.time for row in mean]
     load = guide_at(deferred("load before the event {stated}"), "T_0", figure.result.load_torque, "N*m")
-    torques = _at_frictions(figure, lambda row: row.torque_shaft)
-    title = translate("Torque in the shaft")
+    torques, title = _at_frictions(figure, "torque_shaft"), translate("Torque in the shaft")
     panels = [Chart(time, axis_of(mean[0], "torque_shaft"), torques, title, guides=[load])]
-    speeds = [
-        Line(translate("motor side ω_1"), times, [row.speed_motor for row in mean]),
-        Line(translate("driven half ω_2"), times, [row.speed_driven for row in mean]),
-        Line(translate("tool ω_3"), times, [row.speed_tool for row in mean]),
-    ]
+    halves = {"speed_motor": "motor side ω_1", "speed_driven": "driven half ω_2", "speed_tool": "tool ω_3"}
+    speeds = [Line(translate(text), times, [getattr(row, half) for row in mean]) for half, text in halves.items()]
     speed = ChartAxis(translate("speed"), "ω", "rad/s")
     panels.append(Chart(time, speed, speeds, translate("Speeds at the mean friction")))
     if figure.result.travel_max is not None:
-        travels = _at_frictions(figure, lambda row: row.travel)
+        travels = _at_frictions(figure, "travel")
         panels.append(Chart(time, axis_of(mean[0], "travel"), travels, translate("Travel of the sleeve")))
     peak_torques = (figure.result.peak_torque, figure.result.peak_torque_conventional)
     listed, ordinary = ("; ".join(display(end, "N*m") for _, end in ends) for ends in peak_torques)
@@ -182,11 +177,12 @@ def simulate(figure: plot_data.SimulateFigure) -> Sheet:
     return Sheet(translate("When the clutch trips"), panels, caption, figure.name)
 
 
-def _at_frictions(figure: plot_data.SimulateFigure, value: Callable[[MomentRow], float | None]) -> list[Line]:
-    return [
-        Line(say("at {friction}", friction=friction), [row.time for row in course], [value(row) for row in course])
-        for friction, course in zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True)
-    ]
+def _at_frictions(figure: SimulateFigure, name: str) -> list[Line]:
+    lines = []
+    for friction, course in zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True):
+        time, values = ([getattr(row, each) for row in course] for each in ("time", name))
+        lines.append(Line(say("at {friction}", friction=friction), time, values))
+    return lines
 
 
 def paper(figure: PaperFigure) -> Sheet:
@@ -194,10 +190,11 @@ def paper(figure: PaperFigure) -> Sheet:
     x, *axes = (ChartAxis(translate(axis.name), axis.symbol, axis.unit) for axis in (figure.x, *figure.y))
     panels = []
     for y, drawn, curves in zip(axes, figure.y, figure.panels, strict=True):
-        labels = [": ".join(filter(None, (curve.number, translate(curve.label)))) for curve in curves]
-        lines = zip(labels, curves, strict=True)
-        # the number that a curve has in the paper is written at the end of the curve
-        shown = [Line(label, c.x, c.y, points=c.points, names=[""] * (len(c.x) - 1) + [c.number]) for label, c in lines]
+        shown = []
+        for number, label, along, up, points in curves:
+            name = ": ".join(filter(None, (number, translate(label))))
+            # the number that a curve has in the paper is written at the end of the curve
+            shown.append(Line(name, along, up, points=points, names=[""] * (len(along) - 1) + [number]))
         panels.append(Chart(x, y, shown, log=drawn.log))
     caption = [translate(figure.inputs), say("Mended: {mended}.", mended="; ".join(map(translate, figure.corrections)))]
     if figure.assumed:
@@ -205,7 +202,7 @@ def paper(figure: PaperFigure) -> Sheet:
     return Sheet(f"{translate(figure.name)}: {translate(figure.title)}", panels, "\n".join(caption))
 
 
-def tolerance(figure: plot_data.ToleranceFigure) -> Sheet:
+def tolerance(figure: ToleranceFigure) -> Sheet:
     """Histogram of the torque, with quantiles, the nominal torques and the limit marked."""
     result, bars = figure.result, figure.result.histogram
     x = [bars[0].low, *(end for bar in bars for end in (bar.low, bar.high)), bars[-1].high]
@@ -215,16 +212,14 @@ def tolerance(figure: plot_data.ToleranceFigure) -> Sheet:
         Guide("" if number else label, row.torque, across=False, tag=_percent(row.probability), style=0)
         for number, row in enumerate(result.quantiles)
     ]
-    nominal, machine, limit = figure.nominal_torque, result.machine_torque, result.torque_limit
-    torques = [
-        ("T_н", translate("clutch's nominal torque"), nominal),
-        ("T_н.маш", translate("machine's nominal torque"), None if math.isclose(machine, nominal) else machine),
-        ("T_lim", translate("torque limit"), limit),
-    ]
-    marked = [(symbol, about, value) for symbol, about, value in torques if value is not None]
+    torques = [("T_н", translate("clutch's nominal torque"), figure.nominal_torque)]
+    if not math.isclose(result.machine_torque, figure.nominal_torque):
+        torques.append(("T_н.маш", translate("machine's nominal torque"), result.machine_torque))
+    if result.torque_limit is not None:
+        torques.append(("T_lim", translate("torque limit"), result.torque_limit))
     guides += [
         Guide(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
-        for style, (symbol, about, value) in enumerate(marked, 1)
+        for style, (symbol, about, value) in enumerate(torques, 1)
     ]
     ends = [*x, *(guide.value for guide in guides)]
     room = 0.03 * (max(ends) - min(ends))
@@ -239,7 +234,7 @@ def tolerance(figure: plot_data.ToleranceFigure) -> Sheet:
     return Sheet(translate("Slip torque over tolerances and scatter"), [chart], _study_caption(figure), figure.name)
 
 
-def _study_caption(figure: plot_data.ToleranceFigure) -> str:
+def _study_caption(figure: ToleranceFigure) -> str:
     result = figure.result
     listed = "; ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)
     risks = [_risk("T < T_н.маш", result.probability_below_machine, result.samples)]
@@ -263,7 +258,7 @@ def _percent(probability: float) -> str:
     return f"{localized(f'{100 * probability:.4g}')} %"
 
 
-def pareto(figure: plot_data.ParetoFigure) -> Sheet:
+def pareto(figure: ParetoFigure) -> Sheet:
     """The Pareto front of a design: the first objective against each other objective, each clutch with its number."""
     result = figure.result
     x, *others = dict.fromkeys(name.removeprefix("-") for name in result.objectives)
@@ -278,6 +273,12 @@ def _front(result: DesignResult, x: str, y: str) -> Chart:
         along, up = ([row.objective(name) for row in rows] for name in (x, y))
         return Line(label, along, up, points=True, names=[str(row.number) for row in rows])
 
+    def bounds(name: str) -> tuple[float, float]:
+        values = [row.objective(name) for row in result.front]
+        low, high = min(values), max(values)
+        room = 0.04 * (high - low) or 0.04 * abs(high) or 1.0
+        return low - room, high + room
+
     variants = sorted({row.variant for row in result.front})
     lines = [
         points(translate(variant, "value"), [row for row in result.front if row.variant == variant])
@@ -287,14 +288,8 @@ def _front(result: DesignResult, x: str, y: str) -> Chart:
         if row.mark:
             marked = points(say("compromise: no. {number}", number=str(row.number)), [row])
             lines.append(marked._replace(filled=True))
-    along, up = (_ends([row.objective(name) for row in result.front]) for name in (x, y))
-    return Chart(axis_of(result.front[0], x), axis_of(result.front[0], y), lines, bounds=(*along, *up))
-
-
-def _ends(values: list[float]) -> tuple[float, float]:
-    low, high = min(values), max(values)
-    room = 0.04 * (high - low) or 0.04 * abs(high) or 1.0
-    return low - room, high + room
+    x_axis, y_axis = (axis_of(result.front[0], name) for name in (x, y))
+    return Chart(x_axis, y_axis, lines, bounds=(*bounds(x), *bounds(y)))
 
 
 def _front_caption(result: DesignResult) -> str:

@@ -20,6 +20,7 @@ _HIGH, _RIGHT, _EDGE, _LINE = 2.5, 0.35, 0.07, 1.5 * SIZE / 72
 """Height of the axes, space to the right of the axes, margin of texts, height of a line of text, inches."""
 _TITLE, _COLUMN = 62, 36
 """Largest number of letters in a line of the title, and in an entry of a legend in two columns."""
+_TEXT = re.compile("(?<=>)[^<]+(?=</text>)")
 
 
 def save(sheet: Sheet, ending: str) -> bytes:
@@ -46,9 +47,6 @@ def _drawn(sheet: Sheet, *, transparent: bool = False) -> str:
         metadata = {"Date": None, "Creator": CREATOR}
         figure_of(sheet).savefig(content, format="svg", transparent=transparent, metadata=metadata)
     return _TEXT.sub(lambda found: lowered(found[0]), content.getvalue())
-
-
-_TEXT = re.compile("(?<=>)[^<]+(?=</text>)")
 
 
 def figure_of(sheet: Sheet) -> "Figure":

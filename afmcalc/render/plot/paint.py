@@ -64,6 +64,8 @@ PARAMETERS = {
     "figure.dpi": 72,
 }
 """Settings that replace matplotlib's defaults, so that a user's matplotlibrc changes nothing."""
+LETTERS, TITLE, UP = 86, 72, 34
+"""Largest number of letters in a line of text, of a chart's title, and of the label of an upright axis."""
 
 
 def paint(axes: Any, chart: Chart) -> None:
@@ -88,10 +90,6 @@ def paint(axes: Any, chart: Chart) -> None:
     axes.set_xlabel(folded(x.label))
     axes.set_ylabel(folded(y.label, UP))
     axes.set_title(folded(chart.title, TITLE))
-
-
-LETTERS, TITLE, UP = 86, 72, 34
-"""Largest number of letters in a line of text, of a chart's title, and of the label of an upright axis."""
 
 
 def folded(text: str, letters: int = LETTERS, typeset: Callable[[str], str] = marked) -> str:

@@ -6,22 +6,8 @@ from collections.abc import Callable, Iterator
 from ...analysis.pocket_contours import ShopDrawing
 from ...analysis.synthesize import SynthesisResult
 from ...messages import localized, say, translate
+from .. import drawing as draw
 from ..amounts import display
-from ..drawing import (
-    TEXT,
-    WIDTH,
-    Angle,
-    Circle,
-    Diameter,
-    Drawing,
-    Inscription,
-    Length,
-    Polyline,
-    Region,
-    Shape,
-    Stroke,
-    tenths,
-)
 from .chart import Sheet, stated
 
 Label = Callable[[str, float], str]
@@ -37,10 +23,10 @@ def pocket(drawing: ShopDrawing) -> Sheet:
         moved = say("at f_max, {stated}", stated=stated("x_max", travel, "m"))
         titles = [(0.0, translate("at the stop, x = 0")), (travel, moved)]
     back, side = (1e3 * end for end in drawing.extent)
-    unit = max(2 * back / (WIDTH - _BESIDE), 2 * side / (_HIGH / len(titles) - _BETWEEN))
-    size, high, right = TEXT * unit, 2 * side + _BETWEEN * unit, WIDTH / 2 * unit
+    unit = max(2 * back / (draw.WIDTH - _BESIDE), 2 * side / (_HIGH / len(titles) - _BETWEEN))
+    size, high, right = draw.TEXT * unit, 2 * side + _BETWEEN * unit, draw.WIDTH / 2 * unit
     steepness = (math.tan(found.wall_angle) + math.tan(found.wall_angle_max or found.wall_angle)) / 2
-    shapes = list[Shape]()
+    shapes = list[draw.Shape]()
     for number, (travel, title) in enumerate(titles):
         # the sleeves off their stop; with a curved wall one sleeve seats the ball, the other is turned to touch it
         up, first = -number * high, travel if found.wall is not None else travel / 2
@@ -48,32 +34,33 @@ def pocket(drawing: ShopDrawing) -> Sheet:
         for name, hand, face in zip(("SLEEVE_1", "SLEEVE_2"), (1, -1), faces, strict=True):
             off = face - 500 * found.face_gap
             shapes += sleeve(drawing, name, hand * off, up + hand * off * steepness)
-        shapes.append(Circle("balls", (0.0, up), found.ball_diameter * 500))
+        shapes.append(draw.Circle("balls", (0.0, up), found.ball_diameter * 500))
         for x, y in ((1.04 * back, 0.0), (0.0, 1.04 * side)):
-            shapes.append(Stroke("centre", ((-x, up - y), (x, up + y))))
+            shapes.append(draw.Stroke("centre", ((-x, up - y), (x, up + y))))
         if title:
-            shapes.append(Inscription(title, (size - right, side + 26 * unit + up), size))
+            shapes.append(draw.Inscription(title, (size - right, side + 26 * unit + up), size))
         if travel:
-            label, low = f"s + x = {tenths(found.face_gap + travel)}", up - side
-            shapes.append(Length(label, size, (-faces[1], low), (faces[0], low), low - 8 * unit))
-    shapes += dimensions(drawing, unit, size, lambda symbol, length: f"{symbol} = {tenths(length)}")
+            label, low = f"s + x = {draw.tenths(found.face_gap + travel)}", up - side
+            shapes.append(draw.Length(label, size, (-faces[1], low), (faces[0], low), low - 8 * unit))
+    shapes += dimensions(drawing, unit, size, lambda symbol, length: f"{symbol} = {draw.tenths(length)}")
     frame = -right, high - side - 14 * unit - len(titles) * high, right, side + 30 * unit
-    return Sheet(translate("Ball and pockets, section A–A"), [Drawing(shapes, frame)], _caption(found), drawing.name)
+    title = translate("Ball and pockets, section A–A")
+    return Sheet(title, [draw.Drawing(shapes, frame)], _caption(found), drawing.name)
 
 
-def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> Iterator[Shape]:
+def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> Iterator[draw.Shape]:
     """Draw one of the sleeves with its pocket, displaced by ``x`` and ``y`` (mm) from its place at the stop."""
     contour = tuple((along + x, around + y) for along, around in contours(drawing)[name])
-    yield Region("hatch", (contour,), hatch=45.0 if name == "SLEEVE_1" else 135.0)
-    yield Region(name.lower(), (contour,))
+    yield draw.Region("hatch", (contour,), hatch=45.0 if name == "SLEEVE_1" else 135.0)
+    yield draw.Region(name.lower(), (contour,))
 
 
-def contours(drawing: ShopDrawing) -> dict[str, Polyline]:
+def contours(drawing: ShopDrawing) -> dict[str, draw.Polyline]:
     """Points of every contour by its layer, mm."""
     return {each.layer: tuple((1e3 * x, 1e3 * y) for x, y in each.points) for each in drawing.contours}
 
 
-def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Iterator[Shape]:
+def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Iterator[draw.Shape]:
     """Draw dimensions of pockets and sleeves at the stop; ``k``: millimetres of the drawing for one on paper."""
     unit, shop = drawing.synthesis, drawing.sleeve
     points = contours(drawing)
@@ -81,23 +68,24 @@ def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Ite
     other, groove = points["POCKET_2"][0], shop.groove * 500
     floor = face + unit.pocket_depth_cut * 1e3
     bottom = floor + shop.relief * 1e3
-    yield Length(label("h_c", unit.pocket_depth_cut), text, (face, half), (floor, groove), side + 6 * k)
+    yield draw.Length(label("h_c", unit.pocket_depth_cut), text, (face, half), (floor, groove), side + 6 * k)
     relieved = label("h", unit.pocket_depth_cut + shop.relief)
-    yield Length(relieved, text, (face, half), (bottom, groove), side + 13 * k)
+    yield draw.Length(relieved, text, (face, half), (bottom, groove), side + 13 * k)
     star = "*" * ("depth" in shop.assumed)
-    yield Length(label("B", shop.depth) + star, text, (face, side), (back, side), side + 20 * k)
-    yield Length(display(unit.face_gap, "m"), text, (-face, -side), (face, -side), -side - 8 * k)
-    yield Length(label("g", shop.groove), text, (bottom, -groove), (bottom, groove), back + 8 * k, upright=True)
-    yield Length(label("b", unit.pocket_width), text, (face, -half), (face, half), back + 16 * k, upright=True)
+    yield draw.Length(label("B", shop.depth) + star, text, (face, side), (back, side), side + 20 * k)
+    yield draw.Length(display(unit.face_gap, "m"), text, (-face, -side), (face, -side), -side - 8 * k)
+    yield draw.Length(label("g", shop.groove), text, (bottom, -groove), (bottom, groove), back + 8 * k, upright=True)
+    yield draw.Length(label("b", unit.pocket_width), text, (face, -half), (face, half), back + 16 * k, upright=True)
     if abs(other[1]) < half:
         ends = (-face, -abs(other[1])), (-face, abs(other[1]))
-        yield Length(label("b_2", abs(other[1]) / 500), text, *ends, -back - 8 * k, upright=True)
-    yield Diameter(localized(f"Ø{unit.ball_diameter * 1e3:.6g}"), text, (0.0, 0.0), unit.ball_diameter * 500, 115.0)
+        yield draw.Length(label("b_2", abs(other[1]) / 500), text, *ends, -back - 8 * k, upright=True)
+    ball = unit.ball_diameter * 500
+    yield draw.Diameter(localized(f"Ø{2 * ball:.6g}"), text, (0.0, 0.0), ball, 115.0)
     slope, reach = math.tan(unit.wall_angle), 0.75 * (floor - face)
-    apex = unit.ball_diameter * 500 / math.sin(unit.wall_angle)
+    apex = ball / math.sin(unit.wall_angle)
     first, second = ((floor - reach, hand * (groove + reach * slope)) for hand in (1, -1))
     angle = localized(f"{math.degrees(2 * unit.wall_angle):.5g}°")
-    yield Angle(angle, text, (apex, 0.0), first, second, apex - min(face + reach, apex - 10 * k))
+    yield draw.Angle(angle, text, (apex, 0.0), first, second, apex - min(face + reach, apex - 10 * k))
 
 
 def _caption(found: SynthesisResult) -> str:

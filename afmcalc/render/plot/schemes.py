@@ -5,34 +5,8 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from ...messages import translate
-from ..drawing import (
-    TEXT,
-    WIDTH,
-    Angle,
-    Circle,
-    Drawing,
-    Inscription,
-    Length,
-    Point,
-    Rectangle,
-    Region,
-    Shape,
-    Stroke,
-    middle,
-    rectangle,
-)
+from .. import drawing as draw
 from .chart import Sheet
-
-
-class Part(NamedTuple):
-    """One part of a clutch in half section; the axis of the clutch is below."""
-
-    boxes: tuple[Rectangle, ...]
-    at: Point | None
-    """Position of the number, its place among the parts; None if the part has no number in the paper."""
-    kind: str = "body"
-    """One of ``_HATCH``, else ``disc``, ``spring``, ``ball`` or ``key``."""
-
 
 _HATCH = {"body": (45.0,), "drum": (135.0,), "moving": (90.0,), "bearing": (45.0, 135.0)}
 """Kind of a part → angles of its hatches."""
@@ -40,36 +14,46 @@ _FILLED = {"disc": "discs", "key": "bypass"}
 _TURNS = 4
 
 
-def _half_section(parts: tuple[Part, ...], length: float, top: float) -> Drawing:
+class Part(NamedTuple):
+    """One part of a clutch in half section; the axis of the clutch is below."""
+
+    boxes: tuple[draw.Rectangle, ...]
+    at: draw.Point | None
+    """Position of the number, its place among the parts; None if the part has no number in the paper."""
+    kind: str = "body"
+    """One of ``_HATCH``, else ``disc``, ``spring``, ``ball`` or ``key``."""
+
+
+def _half_section(parts: tuple[Part, ...], length: float, top: float) -> draw.Drawing:
     """Draw a clutch in half section over an axis of the given length."""
-    size = TEXT * length / WIDTH
-    shapes: list[Shape] = [Stroke("centre", ((0.0, 0.0), (length, 0.0)))]
+    size = draw.TEXT * length / draw.WIDTH
+    shapes: list[draw.Shape] = [draw.Stroke("centre", ((0.0, 0.0), (length, 0.0)))]
     for number, part in enumerate(parts, 1):
         shapes += (shape for box in part.boxes for shape in _shapes(part.kind, box))
         if part.at:
-            tip, (x, y) = middle(part.boxes[0]), part.at
+            tip, (x, y) = draw.middle(part.boxes[0]), part.at
             below = y - 0.5 * size if y > tip[1] else y + size
-            shapes += [Stroke("dimensions", (tip, (x, below))), Circle("dimensions", tip, 0.15 * size)]
-            shapes.append(Inscription(str(number), (x, y - 0.35 * size), size, "middle"))
-    return Drawing(shapes, (0.0, -0.5, length, top))
+            shapes += [draw.Stroke("dimensions", (tip, (x, below))), draw.Circle("dimensions", tip, 0.15 * size)]
+            shapes.append(draw.Inscription(str(number), (x, y - 0.35 * size), size, "middle"))
+    return draw.Drawing(shapes, (0.0, -0.5, length, top))
 
 
-def _shapes(kind: str, box: Rectangle) -> Iterator[Shape]:
+def _shapes(kind: str, box: draw.Rectangle) -> Iterator[draw.Shape]:
     left, right, low, high = box
     if kind == "ball":
-        yield Circle("balls", middle(box), (high - low) / 2)
+        yield draw.Circle("balls", draw.middle(box), (high - low) / 2)
     elif kind == "spring":
         step = (right - left) / (2 * _TURNS)
         points = ((left + step * turn, low if turn % 2 else high) for turn in range(2 * _TURNS + 1))
-        yield Stroke("springs", tuple(points))
+        yield draw.Stroke("springs", tuple(points))
     elif kind in _FILLED:
-        yield rectangle(_FILLED[kind], box)
+        yield draw.rectangle(_FILLED[kind], box)
     else:
-        yield from (rectangle("hatch", box, hatch=angle) for angle in _HATCH[kind])
-        yield rectangle("outline", box)
+        yield from (draw.rectangle("hatch", box, hatch=angle) for angle in _HATCH[kind])
+        yield draw.rectangle("outline", box)
 
 
-def _discs(first: float, count: int, inner: float, outer: float) -> tuple[Rectangle, ...]:
+def _discs(first: float, count: int, inner: float, outer: float) -> tuple[draw.Rectangle, ...]:
     """Friction discs of one kind, outer or inner, which take every second place in a pack."""
     places = (first + 0.5 * number for number in range(count))
     return tuple((left, left + 0.18, inner, outer) for left in places)
@@ -82,7 +66,7 @@ _HALVES = (
 """The half-couplings of a direct clutch."""
 
 
-def _beside(*more: Rectangle) -> tuple[Part, ...]:
+def _beside(*more: draw.Rectangle) -> tuple[Part, ...]:
     """Pressure disc, ball, thrust disc with boxes ``more``, spring and thrust bearing of a direct clutch."""
     return (
         Part(((6.3, 7.0, 1.1, 4.2), (3.45, 6.3, 1.1, 1.65)), (6.9, 5.5), "moving"),
@@ -125,34 +109,34 @@ _S21 = (
 )
 
 
-def _ball_in_pockets() -> Drawing:
+def _ball_in_pockets() -> draw.Drawing:
     """Draw a ball of the radius 1 between two sleeves, with the points of S21 fig. 3."""
     angle, gap, floor = math.radians(38), 0.13, 1.1
     sine, cosine = math.sin(angle), math.cos(angle)
-    apex, size = 1 / sine, TEXT * 6.8 / WIDTH
-    shapes: list[Shape] = []
+    apex, size = 1 / sine, draw.TEXT * 6.8 / draw.WIDTH
+    shapes: list[draw.Shape] = []
     wall = [(x, (apex - x) * math.tan(angle)) for x in (gap, floor)]
     half = [(2.5, 1.9), (gap, 1.9), *wall]
     for hand, hatch in ((-1, 45.0), (1, 135.0)):
         outline = tuple((hand * x, y) for x, y in (*half, *((x, -y) for x, y in reversed(half))))
-        shapes += [Region("hatch", (outline,), hatch=hatch), Region("outline", (outline,))]
-    shapes += [Circle("balls", (0.0, 0.0), 1.0), Stroke("centre", ((-2.6, 0.0), (2.6, 0.0)))]
+        shapes += [draw.Region("hatch", (outline,), hatch=hatch), draw.Region("outline", (outline,))]
+    shapes += [draw.Circle("balls", (0.0, 0.0), 1.0), draw.Stroke("centre", ((-2.6, 0.0), (2.6, 0.0)))]
     points = {"O": (0.0, 0.0), "A": (0.0, 1 / cosine), "B": (sine, cosine), "C": (apex, 0.0), "D": (sine, 0.0)}
-    shapes += [Stroke("contact", (points[first], points[second])) for first, second in ("OA", "AC", "OB", "BD")]
+    shapes += [draw.Stroke("contact", (points[first], points[second])) for first, second in ("OA", "AC", "OB", "BD")]
     for name, (x, y) in points.items():
         at = x + (0.14 if name == "B" else 0.0), y + (-0.26 if y == 0 else 0.1)
-        shapes += [Circle("dimensions", (x, y), 0.03), Inscription(name, at, size, "middle")]
+        shapes += [draw.Circle("dimensions", (x, y), 0.03), draw.Inscription(name, at, size, "middle")]
     shapes += [
-        Angle("", size, (apex, 0.0), (sine, cosine), (0.0, 0.0), 0.55),
-        Inscription("α", (apex - 0.68, 0.12), size, "middle"),
-        Inscription("r_ш", (sine / 2 - 0.05, cosine / 2 + 0.1), size, "end"),
-        Inscription("s", (0.0, -1.95), size, "middle"),
-        Length("h_1", size, (gap, -1.9), (apex, 0.0), -1.75),
+        draw.Angle("", size, (apex, 0.0), (sine, cosine), (0.0, 0.0), 0.55),
+        draw.Inscription("α", (apex - 0.68, 0.12), size, "middle"),
+        draw.Inscription("r_ш", (sine / 2 - 0.05, cosine / 2 + 0.1), size, "end"),
+        draw.Inscription("s", (0.0, -1.95), size, "middle"),
+        draw.Length("h_1", size, (gap, -1.9), (apex, 0.0), -1.75),
     ]
-    return Drawing(shapes, (-3.4, -2.15, 3.4, 2.15))
+    return draw.Drawing(shapes, (-3.4, -2.15, 3.4, 2.15))
 
 
-def _scheme(title: str, caption: str, drawing: Drawing) -> Callable[[], Sheet]:
+def _scheme(title: str, caption: str, drawing: draw.Drawing) -> Callable[[], Sheet]:
     return lambda: Sheet(translate(title), [drawing], translate(caption))
 
 

@@ -76,7 +76,7 @@ def _dimension(measure: MainDimension, size: float, line: float = 0.0, hand: int
     return draw.Length(label, size, *ends, line, upright, measure.key, measure.about)
 
 
-def _rectangles(boxes: Iterable[Box], hand: int = 1) -> list[draw.Rectangle]:
+def _rectangles(boxes: Iterable[Box], hand: int) -> list[draw.Rectangle]:
     """Rectangles of boxes above the axis or, if ``hand`` is −1, below it, mm."""
     both = ((box, (box.inner, box.outer) if hand > 0 else (-box.outer, -box.inner)) for box in boxes)
     return [(box.left * _MM, box.right * _MM, low * _MM, high * _MM) for box, (low, high) in both]

@@ -1,10 +1,17 @@
 """A document for people as typed blocks: its content, before it is set as a page or on sheets of paper."""
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from typing import Any, Literal
 
-from .formulas import Formula
+from ...errors import AfmcalcError
+from ...formula_tree import TIMES, Node, Tree
+from ...formula_tree import text as line_of
+
+SHORT = 64
+"""Largest number of signs in a line of a formula."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +62,46 @@ def listed(parts: "Sequence[str | Piece | Text]", sign: str = ", ") -> Text:
     """Join texts with a sign between them; empty texts are left out."""
     shown = [part for part in parts if part]
     return text(*[each for part in shown for each in (sign, part)][1:])
+
+
+@dataclass(frozen=True)
+class Formula:
+    """Formula as a tree, and as a line of text for screen readers."""
+
+    tree: Tree
+    alt: str
+
+
+def formula(*sides: Tree) -> Formula:
+    """Equation with two or more sides.
+
+    >>> formula(("F",), (Node("fraction", parts=(("a", "b"), ("c",))),)).alt
+    'F = ab/c'
+    """
+    tree = equated(*sides)
+    return Formula(tree, line_of(tree))
+
+
+def equated(*sides: Tree) -> Tree:
+    """Tree of the sides of an equation, joined by equals signs."""
+    return tuple(sign for side in sides for sign in ("=", *side))[1:]
+
+
+def size(tree: Tree) -> int:
+    """Approximate number of signs in a formula."""
+    return sum(len(node) if isinstance(node, str) else len(node.text) + sum(map(size, node.parts)) for node in tree)
+
+
+def broken(tree: Tree, most: int = SHORT) -> Tree:
+    """Break a sum or product longer than ``most`` into lines, as MathML breaks no formula and paper does not scroll."""
+    if size(tree) <= most:
+        return tree
+    rows: list[Tree] = [()]
+    for node in tree:
+        if rows[-1] and (node in ("+", "−") or (node in ("·", TIMES) and size(rows[-1]) > most / 2)):
+            rows.append(())
+        rows[-1] += (node,)
+    return (Node("rows", parts=tuple(rows)),) if len(rows) > 1 else tree
 
 
 @dataclass(frozen=True)
@@ -127,13 +174,6 @@ class Step:
 
 
 @dataclass(frozen=True)
-class Findings:
-    """Findings, each with its grade."""
-
-    items: Sequence[tuple[Piece, Text]]
-
-
-@dataclass(frozen=True)
 class Bullets:
     """A list, or the lines of a ``derivation``."""
 
@@ -143,9 +183,9 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Definitions:
-    """Symbols and their meanings (``symbols``), or sources by their numbers (``references``)."""
+    """Symbols and their meanings, sources by their numbers, or findings after their grades."""
 
-    role: Literal["symbols", "references"]
+    role: Literal["symbols", "references", "findings"]
     items: Sequence[tuple[Text, Text]]
 
 
@@ -174,7 +214,7 @@ class Section:
     appendix: bool = False
 
 
-Block = Paragraph | Heading | Table | Figure | Step | Findings | Bullets | Definitions | Code | Entries | Section
+Block = Paragraph | Heading | Table | Figure | Step | Bullets | Definitions | Code | Entries | Section
 
 
 @dataclass(frozen=True)
@@ -197,6 +237,16 @@ class Document:
     author: str = ""
     frame: Mapping[str, Any] | None = None
     """Entries of a title block of ГОСТ 2.104, forms 2 and 2а, for sheets with a frame."""
+
+
+def today() -> str:
+    """Today's date, or the date in SOURCE_DATE_EPOCH, which makes a build repeatable."""
+    epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
+    if not epoch:
+        return datetime.now().date().isoformat()
+    if not epoch.isdecimal() or len(epoch) > 11:  # enough digits up to the year 5000
+        raise AfmcalcError("SOURCE_DATE_EPOCH = {epoch!r:.40}: seconds since 1970 are wanted", epoch=epoch)
+    return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()
 
 
 def data_of(block: Any) -> dict[str, Any]:

@@ -17,13 +17,16 @@ from ..amounts import measured, worded
 from ..plot import sheet_of
 from ..plot.schemes import SCHEMES
 from . import blocks
-from .blocks import Block, Document, Piece, Text, listed, piece, text, when
+from .blocks import Block, Document, Piece, Text, broken, equated, formula, listed, piece, text, today, when
 from .chapters import explained
-from .formulas import broken, equated, formula
 from .html import page
 from .page import figure_of
 from .pieces import said, table
-from .title import today
+
+_INLINE = re.compile(r"\{(see|value) ([^{}]+)\}")
+_NAMED = re.compile("``([a-z_.]+)``")
+_BLOCK = re.compile(r"\{(equation|misprint|figure|plot|list|mend) ([^{}]+)\}")
+_ARROWS = {"+": "↑", "-": "↓", "±": "↕"}
 
 
 def render(handbook: Handbook) -> str:
@@ -228,16 +231,8 @@ def _misprint(entry: Misprint) -> blocks.Step:
     return blocks.Step(what, notes=notes, key=entry.id)
 
 
-_INLINE = re.compile(r"\{(see|value) ([^{}]+)\}")
-_NAMED = re.compile("``([a-z_.]+)``")
-_BLOCK = re.compile(r"\{(equation|misprint|figure|plot|list|mend) ([^{}]+)\}")
-
-
 def _directives(node: SyntaxTreeNode) -> list[tuple[str, str]]:
     """Kind and name of each directive in a paragraph of directives; empty for any other block."""
     lines = node.children[0].content.splitlines() if node.type == "paragraph" else []
     found = [_BLOCK.fullmatch(line.strip()) for line in lines]
     return [(line[1], line[2]) for line in found if line] if all(found) else []
-
-
-_ARROWS = {"+": "↑", "-": "↓", "±": "↕"}

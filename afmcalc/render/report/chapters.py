@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
-from ...analysis.explain.explain import Circumstance, Derivation, Meaning
+from ...analysis.explain.explain import CaseRow, Derivation, Meaning
 from ...analysis.spring_search import SpringsResult
 from ...formula_tree import Tree, symbol_tree, value_tree
 from ...messages import deferred, say, translate, with_unit
@@ -19,10 +19,19 @@ from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curve_sheets import SPRINGS
 from ..text_tables import TextTable, blocks, cells, quantities
-from .blocks import Piece, Step, Text, listed, piece, text, when
-from .formulas import SHORT, broken, formula, size
+from .blocks import SHORT, Piece, Step, Text, broken, formula, listed, piece, size, text, when
 from .pieces import MISPRINT, said
 from .words import form, told
+
+_PEAKS = (
+    "peak_torque", "dynamic_factor", "slip_time", "energy", "temperature", "face_temperature", "trips_per_hour",
+    "trips_to_wear_out",
+)  # fmt: skip
+_FRICTION = {
+    "friction": ("f", deferred("friction in service")),
+    "friction.driving": ("f_1", deferred("friction of the driving pairs in service")),
+    "friction.driven": ("f_2", deferred("friction of the driven pairs in service")),
+}
 
 
 class Chapter(NamedTuple):
@@ -73,12 +82,6 @@ def peaks(dossier: Dossier) -> list[TextTable]:
     return blocks(Document([], [], shown, []))
 
 
-_PEAKS = (
-    "peak_torque", "dynamic_factor", "slip_time", "energy", "temperature", "face_temperature", "trips_per_hour",
-    "trips_to_wear_out",
-)  # fmt: skip
-
-
 def _side_by_side(heads: Sequence[str], results: Sequence[Result], without: Sequence[str] = ()) -> TextTable:
     """Table with a column for each result of the same type; rows without values are left out, a triple has three."""
     columns = []
@@ -103,16 +106,9 @@ def _named(column: Column) -> list[Column]:
     ]
 
 
-_FRICTION = {
-    "friction": ("f", deferred("friction in service")),
-    "friction.driving": ("f_1", deferred("friction of the driving pairs in service")),
-    "friction.driven": ("f_2", deferred("friction of the driven pairs in service")),
-}
-
-
 def step_of(step: Derivation, method: str) -> Step:
     """Lay out a derivation; lines that all have the spring setting of the spec, ``method``, do not name it."""
-    columns = _labels([row.case for row in step.rows], method)
+    columns = _labels(step.rows, method)
     symbol, first = symbol_tree(translate(step.symbol)), step.rows[0]
     in_one_line = not columns and len(step.rows) == 1 and size(step.formula) + size(first.numbers) <= SHORT
     # the formula may consist of the symbol alone, and the formula with numbers of the value alone
@@ -157,7 +153,7 @@ def _values(value: float, unit: str) -> list[Tree]:
     return [*map(value_tree, dict.fromkeys([*in_si, measured(value, unit)]))]
 
 
-def _labels(cases: Sequence[Circumstance], method: str) -> dict[str, list[str]]:
+def _labels(cases: Sequence[CaseRow], method: str) -> dict[str, list[str]]:
     """Columns of labels that tell cases apart; the spring setting ``method`` is named only beside another."""
     columns = {}
     if any(case.at for case in cases):

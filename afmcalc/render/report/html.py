@@ -9,8 +9,10 @@ from ...formula_tree import Node, Tree
 from ...messages import say
 from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
 from . import blocks
-from .blocks import Block, Document, Piece, Section, Text
-from .formulas import Formula
+from .blocks import Block, Document, Formula, Piece, Section, Text
+
+_APART = ("section", "div", "dl", "ol", "ul", "tr", "tbody")
+"""Elements whose parts are each written on their own line."""
 
 
 def element(tag: str, *body: str, **attributes: object) -> str:
@@ -22,10 +24,6 @@ def element(tag: str, *body: str, **attributes: object) -> str:
     )
     between = "\n" if tag in _APART else ""
     return f"<{tag}{''.join(given)}>" + between.join(body) + (f"</{tag}>" if tag != "meta" else "")
-
-
-_APART = ("section", "div", "dl", "ol", "ul", "tr", "tbody")
-"""Elements whose parts are each written on their own line."""
 
 
 def inline(pieces: Text) -> str:
@@ -104,8 +102,8 @@ def _block(block: Block, level: int) -> str:
             return element("figure", *parts, id=f"figure-{block.number}")
         case blocks.Step():
             return _step(block)
-        case blocks.Findings(found):
-            return _list((_piece(grade) + " " + element("span", inline(text)) for grade, text in found), "findings")
+        case blocks.Definitions("findings", found):
+            return _list((f"{inline(grade)} {element('span', inline(text))}" for grade, text in found), "findings")
         case blocks.Bullets(texts, role):
             return _list(map(inline, texts), role)
         case blocks.Definitions(role, pairs):

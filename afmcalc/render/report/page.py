@@ -1,7 +1,8 @@
 """Report of a clutch as a document and as a page, from its dossier (the results of all its calculations)."""
 
+import json
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from datetime import date
@@ -17,18 +18,25 @@ from ...papers.register import misprints, references
 from ...spec import Spec, resolved
 from ...spec.keys import keys, path_of, scatter_at
 from ...spec.models import TitleBlock
+from ...spec.parse import is_json, parse
+from ...spec.write import annotated
 from ..amounts import display, display_unit, measured, worded
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..text_tables import TextTable, ranked
 from . import blocks
-from .blocks import Block, Document, Text, listed, piece, text, when
+from .blocks import Block, Document, Text, listed, piece, text, today, when
 from .chapters import chapters, explained, peaks
 from .html import page
 from .pieces import MISPRINT, cell, cited, name_of, plain, said, table, unparted
-from .title import text_as_given, today
 from .words import PEOPLE, SHORT, form, titled, told
+
+_PROGRAM = f"afmcalc {__version__}"
+_MOST, _LEAST = 12, 4
+"""Largest number of requirements and limits together in a short report, and smallest number of limits."""
+_ELSEWHERE = ("name", "report", "requirements", "catalogues", "objectives", "search")
+_PATH = re.compile(r"\[([a-z_.]+)\]|\b[a-z_]+(?:\.[a-z_]+)+\b")
 
 
 class Subject(NamedTuple):
@@ -43,13 +51,10 @@ class Subject(NamedTuple):
     """True if the report is to take two pages: task, limits, section, peaks, heat, conclusions."""
 
     @property
-    def title(self) -> TitleBlock:
-        """The [report] block of the spec, dated today if the block has no date."""
+    def title(self) -> dict[str, str]:
+        """Entries of the [report] block of the spec, empty if not given, but dated today if it has no date."""
         block = self.dossier.spec.report or TitleBlock()
-        return block if block.date else block.model_copy(update={"date": today()})
-
-
-_PROGRAM = f"afmcalc {__version__}"
+        return {name: printable(text or "") for name, text in block} | ({} if block.date else {"date": today()})
 
 
 class _SpecLine(NamedTuple):
@@ -87,30 +92,22 @@ def report(subject: Subject) -> Document:
     name = unparted(printable(named(dossier.spec.name) or say("Adaptive friction clutch")))
     kind, day = say("Calculation report"), today()
     with suppress(ValueError):
-        day = date.fromisoformat(title.date or "").isoformat()
-    paper = "report" if title.form == "report" and not short else form().paper
+        day = date.fromisoformat(title["date"]).isoformat()
+    paper = "report" if title["form"] == "report" and not short else form().paper
     verdict = blocks.Paragraph(said(dossier.check.verdict.sentence), f"sum {dossier.check.grade}", "verdict")
+    cover = [_entries(subject), _signatures(title), verdict, *_trip(dossier.check)]
     body, numbers = cited(_Parts(subject).sections())
     sources = references()
     entries = [(text(str(number)), text(sources[key])) for key, number in numbers.items()]
-    return Document(
-        language=spoken(),
-        program=_PROGRAM,
-        kind=kind,
-        name=name,
-        cover=[_entries(subject), _signatures(title), verdict, *_trip(dossier.check)],
-        body=[
-            replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
-            for each in body
-            if entries or each.key != "references"
-        ],
-        running=" · ".join(map(printable, filter(None, (name, title.drawing, title.revision)))),
-        date=day,
-        paper=paper,
-        short=short,
-        author=title.author or "",
-        frame=_frame(title, f"{name}. {kind}") if paper == "framed" else None,
-    )
+    body = [
+        replace(each, body=[blocks.Definitions("references", entries)]) if each.key == "references" else each
+        for each in body
+        if entries or each.key != "references"
+    ]
+    running = " · ".join(filter(None, (name, title["drawing"], title["revision"])))
+    frame = _frame(title, f"{name}. {kind}") if paper == "framed" else None
+    more: dict[str, Any] = {"paper": paper, "short": short, "author": title["author"], "frame": frame}
+    return Document(spoken(), _PROGRAM, kind, name, cover, body, running, day, **more)
 
 
 def _trip(check: CheckResult) -> list[Block]:
@@ -167,9 +164,10 @@ class _Parts:
         self.labels = {name: str(number) for number, name in enumerate(sections, 1)}
         lettered = zip(appendices, form().letters, strict=False)
         self.labels |= {name: say("Appendix {letter}", letter=letter) for name, letter in lettered}
+        # the references, cited in all sections, are known only after them
         titles = {name: told("next" if self.short and name == "conclusion" else name) for name in self.labels}
         return [
-            blocks.Section(name, label, text(titles[name]), [*getattr(self, f"_{name}")()], name in appendices)
+            blocks.Section(name, label, text(titles[name]), [*getattr(self, f"_{name}", tuple)()], name in appendices)
             for name, label in self.labels.items()
         ]
 
@@ -266,9 +264,6 @@ class _Parts:
         lines = lines or [translate("Nothing by this calculation: it goes to be checked and approved.")]
         yield blocks.Bullets([*map(said, lines)], "next")
 
-    def _references(self) -> Iterable[Block]:
-        return ()  # the cited sources are known only after everything else is laid out
-
     def _symbols(self) -> Iterator[Block]:
         if spoken() == "en":
             yield blocks.Paragraph(text(say("In brackets: as the papers write a symbol.")))
@@ -317,7 +312,13 @@ class _Parts:
         if overrides := self.subject.overrides:
             lead = say("Overridden on the command line")
             yield blocks.Paragraph(text(lead, ": ", listed([piece("code", plain(each)) for each in overrides])))
-        yield blocks.Code(printable(text_as_given(self.dossier.spec.label), lines=True))
+        source = self.dossier.spec.label
+        given = source.text
+        if spoken() != "en" and source.startswith("example:"):
+            given = say("# {file}, its comments translated", file=source) + f"\n{annotated(given)}"
+        if is_json(source):  # JSON of a command has the spec among the rest
+            given = json.dumps(parse(source), indent=2, ensure_ascii=False)
+        yield blocks.Code(printable(given.strip("\n"), lines=True))
 
 
 def see(*shown: blocks.Table | blocks.Figure) -> Text:
@@ -357,15 +358,15 @@ def quantities(block: TextTable) -> blocks.Table:
     return blocks.Table(role, said(block.title), [*map(said, block.header)], rows, block.numeric)
 
 
-def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Findings:
+def findings_of(findings: Iterable[Finding], *, keys: bool = False) -> blocks.Definitions:
     """Lay out findings; the keys of the spec are replaced by names unless ``keys`` is true."""
     items = []
     for finding in findings:
         grade = {"error": "fail", "warning": "warning", "info": "note"}[finding.level]
         words = said(finding.message if keys else in_words(finding.message))
         code = when(keys and finding.path, " ", piece("code", finding.path or ""))
-        items.append((piece("grade", told(f"level/{finding.level}"), grade), text(words, code)))
-    return blocks.Findings(items)
+        items.append((text(piece("grade", told(f"level/{finding.level}"), grade)), text(words, code)))
+    return blocks.Definitions("findings", items)
 
 
 def figure_of(number: int, sheet: Sheet) -> blocks.Figure:
@@ -379,10 +380,6 @@ def _three(share: float) -> str:
     return localized(next((shown for digits in range(3, 10) if float(shown := f"{share:.{digits}g}") != 1), "1"))
 
 
-_MOST, _LEAST = 12, 4
-"""Largest number of requirements and limits together in a short report, and smallest number of limits."""
-
-
 def _changed(overrides: Iterable[str]) -> list[str]:
     """Paths of the keys, or tables, that overrides change."""
     given = (override.partition("=")[0].strip() for override in overrides)
@@ -392,39 +389,33 @@ def _changed(overrides: Iterable[str]) -> list[str]:
 def _entries(subject: Subject) -> blocks.Entries:
     """Entries of the title block: given entries and those of every report; ISO dates become dates of the language."""
     spec = subject.dossier.spec
-    title = dict(subject.title) | {"variant": translate(spec.variant, "value"), "program": _PROGRAM}
+    title = subject.title | {"variant": translate(spec.variant, "value"), "program": _PROGRAM}
     with suppress(ValueError):
-        title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
+        title["date"] = date.fromisoformat(title["date"]).strftime(translate("%Y-%m-%d", "date"))
     entries = [name for name in form().entries if title[name] or name in form().signed]
     changed = "; ".join(name_of(path) if path in keys() else path for path in _changed(subject.overrides))
-    label = spec.label
     long = {
-        say("Spec"): printable(label),
-        say("SHA-256 of the spec as given"): label.digest,
+        say("Spec"): printable(spec.label),
+        say("SHA-256 of the spec as given"): spec.label.digest,
         say("Overridden on the command line"): printable(changed),
     }
-    given = [(told(name), printable(title[name] or ""), False) for name in entries]
+    given = [(told(name), title[name], False) for name in entries]
     return blocks.Entries([*given, *((name, value, True) for name, value in long.items() if value)])
 
 
-def _signatures(title: TitleBlock) -> blocks.Table:
+def _signatures(title: Mapping[str, str]) -> blocks.Table:
     """Table of signatures: all roles that sign in this language, and other roles for which a name is given."""
-    names = {who: getattr(title, who) for who in PEOPLE}
-    rows = [
-        [text(told(who)), text(printable(name or "")), text(), text()]
-        for who, name in names.items()
-        if name or who in form().signed
-    ]
+    roles = [who for who in PEOPLE if title[who] or who in form().signed]
+    rows = [[text(told(who)), text(title[who]), text(), text()] for who in roles]
     return table("signatures", ("Responsible", "Name", "Signature", "Date"), rows)
 
 
-def _frame(title: TitleBlock, headline: str) -> dict[str, Any]:
-    roles = ("Drawn", title.author), ("Checked", title.checked), ("", ""), ("Standards", title.norm_control)
+def _frame(title: Mapping[str, str], headline: str) -> dict[str, Any]:
+    roles = {"Drawn": "author", "Checked": "checked", "": "", "Standards": "norm_control", "Approved": "approved"}
     margin = "Signature and date", "No. of copy", "Instead of no.", "Signature and date", "No. of original"
-    own = {name: printable(getattr(title, name) or "") for name in ("drawing", "organisation", "revision")}
-    return own | {
+    return {name: title[name] for name in ("drawing", "organisation", "revision")} | {
         "headline": headline,
-        "people": [(translate(role), printable(who or "")) for role, who in (*roles, ("Approved", title.approved))],
+        "people": [(translate(role), title.get(who, "")) for role, who in roles.items()],
         "changes": [*map(translate, ("Chg.", "Sheet", "Document no.", "Sign.", "Date"))],
         "stage": [*map(translate, ("Stage", "Sheet", "Sheets"))],
         "margin": [*map(translate, margin)],
@@ -464,9 +455,6 @@ def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
             )
 
 
-_ELSEWHERE = ("name", "report", "requirements", "catalogues", "objectives", "search")
-
-
 def _titled(path: str) -> str:
     """Title of a table of the spec, preceded by the title of the table that contains it."""
     above, _, _ = path.rpartition(".")
@@ -486,9 +474,6 @@ def in_words(text: str) -> str:
         return found[0] if path in name.split(": ") else translate("“…”", "symbol").replace("…", name)
 
     return _PATH.sub(named_so, text)
-
-
-_PATH = re.compile(r"\[([a-z_.]+)\]|\b[a-z_]+(?:\.[a-z_]+)+\b")
 
 
 def _scatter(group: str, name: str, given: dict[str, Any]) -> _SpecLine:

@@ -9,8 +9,20 @@ from ...messages import filled, printable, translate
 from ...papers.register import sources
 from ...spec.keys import keys
 from ..symbols import split
-from .blocks import Piece, Svg, Table, Text, piece, text
-from .formulas import Formula
+from .blocks import Formula, Piece, Svg, Table, Text, piece, text
+
+_UNIT = re.compile(r"(?<!\w)(\d[\d.,]*) (?=(?:[^\W\d_]{1,3}|°[CС])(?![^\W\d_]))")
+"""Pattern of a number before a unit (a word of up to three letters); the 19 of S19 does not match."""
+_POWER = re.compile(r"([\d.]+|\(.* ± .*\))e([+-]\d+)")
+_MINUS = re.compile(r"(?<![\w.\]})-])-(?=\d)")
+_REST = re.compile(r"; |: | \(")
+MISPRINT = re.compile(r"\bM\d+\b")
+_LETTERING = re.compile("(?<=>)[^<]+")
+_WHERE = (
+    r"(?:,? (?P<formulas>\(\d[\d.]*[a-z]?\)(?:(?:, |–)\(\d[\d.]*[a-z]?\))*)"
+    r"|,? (?P<place>(?:chapters?|ch\.|sec\.|fig\.|гл\.|разд\.|рис\.) \d[\d-]*(?: (?:and|и) \d+)?))?"
+)
+"""Pattern of formulas or a chapter after the name of a source."""
 
 
 def plain(words: str | None) -> Text:
@@ -25,10 +37,6 @@ def unparted(words: str) -> str:
     3
     """
     return _UNIT.sub("\\1\u00a0", words)
-
-
-_UNIT = re.compile(r"(?<!\w)(\d[\d.,]*) (?=(?:[^\W\d_]{1,3}|°[CС])(?![^\W\d_]))")
-"""Pattern of a number before a unit (a word of up to three letters); the 19 of S19 does not match."""
 
 
 def said(words: str, ours: bool = True) -> Text:
@@ -66,19 +74,9 @@ def table(
     return Table(role, text(title), [text(translate(head)) for head in heads], rows, named=named)
 
 
-_POWER = re.compile(r"([\d.]+|\(.* ± .*\))e([+-]\d+)")
-_MINUS = re.compile(r"(?<![\w.\]})-])-(?=\d)")
-
-
 def name_of(path: str) -> str:
     """Name of a key of the spec, without remarks on the use of the key."""
     return _REST.split(translate(keys()[path].description))[0]
-
-
-_REST = re.compile(r"; |: | \(")
-
-
-MISPRINT = re.compile(r"\bM\d+\b")
 
 
 def cited(blocks: Sequence[Any]) -> tuple[list[Any], dict[str, int]]:
@@ -120,13 +118,3 @@ def _changed(node: Any, change: Callable[[str], str]) -> Any:
     if not is_dataclass(node) or isinstance(node, type | Formula):
         return node
     return replace(node, **{field.name: _changed(getattr(node, field.name), change) for field in fields(node)})
-
-
-_LETTERING = re.compile("(?<=>)[^<]+")
-
-
-_WHERE = (
-    r"(?:,? (?P<formulas>\(\d[\d.]*[a-z]?\)(?:(?:, |–)\(\d[\d.]*[a-z]?\))*)"
-    r"|,? (?P<place>(?:chapters?|ch\.|sec\.|fig\.|гл\.|разд\.|рис\.) \d[\d-]*(?: (?:and|и) \d+)?))?"
-)
-"""Pattern of formulas or a chapter after the name of a source."""

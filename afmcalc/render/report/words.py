@@ -74,6 +74,10 @@ REPORT: Mapping[str, str] = {
     "level/error": "error",
 }
 """Key → its English text."""
+SHORT = ("requirements", "checks", "peaks", "spec", "conclusion", "references")
+"""Sections of a short report."""
+PEOPLE = ("author", "checked", "norm_control", "approved")
+"""Roles of the people who sign, in their order."""
 
 
 def told(key: str) -> str:
@@ -85,10 +89,6 @@ def titled(path: str) -> str:
     """Title of a table of a spec by its path; the path itself if the table has no title."""
     name = path.rpartition(".")[2]
     return told(f"group/{name}") if f"group/{name}" in REPORT else path
-
-
-SHORT = ("requirements", "checks", "peaks", "spec", "conclusion", "references")
-"""Sections of a short report."""
 
 
 class Form(NamedTuple):
@@ -107,9 +107,6 @@ class Form(NamedTuple):
     """Layout of the sheets: ``plain`` with a running title, or ``framed`` with frame, title block, and each symbol of a
     formula explained on its own line."""
 
-
-PEOPLE = ("author", "checked", "norm_control", "approved")
-"""Roles of the people who sign, in their order."""
 
 FORMS = {
     "en": Form(

@@ -45,12 +45,8 @@ def document(name="default", **more):
     """Document of the report on a shipped clutch."""
     form = more.pop("form", "calculation")
     title = TitleBlock(drawing="AFM-17", author="Ш.", date="2026-02-03", revision="4", form=form)
-    told = dossier(read_spec(f"example:{name}"), explained=not more.get("short"))
-    return laid_out(Subject(titled(told, title), **more))
-
-
-def titled(told, title):
-    return told._replace(spec=told.spec.model_copy(update={"report": title}))
+    spec = read_spec(f"example:{name}").model_copy(update={"report": title})
+    return laid_out(Subject(dossier(spec, explained=not more.get("short")), **more))
 
 
 def sheets(pdf):
@@ -97,12 +93,12 @@ HOSTILE = (
 
 @pytest.mark.tool
 def test_texts_of_the_user_stay_texts():
-    told = dossier(read_spec("example:default"), explained=False)
     title = TitleBlock(drawing=HOSTILE[:60], author=HOSTILE[:40], organisation=HOSTILE[:50], date="soon")
+    told = dossier(read_spec("example:default").model_copy(update={"report": title}), explained=False)
     told.spec.label.text = HOSTILE
     for spoken in (ENGLISH, language("ru")):
         with speaking(spoken):
-            found = " ".join(sheets(print_pdf(laid_out(Subject(titled(told, title), with_source=True)))[0]))
+            found = " ".join(sheets(print_pdf(laid_out(Subject(told, with_source=True)))[0]))
         shown = found.replace(" ", "")
         assert '#read("/etc/passwd")$x$*b*@ref</style><script>alert(1)</script>{{7*7}}\\u202eabc' in shown
         assert "root:" not in found
