@@ -124,12 +124,10 @@ def text_of(source: str | PathLike[str] | None) -> Source:
         else:
             with open(source, "rb") as file:
                 raw = file.read(LONGEST + 1)
-    except FileNotFoundError as error:
-        hint = _nearest(label)
-        raise FileError("{label}: cannot be read: {why}{hint}", label=label, why=reason(error), hint=hint) from None
     except (OSError, ValueError) as error:
         why = reason(error) if isinstance(error, OSError) else error
-        raise FileError("{label}: cannot be read: {why}", label=label, why=why) from None
+        hint = _nearest(label) if isinstance(error, FileNotFoundError) else ""
+        raise FileError("{label}: cannot be read: {why}{hint}", label=label, why=why, hint=hint) from None
     if len(raw) > LONGEST:
         raise _refused(label, say("is larger than {most} MiB, the most that is read", most=LONGEST >> 20))
     if raw.startswith(b"%PDF"):
@@ -158,8 +156,7 @@ def _at_line(source: Source, number: int, message: str) -> SpecError:
     """Error of a parser at a line number; 0 means the last line."""
     lines = source.text.rstrip().split("\n")
     number = number or len(lines)
-    text = lines[number - 1] if number <= len(lines) else ""
-    return SpecError(source, [Problem("", None, message, Place(number, text))])
+    return SpecError(source, [Problem("", None, message, Place(number, "".join(lines[number - 1 : number])))])
 
 
 def parse(source: Source) -> dict[str, object]:
@@ -198,19 +195,10 @@ def _toml_of(source: Source) -> dict[str, object]:
 
 
 def _json_of(source: Source) -> dict[str, object]:
-    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
-        data = dict(pairs)
-        if len(data) < len(pairs):
-            twice = next(key for place, (key, _) in enumerate(pairs) if key in dict(pairs[:place]))
-            raise _refused(source, say("is not a spec: key {key!r} stands twice in one JSON object", key=twice))
-        return data
-
     try:
-        data = json.loads(source.text, object_pairs_hook=unique)
+        data = json.loads(source.text)
     except json.JSONDecodeError as error:
         raise _at_line(source, error.lineno, say("is not valid JSON: {why}", why=error.msg)) from None
-    except AfmcalcError:
-        raise
     except ValueError:
         raise _refused(source, say("is not valid JSON: {why}", why=too_long())) from None
     if not isinstance(data, dict):
