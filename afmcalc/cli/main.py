@@ -5,7 +5,7 @@ import os
 import sys
 import warnings
 from importlib import import_module
-from typing import Annotated, Any, NoReturn, TypeAlias
+from typing import Annotated, Any, NoReturn
 
 import typer
 from typer import Argument, Option
@@ -19,7 +19,7 @@ from .files import drop_output, prepare, tell
 from .names import Named, names_of
 from .options import COMMON
 
-Context: TypeAlias = Any
+Context = Any
 """Context, formatter or error of the parser behind typer, which has no public types for them."""
 
 PANELS = {

@@ -1,11 +1,10 @@
 """Names that can be given on a command line, with their meanings: for ``afmcalc help`` and shell completion."""
 
 from collections.abc import Callable
-from typing import TypeAlias
 
 from ..messages import native, translate
 
-Named: TypeAlias = list[tuple[str, str]]
+Named = list[tuple[str, str]]
 """Pairs of a name and its meaning."""
 
 

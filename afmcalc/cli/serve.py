@@ -58,7 +58,7 @@ def serve(
     base = Base(source, source.text, spec, tuple(common.overrides), source.digest)
     target = save or (spec if common.force and spec and os.path.isfile(spec) else "")
 
-    def write(changed: "Spec", force: bool) -> None:  # noqa: FBT001
+    def write(changed: "Spec", force: bool) -> None:
         common.force = force
         common.save_spec(changed, {}, target)
 

@@ -1,6 +1,6 @@
 """Commands about the spec itself: init, check, schema."""
 
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal
 
 import typer
 from typer import Argument, Option
@@ -11,7 +11,7 @@ from .files import refuse, write
 from .names import completing
 from .options import Common, ForceOption, QuietOption, SpecArgument, output_option, with_common
 
-Kind: TypeAlias = Literal["machine", "clutch", "drive", "tolerance"]
+Kind = Literal["machine", "clutch", "drive", "tolerance"]
 _COMMAND = {"machine": "design", "clutch": "torque", "drive": "simulate", "tolerance": "tolerance"}
 """Kind of a template → the command that calculates it."""
 

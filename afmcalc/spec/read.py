@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Collection, Iterable, Mapping, MutableMapping
 from copy import deepcopy
 from os import PathLike
-from typing import Any, TypeAlias
+from typing import Any
 
 from pydantic import ValidationError
 
@@ -24,7 +24,7 @@ from .removed import OLD, moved_in
 from .rules import Table, given_in
 from .search import flat
 
-Overrides: TypeAlias = Collection[str] | Mapping[str, object]
+Overrides = Collection[str] | Mapping[str, object]
 """Texts ``path=value``, where an empty value removes the key; or path → value, where None removes it."""
 
 _SEARCH = "search."

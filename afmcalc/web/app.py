@@ -106,7 +106,7 @@ class Target:
         self.path, self._write = path, write
         self.begun = _digest(path) if path else ""
 
-    def save(self, spec: Spec, known: str, anyway: bool) -> dict[str, Any]:  # noqa: FBT001
+    def save(self, spec: Spec, known: str, anyway: bool) -> dict[str, Any]:
         """Write a spec; return a message and the file's new digest, or only a message if it changed since ``known``."""
         if not self.path:
             raise AfmcalcError("nothing to save to: start with --save FILE, or with --force to save to SPEC")
