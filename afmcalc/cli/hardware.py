@@ -31,7 +31,7 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
     clutch, drawing = _clutch(common, spec, "svg", "dxf", save=save)
     if drawing:
         _draw(clutch, drawing, common)
-    result = common.ask(clutch)[0] if drawing else common.calculate(clutch).result
+    result = common.ask(clutch)[0] if drawing else common.calculate(clutch)
     if save:
         common.save_spec(clutch.spec, completed(result), save)
 
@@ -195,7 +195,7 @@ def simulate(
         common.command = "heat"
         common.calculate(clutch)
         return
-    result = common.calculate(clutch, friction=points, sweeps=axes_of(sweep, clutch), heated=not sweep).result
+    result = common.calculate(clutch, friction=points, sweeps=axes_of(sweep, clutch), heated=not sweep)
     if history:
         _write_history(clutch, points, history, common)
     if save:

@@ -22,7 +22,6 @@ from .names import completing
 if TYPE_CHECKING:
     from ..engines import Clutch
     from ..findings import Finding
-    from ..result import Output
     from ..spec import Spec
 
 SpecArgument = Annotated[
@@ -147,10 +146,11 @@ class Common:
         self.keep(source, **others)
         return self.build(source)
 
-    def calculate(self, clutch: "Clutch", **options: object) -> "Output":
-        """Run the command's analysis on a clutch; print its output and return it."""
+    def calculate(self, clutch: "Clutch", **options: object) -> Any:
+        """Run the command's analysis on a clutch; print its output and return its result."""
         result, findings = self.ask(clutch, **options)
-        return self.emit(result, findings, clutch.spec)
+        self.emit(result, findings, clutch.spec)
+        return result
 
     def keep_without_clutch(self) -> None:
         """Check the output path of a command that reads no spec; ``--set`` is an error."""
@@ -169,18 +169,24 @@ class Common:
         with self.bar():
             return ANALYSES[self.command].function(*arguments, **options)
 
-    def emit(self, result: Any, findings: "list[Finding]", spec: "Spec | None" = None) -> "Output":
-        """Write a result in the chosen format to standard output or a file; return it as an output."""
+    def emit(self, result: Any, findings: "list[Finding]", spec: "Spec | None" = None) -> None:
+        """Write a result in the chosen format to standard output or a file; the heat of an event is a second table."""
+        from ..render import renderer
         from ..result import Output
         from ..spec import resolved
 
-        chosen = self.chosen_format
+        chosen, heat = self.chosen_format, getattr(result, "heat", None)
         if self.quiet and chosen != "json" and not result.findings_first:
             findings = [each for each in findings if each.level == "error" or each.code == "number-without-unit"]
-        output = Output(self.command, __version__, resolved(spec) if spec else None, result, findings)
-        text = self._rendered(output, chosen)
-        if self.default and chosen in ("table", "markdown"):
-            text = f"{_no_spec(self.default)}\n\n{text}"
+        outputs = [Output(self.command, __version__, resolved(spec) if spec else None, result, findings)]
+        text = ""
+        if chosen in ("table", "markdown"):
+            text = f"{_no_spec(self.default)}\n\n" if self.default else ""
+            if heat:
+                event = replace(outputs[0], result=result.model_copy(update={"heat": None}), findings=[])
+                outputs = [event, replace(outputs[0], command="heat", result=heat)]
+        terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+        text += "\n".join(renderer(chosen)(output, terminal) for output in outputs)
         if chosen == "json" and self.output in (None, "-") and not is_unicode(sys.stdout):
             from ..render.formats import in_ascii
 
@@ -191,18 +197,6 @@ class Common:
 
             for line in findings_lines(findings):
                 print(line, file=sys.stderr)
-        return output
-
-    def _rendered(self, output: "Output", chosen: str) -> str:
-        """Text of an output; the heat of an event follows it in a separate table."""
-        from ..render import renderer
-
-        terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
-        render, heat = renderer(chosen), getattr(output.result, "heat", None)
-        if chosen not in ("table", "markdown") or heat is None:
-            return render(output, terminal)
-        event = replace(output, result=output.result.model_copy(update={"heat": None}), findings=[])
-        return f"{render(event, terminal)}\n{render(replace(output, command='heat', result=heat), terminal)}"
 
     def save(self, content: bytes, path: str | None) -> None:
         """Write a document or picture to standard output, or to a file with a note about it."""
