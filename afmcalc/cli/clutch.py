@@ -6,8 +6,7 @@ from typer import Argument, Option
 
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
-from .names import completing
-from .options import Common, SpecArgument, with_common
+from .options import Common, SpecArgument, completing, with_common
 
 if TYPE_CHECKING:
     from ..analysis.sweep import Axis

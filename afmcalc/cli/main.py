@@ -16,19 +16,18 @@ from ..errors import OPTION, AfmcalcError, chosen_language, reason, unexpected
 from ..messages import did_you_mean, say, speaking, translate
 from ..units import table
 from .files import drop_output, prepare, tell
-from .names import Named, names_of
-from .options import COMMON
+from .options import COMMON, Named, names_of
 
 Context = Any
 """Context, formatter or error of the parser behind typer, which has no public types for them."""
 
 PANELS = {
-    "Everyday": table("init check = specs; torque = clutch; design = searches; report = report; serve = serve"),
+    "Everyday": table("init check = specs; torque = clutch; design = searches; report = documents; serve = serve"),
     "Questions": table("""\
 accuracy adjust overload life = clutch; tolerance solve = searches; compare = clutch; explain = papers;
-plot = plot"""),
+plot = documents"""),
     "Parts and drive": table("pocket springs layout simulate effects = hardware"),
-    "Theory and lists": table("papers = papers; handbook = report; list = papers; schema = specs"),
+    "Theory and lists": table("papers = papers; handbook = documents; list = papers; schema = specs"),
 }
 """Heading in the help → command → module of this package that has the function of the command."""
 COMMANDS = {name: module for panel in PANELS.values() for name, module in panel.items()}

@@ -6,8 +6,7 @@ from typer import Argument, Option
 
 from ..errors import AfmcalcError
 from ..messages import say
-from .names import completing
-from .options import Common, SaveOption, SpecArgument, with_common
+from .options import Common, SaveOption, SpecArgument, completing, with_common
 
 
 @with_common

@@ -8,8 +8,7 @@ from typer import Argument, Option
 from ..errors import AfmcalcError, SpecError
 from ..messages import native, say, translate
 from .files import refuse, write
-from .names import completing
-from .options import Common, ForceOption, QuietOption, SpecArgument, output_option, with_common
+from .options import Common, ForceOption, QuietOption, SpecArgument, completing, output_option, with_common
 
 Kind = Literal["machine", "clutch", "drive", "tolerance"]
 _COMMAND = {"machine": "design", "clutch": "torque", "drive": "simulate", "tolerance": "tolerance"}

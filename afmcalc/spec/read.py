@@ -15,12 +15,11 @@ from ..findings import Finding
 from ..messages import did_you_mean, say
 from .catalogues import READ, Lists
 from .fields import Broken, names_in
-from .keys import elsewhere, key_of_number, names, path_of
+from .keys import OLD, elsewhere, key_of_number, moved_in, names, path_of
 from .models import Spec
 from .parse import PREFIX, Source, check_size, is_json, parse, text_of, too_deep, too_long
 from .problems import given_at, problems_in
 from .quantity import asked_unit
-from .removed import OLD, moved_in
 from .rules import Table, given_in
 from .search import flat
 
