@@ -308,5 +308,5 @@ def test_exceedance_is_of_the_torque_required():
     data["tolerance"] = {**blocks, "torque_limit": 250.0}
     assert rows_of(make_spec(data))[1]["exceedance"].passed is None
     del data["requirements"]["torque_max"]
-    with pytest.raises(SpecError, match=r"requirements\.torque_max.*required beside exceedance"):
+    with pytest.raises(SpecError, match=r"requirements\.torque_max.*required beside requirements.exceedance"):
         make_spec(data)
