@@ -6,7 +6,7 @@ from typer import Argument, Option
 
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
-from .options import Common, SpecArgument, completing, with_common
+from .options import Common, SpecArgument, completing
 
 if TYPE_CHECKING:
     from ..analysis.sweep import Axis
@@ -28,7 +28,6 @@ FrictionOption = Annotated[
 ]
 
 
-@with_common
 def torque(
     spec: SpecArgument = None,
     friction: FrictionOption = None,
@@ -51,7 +50,6 @@ def torque(
         common.calculate(common.clutch(spec), friction=frictions(friction))
 
 
-@with_common
 def accuracy(
     spec: SpecArgument = None,
     sweep: SweepOption = None,
@@ -77,7 +75,6 @@ def accuracy(
     common.calculate(clutch, sweeps=axes_of(sweep, clutch), columns=names)
 
 
-@with_common
 def adjust(spec: SpecArgument = None, *, common: Common) -> None:
     """Both ways of setting the spring, at f_min and at mean friction.
 
@@ -88,7 +85,6 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
     common.calculate(common.clutch(spec))
 
 
-@with_common
 def overload(
     spec: SpecArgument = None,
     friction: FrictionOption = None,
@@ -110,7 +106,6 @@ def overload(
     common.calculate(clutch, sweeps=axes_of(sweep, clutch), friction=frictions(friction))
 
 
-@with_common
 def life(
     spec: SpecArgument = None,
     model: Annotated[
@@ -134,7 +129,6 @@ def life(
     common.calculate(clutch, model=model, sweeps=axes_of(sweep, clutch, band=True))
 
 
-@with_common
 def compare(
     specs: Annotated[list[str] | None, Argument(metavar="SPEC", help="Specs to set side by side.")] = None,
     variants: Annotated[bool, Option("--variants", help="One clutch built as each possible variant.")] = False,

@@ -10,13 +10,12 @@ from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say, spoken
 from .files import ending_of, picture_of, refuse
-from .options import DRAWINGS, Common, SpecArgument, common_options, completing, need_drawing
+from .options import DRAWINGS, Common, SpecArgument, completing, need_drawing
 
 if TYPE_CHECKING:
     from ..render.report.blocks import Document
 
 
-@common_options("HTML file, or PDF by its name; without it HTML to standard output.")
 def report(
     spec: SpecArgument = None,
     short: Annotated[
@@ -59,7 +58,6 @@ def report(
     _write(common, document, spec)
 
 
-@common_options("HTML file, or PDF by its name; without it HTML to standard output.")
 def handbook(*, common: Common) -> None:
     """Handbook: the theory behind every number, one HTML file.
 
@@ -101,7 +99,6 @@ def _write(common: Common, lay_out: Callable[[], "Document"], spec: str | None =
 _KINDS = [name for name in PLOTS if name not in DRAWINGS and name != "paper"]
 
 
-@common_options("File, .png, .svg or .pdf; without it SVG to standard output.")
 def plot(
     what: Annotated[
         str,

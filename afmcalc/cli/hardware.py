@@ -9,14 +9,13 @@ from ..errors import AfmcalcError, need
 from ..messages import say
 from .clutch import FrictionOption, SweepOption, axes_of, frictions
 from .files import ending_of, is_drawing, picture_of, refuse, write
-from .options import Common, SaveOption, SpecArgument, with_common
+from .options import Common, SaveOption, SpecArgument
 
 if TYPE_CHECKING:
     from ..analysis.torque import Pair
     from ..engines import Clutch
 
 
-@with_common
 def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common) -> None:
     """Wall angle, balls and pockets of the control unit; -o FILE.dxf or .svg draws them for the shop.
 
@@ -72,7 +71,6 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
     common.save(content, common.output)
 
 
-@with_common
 def layout(spec: SpecArgument = None, *, common: Common) -> None:
     """Parts in half section: do they fit, mass, inertia ([envelope]); -o FILE.svg, .dxf or .pdf draws them.
 
@@ -90,7 +88,6 @@ def layout(spec: SpecArgument = None, *, common: Common) -> None:
         common.calculate(clutch)
 
 
-@with_common
 def springs(
     spec: SpecArgument = None,
     sort: Annotated[
@@ -155,7 +152,6 @@ def _written(value: object, key: str) -> str:
     return ", ".join(f"{name} = {each}" for name, each in shown.items()) if isinstance(shown, dict) else str(shown)
 
 
-@with_common
 def simulate(
     spec: SpecArgument = None,
     friction: FrictionOption = None,
@@ -214,7 +210,6 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
     common.note(say("wrote the history to {output}", output=path))
 
 
-@with_common
 def effects(spec: SpecArgument = None, *, common: Common) -> None:
     """Effects that the torque law neglects, in numbers: centrifugal force, wear, friction of the parts.
 

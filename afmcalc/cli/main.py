@@ -16,7 +16,7 @@ from ..errors import OPTION, AfmcalcError, chosen_language, reason, unexpected
 from ..messages import did_you_mean, say, speaking, translate
 from ..units import table
 from .files import drop_output, prepare, tell
-from .options import COMMON, Named, names_of
+from .options import COMMON, Named, names_of, with_common
 
 Context = Any
 """Context, formatter or error of the parser behind typer, which has no public types for them."""
@@ -112,7 +112,7 @@ def application(arguments: list[str]) -> Any:
     app.callback()(_afmcalc)
     for name in [called] if called else _MODULES:
         module = import_module(f".{_MODULES[name]}", __package__)
-        app.command(name)(getattr(module, f"{name}_" if name == "list" else name))
+        app.command(name)(with_common(getattr(module, f"{name}_" if name == "list" else name)))
     program: Any = typer.main.get_command(app)
     if called and not {"-h", "--help"} & {*arguments}:
         return program  # its help is not shown and therefore not translated

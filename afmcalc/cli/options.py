@@ -262,42 +262,44 @@ def _no_spec(default: str) -> str:
     return say("no SPEC given: this is {default} (afmcalc init writes a spec to start from)", default=default)
 
 
-def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a command the common options, which it receives as ``common``.
+_PAGES = "HTML file, or PDF by its name; without it HTML to standard output."
+_DOCUMENTS = {
+    "report": _PAGES,
+    "handbook": _PAGES,
+    "plot": "File, .png, .svg or .pdf; without it SVG to standard output.",
+}
+"""Command that writes a document, which has no formats and units → help of its ``--output``."""
 
-    ``output_help``: help of ``--output`` for a command that writes a document, which has no formats and units.
-    """
+
+def with_common(function: Callable[..., None]) -> Callable[..., None]:
+    """Command with the common options, which the function receives as ``common`` if it has such a parameter."""
+    own = inspect.signature(function, eval_str=True).parameters
+    if "common" not in own:
+        return function
+    name = function.__name__.rstrip("_")
     options = {option.name: (option.type, option.default) for option in fields(Common)[1:-1]}
-    if output_help:
-        options = {name: options[name] for name in ("set", "output", "force", "quiet")}
-        options["output"] = (Annotated[str | None, output_option(output_help)], None)
+    if name in _DOCUMENTS:
+        options = {each: options[each] for each in ("set", "output", "force", "quiet")}
+        options["output"] = (Annotated[str | None, output_option(_DOCUMENTS[name])], None)
+    parameters = [parameter for parameter in own.values() if parameter.name != "common"]
+    parameters += [
+        inspect.Parameter(each, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
+        for each, (annotation, default) in options.items()
+    ]
 
-    def decorate(function: Callable[..., None]) -> Callable[..., None]:
-        parameters = [p for p in inspect.signature(function, eval_str=True).parameters.values() if p.name != "common"]
-        parameters += [
-            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
-            for name, (annotation, default) in options.items()
-        ]
+    @wraps(function)
+    def command(**arguments: Any) -> None:
+        common = Common(name, **{each: arguments.pop(each) for each in options})
+        if common.units == "engineer":
+            return function(**arguments, common=common)
+        from ..render.amounts import shown_in
 
-        @wraps(function)
-        def command(**arguments: Any) -> None:
-            common = Common(function.__name__.rstrip("_"), **{name: arguments.pop(name) for name in options})
-            if common.units == "engineer":
-                return function(**arguments, common=common)
-            from ..render.amounts import shown_in
+        with shown_in(common.units):
+            return function(**arguments, common=common)
 
-            with shown_in(common.units):
-                return function(**arguments, common=common)
-
-        command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-        command.__annotations__ = {p.name: p.annotation for p in parameters}
-        del command.__wrapped__
-        return command
-
-    return decorate
-
-
-with_common = common_options()
+    command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    command.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+    return command
 
 
 def need_drawing(extra: str) -> None:

@@ -7,10 +7,9 @@ from typer import Argument, Option
 from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
 from .files import write
-from .options import Common, SpecArgument, with_common
+from .options import Common, SpecArgument
 
 
-@with_common
 def explain(
     command: Annotated[
         str,
@@ -45,7 +44,6 @@ def explain(
     common.emit(result, findings, given)
 
 
-@with_common
 def papers(
     paper: Annotated[list[str] | None, Option(metavar="KEY", help="F11, S19, S21 or S22; repeatable.")] = None,
     id_: Annotated[
@@ -83,7 +81,6 @@ def papers(
         common.without_clutch("claims", paper or [], figure)
 
 
-@with_common
 def list_(
     what: Annotated[
         Literal["materials", "examples", "discs", "balls"],

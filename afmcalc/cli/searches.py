@@ -6,10 +6,9 @@ from typer import Argument, Option
 
 from ..errors import AfmcalcError
 from ..messages import say
-from .options import Common, SaveOption, SpecArgument, completing, with_common
+from .options import Common, SaveOption, SpecArgument, completing
 
 
-@with_common
 def solve(
     target: Annotated[
         str,
@@ -63,7 +62,6 @@ def solve(
         common.save_spec(clutch.spec, {result.path: value_at(solved.spec, result.path)}, save, solved.spec)
 
 
-@with_common
 def tolerance(
     spec: SpecArgument = None,
     *,
@@ -80,7 +78,6 @@ def tolerance(
     common.calculate(common.clutch(spec))
 
 
-@with_common
 def design(
     spec: Annotated[str, Argument(metavar="SPEC", help="TOML or JSON file with a [search], - for standard input.")],
     pick: Annotated[

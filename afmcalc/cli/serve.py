@@ -12,13 +12,12 @@ from typer import Option
 from ..errors import AfmcalcError, FileError, reason
 from ..messages import say
 from .files import tell, write_file
-from .options import Common, SpecArgument, need_drawing, with_common
+from .options import Common, SpecArgument, need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
 
 
-@with_common
 def serve(
     spec: SpecArgument = None,
     port: Annotated[int, Option(min=0, max=65535, help="Port of this machine; 0: any that is free.")] = 0,

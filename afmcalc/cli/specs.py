@@ -8,7 +8,7 @@ from typer import Argument, Option
 from ..errors import AfmcalcError, SpecError
 from ..messages import native, say, translate
 from .files import refuse, write
-from .options import Common, ForceOption, QuietOption, SpecArgument, completing, output_option, with_common
+from .options import Common, ForceOption, QuietOption, SpecArgument, completing, output_option
 
 Kind = Literal["machine", "clutch", "drive", "tolerance"]
 _COMMAND = {"machine": "design", "clutch": "torque", "drive": "simulate", "tolerance": "tolerance"}
@@ -66,7 +66,6 @@ def _described(part: dict[str, Any]) -> dict[str, Any]:
     return {name: said[name](each) if name in said and isinstance(each, str) else each for name, each in part.items()}
 
 
-@with_common
 def check(
     spec: SpecArgument = None,
     strict: Annotated[bool, Option("--strict", help="Warnings fail the check too.")] = False,
