@@ -43,7 +43,7 @@ def torque(
     afmcalc torque clutch.toml
     afmcalc torque clutch.toml --friction 0.15 --friction 0.25 --json
     afmcalc torque clutch.toml --details --set control_unit.gain=0.8
-    """  # noqa: D301
+    """
     from ..render.document import with_details
 
     with with_details(details):
@@ -67,7 +67,7 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep R --columns closing_force,torque_at_f_max
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
-    """  # noqa: D301
+    """
     if columns and not sweep:
         raise AfmcalcError("--columns are those of a sweep: give --sweep NAME with them")
     clutch = common.clutch(spec)
@@ -81,7 +81,7 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
     \b
     afmcalc adjust clutch.toml
     afmcalc adjust clutch.toml --set beta=1.1 --json
-    """  # noqa: D301
+    """
     common.calculate(common.clutch(spec))
 
 
@@ -101,7 +101,7 @@ def overload(
     afmcalc overload clutch.toml --friction 0.3
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
-    """  # noqa: D301
+    """
     clutch = common.clutch(spec)
     common.calculate(clutch, sweeps=axes_of(sweep, clutch), friction=frictions(friction))
 
@@ -124,7 +124,7 @@ def life(
     afmcalc life clutch.toml
     afmcalc life clutch.toml --model amplitude --set fatigue.mean_stress_sensitivity=0.1
     afmcalc life clutch.toml --sweep dT=500:1100:13
-    """  # noqa: D301
+    """
     clutch = common.clutch(spec)
     common.calculate(clutch, model=model, sweeps=axes_of(sweep, clutch, band=True))
 
@@ -140,7 +140,7 @@ def compare(
     \b
     afmcalc compare a.toml b.toml
     afmcalc compare clutch.toml --variants
-    """  # noqa: D301
+    """
     sources: list[str | None] = [*specs] if specs else [None]
     common.keep(*sources)
     clutches = [common.build(source) for source in sources]

@@ -41,7 +41,7 @@ def report(
     afmcalc report clutch.toml -o report.html --set report.author="A. N. Other"
 
     The block [report] of the spec fills the title block; its date is today's if it has none.
-    """  # noqa: D301
+    """
     need_drawing("report")
     from ..analysis.dossier import dossier
     from ..render.report import report as laid_out
@@ -64,7 +64,7 @@ def handbook(*, common: Common) -> None:
     \b
     afmcalc handbook -o handbook.html
     afmcalc handbook -o handbook.pdf
-    """  # noqa: D301
+    """
     need_drawing("report")
     from ..analysis.handbook_content import handbook as gathered
     from ..render.report.book import book
@@ -78,7 +78,7 @@ def _write(common: Common, lay_out: Callable[[], "Document"], spec: str | None =
     """Write a document as HTML or, if its file is named so, as PDF."""
     sheets = ending_of("--output", common.output, ".html", ".htm", ".pdf", others=True) == ".pdf"
     if sheets:
-        need("pdf", "typst")
+        need("pdf")
     refuse(common.output, force=common.force, inputs=[spec])
     with common.bar():
         document = lay_out()
@@ -133,7 +133,7 @@ def plot(
     afmcalc plot tolerance clutch.toml -o tolerance.svg
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
-    """  # noqa: D301
+    """
     from ..analysis.asking import Answers
     from ..analysis.plot_data import Request, check_request, gathered, plot_of
     from ..render.plot import sheet_of

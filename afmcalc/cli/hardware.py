@@ -24,7 +24,7 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
     afmcalc pocket clutch.toml -o pocket.dxf
     afmcalc pocket clutch.toml --save completed.toml
     afmcalc pocket clutch.toml --json | afmcalc torque -
-    """  # noqa: D301
+    """
     from ..analysis.synthesize import completed
 
     clutch, drawing = _clutch(common, spec, "svg", "dxf", save=save)
@@ -80,7 +80,7 @@ def layout(spec: SpecArgument = None, *, common: Common) -> None:
     afmcalc layout clutch.toml
     afmcalc layout clutch.toml -o section.svg
     afmcalc layout clutch.toml --set envelope.length='200 mm' --json
-    """  # noqa: D301
+    """
     clutch, drawing = _clutch(common, spec, "svg", "dxf", "pdf")
     if drawing:
         _draw(clutch, drawing, common)
@@ -115,7 +115,7 @@ def springs(
     afmcalc springs clutch.toml --set closing_spring.room.outer_diameter='120 mm' --top 20
     afmcalc springs clutch.toml --pick 3 --save sprung.toml
     afmcalc springs clutch.toml --pick 3 --json | afmcalc check -
-    """  # noqa: D301
+    """
     if save and not pick:
         raise AfmcalcError("--save writes the spec with the springs of --pick: give both")
     if not pick:
@@ -177,7 +177,7 @@ def simulate(
     afmcalc simulate drive.toml --friction 0.2 --history event.csv
     afmcalc simulate drive.toml --sweep drive.shaft_stiffness
     afmcalc simulate drive.toml --save drive-with-factor.toml
-    """  # noqa: D301
+    """
     if history == "-":
         raise AfmcalcError("--history writes a file beside the result: name one")
     points = frictions(friction)
@@ -216,5 +216,5 @@ def effects(spec: SpecArgument = None, *, common: Common) -> None:
     \b
     afmcalc effects clutch.toml
     afmcalc effects clutch.toml --set friction_group.spline_friction=0.15 --json
-    """  # noqa: D301
+    """
     common.calculate(common.clutch(spec))

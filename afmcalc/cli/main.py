@@ -165,7 +165,7 @@ def _afmcalc(
     SPEC is a TOML or JSON file, - for standard input, or example:NAME; without it an example is calculated.
     afmcalc help options|keys|quantities|plots: options of every command, and names that can be given.
     Exit codes: 0 done, 1 a check failed, 2 wrong input or no answer, 3 a file cannot be read or written.
-    """  # noqa: D301
+    """
 
 
 TOPICS = ("options", "keys", "quantities", "plots")
@@ -186,7 +186,7 @@ def help(
     \b
     afmcalc help options
     afmcalc help quantities
-    """  # noqa: D301
+    """
     if topic not in TOPICS:
         hint = did_you_mean(topic, [*TOPICS, *COMMANDS])
         raise AfmcalcError("no help on {topic!r:.80}{hint}; topics: {topics}", topic=topic, hint=hint, topics=[*TOPICS])

@@ -29,7 +29,7 @@ def explain(
     afmcalc explain torque clutch.toml
     afmcalc explain overload --format markdown > overload.md
     afmcalc explain contact-force-exceeded clutch.toml
-    """  # noqa: D301
+    """
     from ..papers.handbook_text import sections
 
     if model and command != "life":
@@ -70,7 +70,7 @@ def papers(
     afmcalc papers --id "S21 (15)"
     afmcalc papers --misprints
     afmcalc papers --claims --paper S22 --format csv
-    """  # noqa: D301
+    """
     if figure and not claims:
         raise AfmcalcError("--figure belongs to --claims")
     if not claims:
@@ -100,7 +100,7 @@ def list_(
     afmcalc list examples
     afmcalc list examples conveyor > conveyor.toml
     afmcalc list balls clutch.toml
-    """  # noqa: D301
+    """
     if what == "examples":
         if name is None:
             common.without_clutch("examples")

@@ -45,7 +45,7 @@ def solve(
     afmcalc solve --for F nominal_torque="250 N*m" clutch.toml --json | afmcalc torque -
     afmcalc solve --for z torque_max=300 clutch.toml --save solved.toml
     afmcalc solve --for F peak_torque=450 drive.toml
-    """  # noqa: D301
+    """
     from ..analysis.solve import parse_target
     from ..spec.edit import value_at
 
@@ -74,7 +74,7 @@ def tolerance(
     \b
     afmcalc tolerance clutch.toml
     afmcalc tolerance clutch.toml --set tolerance.samples=2_000_000 --json
-    """  # noqa: D301
+    """
     common.calculate(common.clutch(spec))
 
 
@@ -105,7 +105,7 @@ def design(
     afmcalc design requirements.toml --sort accuracy_factor --all
     afmcalc design requirements.toml --pick compromise --save clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
-    """  # noqa: D301
+    """
     from ..analysis.design import picked, shown
 
     common.keep(spec, save=save)

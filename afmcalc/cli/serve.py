@@ -35,7 +35,7 @@ def serve(
     afmcalc serve clutch.toml
     afmcalc serve clutch.toml --save changed.toml
     afmcalc serve clutch.toml --force --no-browser --port 8000
-    """  # noqa: D301
+    """
     need_drawing("web")
     import webbrowser
     from pathlib import Path

@@ -44,7 +44,7 @@ def init(
     afmcalc init clutch.toml
     afmcalc init indirect.toml --from indirect
     afmcalc init driven.toml --kind drive
-    """  # noqa: D301
+    """
     from ..spec.parse import PREFIX, example_text
     from ..spec.write import annotated
 
@@ -78,7 +78,7 @@ def check(
     \b
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
-    """  # noqa: D301
+    """
     from ..analysis.check import brief
     from ..render.document import with_details
 
@@ -115,7 +115,7 @@ def schema(
     \b
     afmcalc schema > clutch.schema.json
     afmcalc schema torque
-    """  # noqa: D301
+    """
     import json
 
     from ..analysis.registry import schema as schema_of

@@ -133,7 +133,7 @@ def _target(name: str) -> Key:
 
 
 def _pdf(state: State) -> bytes:
-    need("pdf", "typst")
+    need("pdf")
     return print_pdf(report(subject_of(dossier(state.spec), state.overrides)))[0]
 
 
