@@ -41,8 +41,8 @@ def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = No
         return common.clutch(spec, save=save), None
     drawing = picture_of(common.output, *kinds)
     refuse(common.output, save, force=common.force, inputs=[spec])
-    if drawing == "dxf":
-        need("cad")
+    if extra := {"dxf": "cad", "pdf": "pdf"}.get(drawing):
+        need(extra)
     return common.drawn(spec), drawing
 
 
@@ -54,8 +54,6 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
     from ..render.dxf import dxf
     from ..render.svg import svg
 
-    if kind == "pdf":
-        need("plot")
     request = Request([Answers(clutch)])
     with common.bar():
         if common.command == "pocket":
