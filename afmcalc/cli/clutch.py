@@ -29,13 +29,12 @@ FrictionOption = Annotated[
 
 
 def torque(
+    common: Common,
     spec: SpecArgument = None,
     friction: FrictionOption = None,
     details: Annotated[
         bool, Option("--details", help="Also the loads of each group, the balls, the key and the stop (JSON: always).")
     ] = False,
-    *,
-    common: Common,
 ) -> None:
     """Torque, forces and accuracy over the friction range.
 
@@ -51,14 +50,13 @@ def torque(
 
 
 def accuracy(
+    common: Common,
     spec: SpecArgument = None,
     sweep: SweepOption = None,
     columns: Annotated[
         list[str] | None,
         Option(metavar="NAME,…", help="More columns of the sweep: quantities, such as torque_at_f_max."),
     ] = None,
-    *,
-    common: Common,
 ) -> None:
     """Accuracy factor, its limits and sensitivities, and sweeps of it.
 
@@ -75,7 +73,7 @@ def accuracy(
     common.calculate(clutch, sweeps=axes_of(sweep, clutch), columns=names)
 
 
-def adjust(spec: SpecArgument = None, *, common: Common) -> None:
+def adjust(common: Common, spec: SpecArgument = None) -> None:
     """Both ways of setting the spring, at f_min and at mean friction.
 
     \b
@@ -86,11 +84,7 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
 
 
 def overload(
-    spec: SpecArgument = None,
-    friction: FrictionOption = None,
-    sweep: SweepOption = None,
-    *,
-    common: Common,
+    common: Common, spec: SpecArgument = None, friction: FrictionOption = None, sweep: SweepOption = None
 ) -> None:
     """Torque at which a clutch with a torque margin trips: potential, expected, actuation (S22).
 
@@ -107,13 +101,12 @@ def overload(
 
 
 def life(
+    common: Common,
     spec: SpecArgument = None,
     model: Annotated[
         StressRule, Option(help="Rule for the damaging stress: the paper's, Serensen-Kinasoshvili, Goodman.")
     ] = "mean-stress",
     sweep: SweepOption = None,
-    *,
-    common: Common,
 ) -> None:
     """Cycles to failure on both sides of the clutch (S19).
 
@@ -130,10 +123,9 @@ def life(
 
 
 def compare(
+    common: Common,
     specs: Annotated[list[str] | None, Argument(metavar="SPEC", help="Specs to set side by side.")] = None,
     variants: Annotated[bool, Option("--variants", help="One clutch built as each possible variant.")] = False,
-    *,
-    common: Common,
 ) -> None:
     """Clutches side by side, or one clutch as each variant.
 

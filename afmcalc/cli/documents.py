@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 
 def report(
+    common: Common,
     spec: SpecArgument = None,
     short: Annotated[
         bool, Option("--short", help="Two pages: task, limits and their use, section, peaks and heat, conclusions.")
@@ -30,8 +31,6 @@ def report(
     revision: Annotated[
         str | None, Option(help="Revision for the title block; its other cells stand in [report].")
     ] = None,
-    *,
-    common: Common,
 ) -> None:
     """Calculation report: one self-contained HTML file, for the project folder or the reviewer.
 
@@ -58,7 +57,7 @@ def report(
     _write(common, document, spec)
 
 
-def handbook(*, common: Common) -> None:
+def handbook(common: Common) -> None:
     """Handbook: the theory behind every number, one HTML file.
 
     \b
@@ -100,6 +99,7 @@ _KINDS = [name for name in PLOTS if name not in DRAWINGS and name != "paper"]
 
 
 def plot(
+    common: Common,
     what: Annotated[
         str,
         Argument(
@@ -122,8 +122,6 @@ def plot(
         ),
     ] = None,
     model: Annotated[StressRule | None, Option(help="For life: the rule for the damaging stress.")] = None,
-    *,
-    common: Common,
 ) -> None:
     """Plots: of clutches, of tolerances, of a design's front, of the papers' figures.
 

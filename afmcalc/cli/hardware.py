@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ..engines import Clutch
 
 
-def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common) -> None:
+def pocket(common: Common, spec: SpecArgument = None, save: SaveOption = None) -> None:
     """Wall angle, balls and pockets of the control unit; -o FILE.dxf or .svg draws them for the shop.
 
     \b
@@ -69,7 +69,7 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
     common.save(content, common.output)
 
 
-def layout(spec: SpecArgument = None, *, common: Common) -> None:
+def layout(common: Common, spec: SpecArgument = None) -> None:
     """Parts in half section: do they fit, mass, inertia ([envelope]); -o FILE.svg, .dxf or .pdf draws them.
 
     The parts lie as the papers draw them. Clearances, thrust bearings, keys, splines and bolts are not counted.
@@ -87,6 +87,7 @@ def layout(spec: SpecArgument = None, *, common: Common) -> None:
 
 
 def springs(
+    common: Common,
     spec: SpecArgument = None,
     sort: Annotated[
         SpringOrder | None,
@@ -100,8 +101,6 @@ def springs(
         Option(metavar="N", help="Take candidate N; repeat for the other spring. --save writes the spec."),
     ] = None,
     save: SaveOption = None,
-    *,
-    common: Common,
 ) -> None:
     """Disc stacks and coil springs that give the forces and stiffnesses of a clutch, within the room there is.
 
@@ -151,6 +150,7 @@ def _written(value: object, key: str) -> str:
 
 
 def simulate(
+    common: Common,
     spec: SpecArgument = None,
     friction: FrictionOption = None,
     sweep: SweepOption = None,
@@ -158,8 +158,6 @@ def simulate(
         str | None, Option(metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI).")
     ] = None,
     save: SaveOption = None,
-    *,
-    common: Common,
 ) -> None:
     """Simulate the drive of [drive] over time as the clutch trips, with the heat.
 
@@ -208,7 +206,7 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
     common.note(say("wrote the history to {output}", output=path))
 
 
-def effects(spec: SpecArgument = None, *, common: Common) -> None:
+def effects(common: Common, spec: SpecArgument = None) -> None:
     """Effects that the torque law neglects, in numbers: centrifugal force, wear, friction of the parts.
 
     \b

@@ -11,6 +11,7 @@ from .options import Common, SpecArgument
 
 
 def explain(
+    common: Common,
     command: Annotated[
         str,
         Argument(
@@ -20,8 +21,6 @@ def explain(
     ],
     spec: SpecArgument = None,
     model: Annotated[StressRule | None, Option(help="For life: the rule for the damaging stress.")] = None,
-    *,
-    common: Common,
 ) -> None:
     """A calculation step by step, or what the code of an error or warning means and which keys clear it.
 
@@ -45,6 +44,7 @@ def explain(
 
 
 def papers(
+    common: Common,
     paper: Annotated[list[str] | None, Option(metavar="KEY", help="F11, S19, S21 or S22; repeatable.")] = None,
     id_: Annotated[
         list[str] | None, Option("--id", metavar="ID", help='A formula, e.g. "S21 (15)"; repeatable.')
@@ -58,8 +58,6 @@ def papers(
             help="With --claims: the points of a figure's curves, e.g. S22-3; repeatable.",
         ),
     ] = None,
-    *,
-    common: Common,
 ) -> None:
     """Every formula of the papers and what implements it; their misprints; their claims recomputed.
 
@@ -82,6 +80,7 @@ def papers(
 
 
 def list_(
+    common: Common,
     what: Annotated[
         Literal["materials", "examples", "discs", "balls"],
         Argument(metavar="WHAT", help="materials, examples, discs or balls."),
@@ -90,8 +89,6 @@ def list_(
         str | None,
         Argument(metavar="NAME", help="An example, to print its file; else a SPEC, for the lists of its [catalogues]."),
     ] = None,
-    *,
-    common: Common,
 ) -> None:
     """Lists that ship: friction materials, examples (SPEC may be example:NAME), disc springs, balls.
 

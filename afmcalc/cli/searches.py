@@ -10,6 +10,7 @@ from .options import Common, SaveOption, SpecArgument, completing
 
 
 def solve(
+    common: Common,
     target: Annotated[
         str,
         Argument(
@@ -30,8 +31,6 @@ def solve(
     ] = "C",
     save: SaveOption = None,
     beyond_limit: Annotated[bool, Option("--beyond-limit", help="Search beyond the gain limit.")] = False,
-    *,
-    common: Common,
 ) -> None:
     """Find the value of one key that gives a wanted quantity.
 
@@ -62,11 +61,7 @@ def solve(
         common.save_spec(clutch.spec, {result.path: value_at(solved.spec, result.path)}, save, solved.spec)
 
 
-def tolerance(
-    spec: SpecArgument = None,
-    *,
-    common: Common,
-) -> None:
+def tolerance(common: Common, spec: SpecArgument = None) -> None:
     """Scatter of the torque under tolerances: quantiles, risks, life, and which input causes most of it.
 
     The tolerances stand in the [tolerance] block of the spec; afmcalc init --kind tolerance writes an example.
@@ -79,6 +74,7 @@ def tolerance(
 
 
 def design(
+    common: Common,
     spec: Annotated[str, Argument(metavar="SPEC", help="TOML or JSON file with a [search], - for standard input.")],
     pick: Annotated[
         str | None, Option(metavar="N|compromise", help="Take this clutch of the front; --save writes it.")
@@ -91,8 +87,6 @@ def design(
         str | None,
         Option(metavar="QUANTITY", help="Sort the front by a numeric column, by its name in JSON; smallest first."),
     ] = None,
-    *,
-    common: Common,
 ) -> None:
     """Best clutches for given requirements: the Pareto front of a grid.
 

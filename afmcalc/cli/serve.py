@@ -19,12 +19,11 @@ if TYPE_CHECKING:
 
 
 def serve(
+    common: Common,
     spec: SpecArgument = None,
     port: Annotated[int, Option(min=0, max=65535, help="Port of this machine; 0: any that is free.")] = 0,
     browser: Annotated[bool, Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
     save: Annotated[str | None, Option(metavar="FILE", help="File that the page saves the spec to.")] = None,
-    *,
-    common: Common,
 ) -> None:
     """A page in the browser on which a clutch is designed live; Ctrl-C ends it.
 

@@ -67,11 +67,10 @@ def _described(part: dict[str, Any]) -> dict[str, Any]:
 
 
 def check(
+    common: Common,
     spec: SpecArgument = None,
     strict: Annotated[bool, Option("--strict", help="Warnings fail the check too.")] = False,
     verbose: Annotated[bool, Option("--verbose", "-v", help="Show every check and note; JSON and CSV do.")] = False,
-    *,
-    common: Common,
 ) -> None:
     """Verdict, requirements, limits and findings; exit code 1 if one is an error.
 
