@@ -55,19 +55,31 @@ _OPENED = ("navigate", "document")
 """Values of Sec-Fetch-Mode and Sec-Fetch-Dest when the page is opened in a browser tab."""
 
 
-class Gate:
-    """Middleware that passes only requests of our own page, with the right host and token, and none of other sites."""
+def gate(app: ASGIApp, port: int, token: str) -> ASGIApp:
+    """Middleware that passes only requests of our own page, with the right host and token, and none of other sites.
 
-    def __init__(self, app: ASGIApp, port: int, token: str) -> None:
-        """Guard ``app``, served at ``port`` under the path ``/token/``."""
-        self._app, self._token = app, token.encode()
-        names = ("127.0.0.1", "localhost")
-        # a browser leaves out the default port of HTTP
-        self._hosts = [*(f"{name}:{port}" for name in names), *(names if port == 80 else ())]
+    ``app`` is served at ``port`` under the path ``/token/``; every response carries the security headers.
+    """
+    names = ("127.0.0.1", "localhost")
+    # a browser leaves out the default port of HTTP
+    hosts = [*(f"{name}:{port}" for name in names), *(names if port == 80 else ())]
 
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request on, or refuse it; every response carries the security headers."""
+    def barred(request: Request) -> Response | None:
+        """Response 403 or 404 that refuses a request; None if the request may pass."""
+        headers, parts = request.headers, request.scope["path"].encode().split(b"/", 2)
+        own = len(headers.getlist("host")) == 1 and headers["host"] in hosts
+        # programs other than browsers send neither of these headers; a browser sends Origin with every POST
+        own = own and all(origin == f"http://{headers['host']}" for origin in headers.getlist("origin"))
+        sites = ("same-origin", "none") if request.method in ("GET", "HEAD") else ("same-origin",)
+        # the file that opens the page in a browser belongs to no site
+        opened = request.method == "GET" and (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == _OPENED
+        if not own or not (opened or headers.get("sec-fetch-site", "same-origin") in sites):
+            return PlainTextResponse("Forbidden", 403)
+        if len(parts) != 3 or not secrets.compare_digest(parts[1], token.encode()):
+            return PlainTextResponse("Not Found", 404)
+        return None
 
+    async def guarded(scope: Scope, receive: Receive, send: Send) -> None:
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
                 # the body of a refused request is not read
@@ -76,26 +88,13 @@ class Gate:
             await send(message)
 
         if scope["type"] != "http":
-            await self._app(scope, receive, send)
-        elif refused := self._refused(Request(scope)):
-            await refused(scope, receive, send_with_headers)
+            await app(scope, receive, send)
+        elif response := barred(Request(scope)):
+            await response(scope, receive, send_with_headers)
         else:
-            await self._app({**scope, "path": f"/{scope['path'].split('/', 2)[2]}"}, receive, send_with_headers)
+            await app({**scope, "path": f"/{scope['path'].split('/', 2)[2]}"}, receive, send_with_headers)
 
-    def _refused(self, request: Request) -> Response | None:
-        """Response 403 or 404 that refuses a request; None if the request may pass."""
-        headers, parts = request.headers, request.scope["path"].encode().split(b"/", 2)
-        own = len(headers.getlist("host")) == 1 and headers["host"] in self._hosts
-        # programs other than browsers send neither of these headers; a browser sends Origin with every POST
-        own = own and all(origin == f"http://{headers['host']}" for origin in headers.getlist("origin"))
-        sites = ("same-origin", "none") if request.method in ("GET", "HEAD") else ("same-origin",)
-        # the file that opens the page in a browser belongs to no site
-        opened = request.method == "GET" and (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == _OPENED
-        if not own or not (opened or headers.get("sec-fetch-site", "same-origin") in sites):
-            return PlainTextResponse("Forbidden", 403)
-        if len(parts) != 3 or not secrets.compare_digest(parts[1], self._token):
-            return PlainTextResponse("Not Found", 404)
-        return None
+    return guarded
 
 
 class Target:
@@ -139,7 +138,7 @@ class Page:
         self._tabs, self._check = (Worker(units, _LONG, newest=True) for _ in range(2))
 
     def app(self, port: int, token: str, ready: Callable[[], None]) -> ASGIApp:
-        """ASGI application behind a ``Gate``; it calls ``ready`` as soon as it serves."""
+        """ASGI application behind a ``gate``; it calls ``ready`` as soon as it serves."""
 
         @asynccontextmanager
         async def lifespan(app: Starlette) -> AsyncIterator[None]:
@@ -158,7 +157,7 @@ class Page:
         handlers: dict[Any, Any] = {Exception: _fault, AfmcalcError: _refusal}
         served = Starlette(routes=routes, lifespan=lifespan, exception_handlers=handlers)
         served.router.redirect_slashes = False
-        return Gate(served, port, token)
+        return gate(served, port, token)
 
     async def _page(self, request: Request) -> Response:
         asked = request.query_params.get("base", "0")
