@@ -146,7 +146,6 @@ def test_an_answer_shows_itself():
     assert "<b>" not in page
     assert all(f">{entry:g}<" in page for entry in swept.sweep[0].values)
     assert swept._repr_markdown_() == renderer("markdown")(swept._output, False)
-    assert swept.accuracy_factor == swept.result.accuracy_factor
 
 
 @pytest.mark.slow
