@@ -124,8 +124,8 @@ def _help(state: State, job: Job) -> Answer:
 
 def _mend(state: State, job: Job) -> Answer:
     """Answer with the keys that clear a finding."""
-    options = job["options"]
-    return {"html": fragment("mend", [*mendings(state.spec, options.get("code", ""), options.get("path", ""))])}
+    code, path = (job["options"].get(name, "") for name in ("code", "path"))
+    return {"html": fragment("mend", [*mendings(state.spec, code, path)])}
 
 
 def _file(state: State, job: Job) -> Answer:
