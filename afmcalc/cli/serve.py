@@ -11,7 +11,7 @@ from typer import Option
 
 from ..errors import AfmcalcError, FileError, reason
 from ..messages import say
-from .files import tell, write_file
+from .files import tell, write
 from .options import Common, SpecArgument, need_drawing
 
 if TYPE_CHECKING:
@@ -56,11 +56,11 @@ def serve(
     base = Base(source, source.text, spec, tuple(common.overrides), source.digest)
     target = save or (spec if common.force and spec and os.path.isfile(spec) else "")
 
-    def write(changed: "Spec", force: bool) -> None:
+    def rewrite(changed: "Spec", force: bool) -> None:
         common.force = force
         common.save_spec(changed, {}, target)
 
-    file = Target(target, write)
+    file = Target(target, rewrite)
     listening, token = _listen(port), token_urlsafe(24)
     port = listening.getsockname()[1]
 
@@ -70,7 +70,7 @@ def serve(
         sys.stderr.flush()
         if browser:
             start = os.path.join(folder, "afmcalc.html")
-            write_file(start, f'<meta http-equiv="refresh" content="0; url={url}">'.encode())
+            write(f'<meta http-equiv="refresh" content="0; url={url}">', start)
             # in a thread, because a browser that runs in the terminal blocks
             Thread(target=webbrowser.open, args=[Path(start).as_uri()], daemon=True).start()
 

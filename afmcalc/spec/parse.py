@@ -60,9 +60,26 @@ class Source(str):
         """Line of the key at a dotted path of a TOML text, or of its table if the key is missing; None if unknown."""
         if not path or is_json(self) or any(f"{path}.".startswith(f"{gone}.") for gone in self.overridden):
             return None
-        lines = self.text.split("\n")
-        number = _toml_line(lines, path)
-        return Place(number, lines[number - 1]) if number else None
+        best, found, table = "", None, ""
+        for number, line in enumerate(self.text.split("\n"), start=1):
+            if line.lstrip()[:1] == "[" and (head := line.split("#")[0].strip()).endswith("]"):
+                name = table = _bare(head.strip("[]"))
+            elif match := re.match(_KEY, line):
+                name = f"{table}.{_bare(match[1])}" if table else _bare(match[1])
+            else:
+                continue
+            if f"{path}.".startswith(f"{name}.") and len(name) > len(best):
+                best, found = name, Place(number, line)
+        return found
+
+
+_NAME = r"""(?:[\w-]+|"[^"]*"|'[^']*')"""
+_KEY = rf"\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*="
+"""Pattern of a key at the beginning of a line."""
+
+
+def _bare(key: str) -> str:
+    return re.sub(r"""["'\s]""", "", key)
 
 
 PREFIX = "example:"
@@ -223,26 +240,3 @@ def check_size(data: object, label: str) -> None:
             left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
         elif isinstance(value, list):
             left += [(path, depth + 1, inner) for inner in value]
-
-
-_NAME = r"""(?:[\w-]+|"[^"]*"|'[^']*')"""
-_KEY = rf"\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*="
-
-
-def _toml_line(lines: Iterable[str], path: str) -> int:
-    """Line number of ``key =`` under its ``[table]``, else of the innermost enclosing table or key; 0 without any."""
-    best, number, table = "", 0, ""
-    for at, line in enumerate(lines, start=1):
-        if line.lstrip()[:1] == "[" and (head := line.split("#")[0].strip()).endswith("]"):
-            name = table = _bare(head.strip("[]"))
-        elif match := re.match(_KEY, line):
-            name = f"{table}.{_bare(match[1])}" if table else _bare(match[1])
-        else:
-            continue
-        if f"{path}.".startswith(f"{name}.") and len(name) > len(best):
-            best, number = name, at
-    return number
-
-
-def _bare(key: str) -> str:
-    return re.sub(r"""["'\s]""", "", key)
