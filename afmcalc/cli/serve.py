@@ -44,8 +44,7 @@ def serve(
     from uvicorn import Config, Server
 
     from ..render.amounts import shown_in
-    from ..web.app import Page, Target
-    from ..web.connections import protocol
+    from ..web.app import Page, Target, protocol
     from ..web.form import Base
 
     if common.output or common.json or common.format:

@@ -1,4 +1,4 @@
-"""HTTP server of the page: access, routes, and the worker that answers each request."""
+"""HTTP server of the page: connections, access, routes, and the worker that answers each request."""
 
 import asyncio
 import json
@@ -16,6 +16,7 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from .. import __version__
 from ..equations.terms import term_of
@@ -24,8 +25,8 @@ from ..messages import named, say, spoken, translate
 from ..spec import Spec
 from ..spec.edit import saved
 from ..spec.parse import PREFIX, example_names, example_text, parse
-from .filled import template
 from .form import RESULTS, TUNED, Base, State, form_of, refusal, refused, search_of
+from .fragments import template
 from .worker import Worker
 
 HERE = Path(__file__).parent
@@ -95,6 +96,46 @@ def gate(app: ASGIApp, port: int, token: str) -> ASGIApp:
             await app({**scope, "path": f"/{scope['path'].split('/', 2)[2]}"}, receive, send_with_headers)
 
     return guarded
+
+
+def protocol(seconds: float = 10.0, most: int = 100) -> type[H11Protocol]:
+    """Protocol of which at most ``most`` connections may wait, each at most ``seconds``, for the head of a request."""
+    waiting: dict[H11Protocol, asyncio.TimerHandle] = {}
+
+    class Patient(H11Protocol):
+        """Connection that is closed if no request has come in time."""
+
+        def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+            """Wait for the first request; if too many connections wait, close the one that has waited longest."""
+            super().connection_made(transport)
+            self._wait()
+            if len(waiting) > most:
+                next(iter(waiting)).transport.abort()
+
+        def data_received(self, data: bytes) -> None:
+            """Stop waiting if the head of the request is now complete."""
+            super().data_received(data)
+            if self.cycle and not self.cycle.response_complete:
+                self._stop()
+
+        def on_response_complete(self) -> None:
+            super().on_response_complete()
+            self._wait()
+
+        def connection_lost(self, exc: Exception | None) -> None:
+            super().connection_lost(exc)
+            self._stop()
+
+        def _wait(self) -> None:
+            self._stop()
+            if not self.transport.is_closing():
+                waiting[self] = self.loop.call_later(seconds, self.transport.abort)
+
+        def _stop(self) -> None:
+            if timer := waiting.pop(self, None):
+                timer.cancel()
+
+    return Patient
 
 
 class Target:

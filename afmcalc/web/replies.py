@@ -34,10 +34,9 @@ from ..spec import make_spec, resolved, to_toml
 from ..spec.edit import candidate
 from ..spec.parse import Source, parse
 from .aids import FILES, formulas, held, mendings, now, sketch
-from .curve import curve
 from .entered import unit_shown
-from .filled import template
 from .form import Base, State, editable, key_at, refused
+from .fragments import curve, template
 from .strip import tiles, values
 
 Job = Mapping[str, Any]
