@@ -168,7 +168,8 @@ def _afmcalc(
     """
 
 
-TOPICS = ("options", "keys", "quantities", "plots")
+TOPICS = {"options": [], "keys": ["swept", "path"], "quantities": ["target"], "plots": ["plot"]}
+"""Topic of the help → kinds of names that it lists; the options are listed by themselves."""
 
 
 def help(
@@ -196,9 +197,8 @@ def help(
 
     from ..render.formats.table import columns
 
-    kinds = {"options": [], "keys": ["swept", "path"], "quantities": ["target"], "plots": ["plot"]}[topic]
     grid = Table.grid(padding=(0, 2))
-    for name, about in (row for kind in kinds for row in names_of(kind)) if kinds else _common_options():
+    for name, about in [row for kind in TOPICS[topic] for row in names_of(kind)] or _common_options():
         grid.add_row(Text(name, no_wrap=True), Text(about))
     Console(width=columns(terminal=True), height=1, highlight=False).print(grid)
 
