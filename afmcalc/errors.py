@@ -89,13 +89,9 @@ EXTRAS = {
 """Extra of the package, as pip names it → modules that it installs."""
 
 
-def need(extra: str, *modules: str) -> None:
-    """Check that all ``modules`` (by default the modules of the extra) are installed, without importing them.
-
-    Raises AfmcalcError if a module is missing; its message says how to install it.
-    """
-    missing = [name for name in modules or EXTRAS[extra] if find_spec(name) is None]
-    if missing:
+def need(extra: str) -> None:
+    """Check that the modules of an extra are installed, without importing them; AfmcalcError says how to install it."""
+    if missing := [name for name in EXTRAS[extra] if find_spec(name) is None]:
         raise AfmcalcError(
             "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",
             missing=say(" and ").join(missing),

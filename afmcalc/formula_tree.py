@@ -1,7 +1,7 @@
 """A formula as a tree of signs, fractions and indices, and in one line of text."""
 
 import re
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 from .messages import localized, native
 
@@ -16,7 +16,7 @@ class Node(NamedTuple):
     parts: "tuple[Tree, ...]" = ()
 
 
-Tree: TypeAlias = tuple[str | Node, ...]
+Tree = tuple[str | Node, ...]
 """Formula as a sequence of signs and nodes, its symbols, numbers and units in the user's language."""
 GAP = Node("gap", "0.17")
 """Space between a number and its unit; its width is in em."""

@@ -12,12 +12,13 @@ import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from gettext import GNUTranslations, NullTranslations
-from typing import Any, SupportsFloat, cast
+from typing import Any, SupportsFloat, TypeVar, cast
 
 from .units import in_unit, table, typeset
 
+T = TypeVar("T")
 FOLDER = os.path.join(os.path.dirname(__file__), "locale")
 WRITTEN = {"ru": (",", "\xa0")}
 """Translated language → its decimal sign and its separator of digit groups."""
@@ -100,13 +101,17 @@ def _current() -> Language:
 
 
 @contextmanager
-def speaking(language: Language) -> Iterator[None]:
-    """Use a language inside the ``with`` block."""
-    before = _LANGUAGE.set(language)
+def within(variable: ContextVar[T], value: T) -> Iterator[None]:
+    """Set a variable inside the ``with`` block."""
+    before = variable.set(value)
     try:
         yield
     finally:
-        _LANGUAGE.reset(before)
+        variable.reset(before)
+
+
+speaking = partial(within, _LANGUAGE)
+"""Context in which a language is used."""
 
 
 def spoken() -> str:

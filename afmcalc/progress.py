@@ -10,6 +10,8 @@ from contextvars import ContextVar
 from functools import partial
 from typing import Any, TypeVar
 
+from .messages import within
+
 T = TypeVar("T")
 Watcher = Callable[[str, int, int], None]
 """Function that is told of progress: work, steps done, steps in all."""
@@ -25,17 +27,9 @@ def tell(work: str, done: int, total: int) -> None:
         watcher(work, done, total)
 
 
-@contextmanager
-def watched(watcher: Watcher | None) -> Iterator[None]:
-    """Report progress inside the ``with`` block to ``watcher``."""
-    token = _WATCHER.set(watcher)
-    try:
-        yield
-    finally:
-        _WATCHER.reset(token)
-
-
-unwatched = partial(watched, None)
+watched = partial(within, _WATCHER)
+"""Context in which progress is reported to a watcher."""
+unwatched = partial(within, _WATCHER, None)
 """Context in which no progress is reported, as for one step of a larger calculation."""
 
 

@@ -4,7 +4,7 @@ import typing
 from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -41,9 +41,9 @@ if TYPE_CHECKING:
     from .analysis.torque import Pair, TorqueResult
     from .analysis.trip import OverloadResult
 
-Sweep: TypeAlias = str | Sequence[str]
+Sweep = str | Sequence[str]
 """Sweep of a spec key as on the command line, ``"C"`` or ``"C=0:1.25:6"``; several sweeps make a grid."""
-Friction: TypeAlias = float | tuple[float, float] | Sequence[float | tuple[float, float]]
+Friction = float | tuple[float, float] | Sequence[float | tuple[float, float]]
 """A coefficient of friction, a pair (f_1, f_2) for unlike materials, or a sequence of coefficients or pairs."""
 A = TypeVar("A", bound=Answer)
 

@@ -160,16 +160,6 @@ class Answer(Result):
         return answer
 
     @property
-    def output(self) -> Output:
-        """Output of the command; only an answer that was returned in Python has an output."""
-        return self._output
-
-    @property
-    def result(self) -> Self:
-        """The answer itself, which holds the fields of the result."""
-        return self
-
-    @property
     def spec(self) -> dict[str, Any] | None:
         """The spec as resolved, SI."""
         return self._output.spec

@@ -5,11 +5,11 @@ A new variant of a law is one more record in ``VARIANTS``; no other module names
 
 from collections.abc import Callable, Container
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal
 
 from .equations.arrays import Values
 
-Paths: TypeAlias = tuple[str, ...]
+Paths = tuple[str, ...]
 """Dotted paths of spec keys."""
 
 

@@ -136,7 +136,7 @@ class Asked:
         if command not in self.answers:
             head, *rest = command.split()
             if head.startswith("python-"):
-                answer = getattr(afmcalc.load(self.file), head.removeprefix("python-"))().result
+                answer = getattr(afmcalc.load(self.file), head.removeprefix("python-"))()
             elif head == "report":
                 answer = rows_of(self.run("report", self.file).out)
             else:

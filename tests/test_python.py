@@ -47,11 +47,11 @@ def test_python_answers_what_a_command_prints(example, keys, name, given, argume
     answer = getattr(package.load(CONFIGS / f"{example}.toml", keys), name)(**given)
     options = overrides(*(f"{key}={value}" for key, value in keys.items()))
     run = afmcalc(name, *arguments, CONFIGS / f"{example}.toml", *options, "--json")
-    assert json.loads(renderer("json")(answer.output, False)) == run.json
+    assert json.loads(renderer("json")(answer._output, False)) == run.json
     assert answer.to_dict() == run.json["result"]
     assert [finding.code for finding in answer.findings] == [finding["code"] for finding in run.json["findings"]]
     assert type(answer) is ANALYSES[name].result_class
-    assert renderer("table")(answer.output, False) == str(answer)
+    assert renderer("table")(answer._output, False) == str(answer)
 
 
 def test_clutches_side_by_side_and_designs(afmcalc):
@@ -145,8 +145,7 @@ def test_an_answer_shows_itself():
     ElementTree.fromstring(f"<div>{page}</div>")
     assert "<b>" not in page
     assert all(f">{entry:g}<" in page for entry in swept.sweep[0].values)
-    assert swept._repr_markdown_() == renderer("markdown")(swept.output, False)
-    assert swept.accuracy_factor == swept.result.accuracy_factor
+    assert swept._repr_markdown_() == renderer("markdown")(swept._output, False)
 
 
 @pytest.mark.slow

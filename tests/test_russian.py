@@ -19,7 +19,7 @@ from texts import texts
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
 from afmcalc.cli.main import COMMANDS, without_lang
-from afmcalc.cli.names import DRAWINGS
+from afmcalc.cli.options import DRAWINGS
 from afmcalc.errors import AfmcalcError, chosen_language
 from afmcalc.messages import FOLDER, language, localized, say, speaking
 from afmcalc.papers import FIGURES

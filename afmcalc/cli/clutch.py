@@ -6,8 +6,7 @@ from typer import Argument, Option
 
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
-from .names import completing
-from .options import Common, SpecArgument, with_common
+from .options import Common, SpecArgument, completing
 
 if TYPE_CHECKING:
     from ..analysis.sweep import Axis
@@ -29,15 +28,13 @@ FrictionOption = Annotated[
 ]
 
 
-@with_common
 def torque(
+    common: Common,
     spec: SpecArgument = None,
     friction: FrictionOption = None,
     details: Annotated[
         bool, Option("--details", help="Also the loads of each group, the balls, the key and the stop (JSON: always).")
     ] = False,
-    *,
-    common: Common,
 ) -> None:
     """Torque, forces and accuracy over the friction range.
 
@@ -45,23 +42,21 @@ def torque(
     afmcalc torque clutch.toml
     afmcalc torque clutch.toml --friction 0.15 --friction 0.25 --json
     afmcalc torque clutch.toml --details --set control_unit.gain=0.8
-    """  # noqa: D301
+    """
     from ..render.document import with_details
 
     with with_details(details):
         common.calculate(common.clutch(spec), friction=frictions(friction))
 
 
-@with_common
 def accuracy(
+    common: Common,
     spec: SpecArgument = None,
     sweep: SweepOption = None,
     columns: Annotated[
         list[str] | None,
         Option(metavar="NAME,…", help="More columns of the sweep: quantities, such as torque_at_f_max."),
     ] = None,
-    *,
-    common: Common,
 ) -> None:
     """Accuracy factor, its limits and sensitivities, and sweeps of it.
 
@@ -70,7 +65,7 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep R --columns closing_force,torque_at_f_max
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
-    """  # noqa: D301
+    """
     if columns and not sweep:
         raise AfmcalcError("--columns are those of a sweep: give --sweep NAME with them")
     clutch = common.clutch(spec)
@@ -78,39 +73,35 @@ def accuracy(
     common.calculate(clutch, sweeps=axes_of(sweep, clutch), columns=names)
 
 
-@with_common
-def adjust(spec: SpecArgument = None, *, common: Common) -> None:
+def adjust(common: Common, spec: SpecArgument = None) -> None:
     """Both ways of setting the spring, at f_min and at mean friction.
 
     \b
     afmcalc adjust clutch.toml
     afmcalc adjust clutch.toml --set beta=1.1 --json
-    """  # noqa: D301
+    """
     common.calculate(common.clutch(spec))
 
 
-@with_common
-def overload(spec: SpecArgument = None, sweep: SweepOption = None, *, common: Common) -> None:
+def overload(common: Common, spec: SpecArgument = None, sweep: SweepOption = None) -> None:
     """Torque at which a clutch with a torque margin trips: potential, expected, actuation (S22).
 
     \b
     afmcalc overload clutch.toml
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
-    """  # noqa: D301
+    """
     clutch = common.clutch(spec)
     common.calculate(clutch, sweeps=axes_of(sweep, clutch))
 
 
-@with_common
 def life(
+    common: Common,
     spec: SpecArgument = None,
     model: Annotated[
         StressRule, Option(help="Rule for the damaging stress: the paper's, Serensen-Kinasoshvili, Goodman.")
     ] = "mean-stress",
     sweep: SweepOption = None,
-    *,
-    common: Common,
 ) -> None:
     """Cycles to failure on both sides of the clutch (S19).
 
@@ -121,24 +112,22 @@ def life(
     afmcalc life clutch.toml
     afmcalc life clutch.toml --model amplitude --set fatigue.mean_stress_sensitivity=0.1
     afmcalc life clutch.toml --sweep dT=500:1100:13
-    """  # noqa: D301
+    """
     clutch = common.clutch(spec)
     common.calculate(clutch, model=model, sweeps=axes_of(sweep, clutch, band=True))
 
 
-@with_common
 def compare(
+    common: Common,
     specs: Annotated[list[str] | None, Argument(metavar="SPEC", help="Specs to set side by side.")] = None,
     variants: Annotated[bool, Option("--variants", help="One clutch built as each possible variant.")] = False,
-    *,
-    common: Common,
 ) -> None:
     """Clutches side by side, or one clutch as each variant.
 
     \b
     afmcalc compare a.toml b.toml
     afmcalc compare clutch.toml --variants
-    """  # noqa: D301
+    """
     sources: list[str | None] = [*specs] if specs else [None]
     common.keep(*sources)
     clutches = [common.build(source) for source in sources]

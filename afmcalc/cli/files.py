@@ -103,17 +103,14 @@ def _unwritable(path: str, error: OSError) -> FileError:
 
 
 def write(content: str | bytes, path: str | None, *, force: bool = False, utf8: bool = False) -> None:
-    """Write to a file or to standard output; with ``utf8`` text on standard output is in UTF-8 whatever the locale."""
+    """Write to standard output, or to a file whole or not at all, an existing one only with ``force``.
+
+    With ``utf8`` text on standard output is in UTF-8 whatever the locale. Errors as of ``refuse``.
+    """
     if path is None or path in _STANDARD_OUTPUT:
-        put(content, utf8=utf8)
-    elif isinstance(content, str):
-        write_file(path, content.encode("utf-8", "backslashreplace"), force=force)
-    else:
-        write_file(path, content, force=force)
-
-
-def write_file(path: str, content: bytes, *, force: bool = False) -> None:
-    """Write a file whole or not at all, an existing one only with ``force``; errors as of ``refuse``."""
+        _print(content, utf8=utf8)
+        return
+    content = content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content
     try:
         target = os.path.realpath(path)
         if os.path.islink(target):
@@ -164,8 +161,8 @@ def prepare() -> None:
             stream.reconfigure(errors="backslashreplace")
 
 
-def put(content: str | bytes, *, utf8: bool = False) -> None:
-    """Write to standard output; with ``utf8`` text is in UTF-8 whatever the locale. A closed pipe is no error."""
+def _print(content: str | bytes, *, utf8: bool) -> None:
+    """Write to standard output; a closed pipe is no error."""
     try:
         if isinstance(content, str) and utf8 and not is_unicode(sys.stdout) and not sys.stdout.isatty():
             content = content.encode()

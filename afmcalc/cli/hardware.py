@@ -9,15 +9,14 @@ from ..errors import AfmcalcError, need
 from ..messages import say
 from .clutch import FrictionOption, SweepOption, axes_of, frictions
 from .files import ending_of, is_drawing, picture_of, refuse, write
-from .options import Common, SaveOption, SpecArgument, with_common
+from .options import Common, SaveOption, SpecArgument
 
 if TYPE_CHECKING:
     from ..analysis.torque import Pair
     from ..engines import Clutch
 
 
-@with_common
-def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common) -> None:
+def pocket(common: Common, spec: SpecArgument = None, save: SaveOption = None) -> None:
     """Wall angle, balls and pockets of the control unit; -o FILE.dxf or .svg draws them for the shop.
 
     \b
@@ -25,13 +24,13 @@ def pocket(spec: SpecArgument = None, save: SaveOption = None, *, common: Common
     afmcalc pocket clutch.toml -o pocket.dxf
     afmcalc pocket clutch.toml --save completed.toml
     afmcalc pocket clutch.toml --json | afmcalc torque -
-    """  # noqa: D301
+    """
     from ..analysis.synthesize import completed
 
     clutch, drawing = _clutch(common, spec, "svg", "dxf", save=save)
     if drawing:
         _draw(clutch, drawing, common)
-    result = common.ask(clutch)[0] if drawing else common.calculate(clutch).result
+    result = common.ask(clutch)[0] if drawing else common.calculate(clutch)
     if save:
         common.save_spec(clutch.spec, completed(result), save)
 
@@ -42,8 +41,8 @@ def _clutch(common: Common, spec: str | None, *kinds: str, save: str | None = No
         return common.clutch(spec, save=save), None
     drawing = picture_of(common.output, *kinds)
     refuse(common.output, save, force=common.force, inputs=[spec])
-    if drawing == "dxf":
-        need("cad")
+    if extra := {"dxf": "cad", "pdf": "pdf"}.get(drawing):
+        need(extra)
     return common.drawn(spec), drawing
 
 
@@ -55,8 +54,6 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
     from ..render.dxf import dxf
     from ..render.svg import svg
 
-    if kind == "pdf":
-        need("plot")
     request = Request([Answers(clutch)])
     with common.bar():
         if common.command == "pocket":
@@ -72,8 +69,7 @@ def _draw(clutch: "Clutch", kind: str, common: Common) -> None:
     common.save(content, common.output)
 
 
-@with_common
-def layout(spec: SpecArgument = None, *, common: Common) -> None:
+def layout(common: Common, spec: SpecArgument = None) -> None:
     """Parts in half section: do they fit, mass, inertia ([envelope]); -o FILE.svg, .dxf or .pdf draws them.
 
     The parts lie as the papers draw them. Clearances, thrust bearings, keys, splines and bolts are not counted.
@@ -82,7 +78,7 @@ def layout(spec: SpecArgument = None, *, common: Common) -> None:
     afmcalc layout clutch.toml
     afmcalc layout clutch.toml -o section.svg
     afmcalc layout clutch.toml --set envelope.length='200 mm' --json
-    """  # noqa: D301
+    """
     clutch, drawing = _clutch(common, spec, "svg", "dxf", "pdf")
     if drawing:
         _draw(clutch, drawing, common)
@@ -90,8 +86,8 @@ def layout(spec: SpecArgument = None, *, common: Common) -> None:
         common.calculate(clutch)
 
 
-@with_common
 def springs(
+    common: Common,
     spec: SpecArgument = None,
     sort: Annotated[
         SpringOrder | None,
@@ -105,8 +101,6 @@ def springs(
         Option(metavar="N", help="Take candidate N; repeat for the other spring. --save writes the spec."),
     ] = None,
     save: SaveOption = None,
-    *,
-    common: Common,
 ) -> None:
     """Disc stacks and coil springs that give the forces and stiffnesses of a clutch, within the room there is.
 
@@ -118,7 +112,7 @@ def springs(
     afmcalc springs clutch.toml --set closing_spring.room.outer_diameter='120 mm' --top 20
     afmcalc springs clutch.toml --pick 3 --save sprung.toml
     afmcalc springs clutch.toml --pick 3 --json | afmcalc check -
-    """  # noqa: D301
+    """
     if save and not pick:
         raise AfmcalcError("--save writes the spec with the springs of --pick: give both")
     if not pick:
@@ -155,8 +149,8 @@ def _written(value: object, key: str) -> str:
     return ", ".join(f"{name} = {each}" for name, each in shown.items()) if isinstance(shown, dict) else str(shown)
 
 
-@with_common
 def simulate(
+    common: Common,
     spec: SpecArgument = None,
     friction: FrictionOption = None,
     sweep: SweepOption = None,
@@ -164,8 +158,6 @@ def simulate(
         str | None, Option(metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI).")
     ] = None,
     save: SaveOption = None,
-    *,
-    common: Common,
 ) -> None:
     """Simulate the drive of [drive] over time as the clutch trips, with the heat.
 
@@ -181,7 +173,7 @@ def simulate(
     afmcalc simulate drive.toml --friction 0.2 --history event.csv
     afmcalc simulate drive.toml --sweep drive.shaft_stiffness
     afmcalc simulate drive.toml --save drive-with-factor.toml
-    """  # noqa: D301
+    """
     if history == "-":
         raise AfmcalcError("--history writes a file beside the result: name one")
     points = frictions(friction)
@@ -195,7 +187,7 @@ def simulate(
         common.command = "heat"
         common.calculate(clutch)
         return
-    result = common.calculate(clutch, friction=points, sweeps=axes_of(sweep, clutch), heated=not sweep).result
+    result = common.calculate(clutch, friction=points, sweeps=axes_of(sweep, clutch), heated=not sweep)
     if history:
         _write_history(clutch, points, history, common)
     if save:
@@ -214,12 +206,11 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
     common.note(say("wrote the history to {output}", output=path))
 
 
-@with_common
-def effects(spec: SpecArgument = None, *, common: Common) -> None:
+def effects(common: Common, spec: SpecArgument = None) -> None:
     """Effects that the torque law neglects, in numbers: centrifugal force, wear, friction of the parts.
 
     \b
     afmcalc effects clutch.toml
     afmcalc effects clutch.toml --set friction_group.spline_friction=0.15 --json
-    """  # noqa: D301
+    """
     common.calculate(common.clutch(spec))

@@ -5,7 +5,7 @@ import os
 import sys
 import warnings
 from importlib import import_module
-from typing import Annotated, Any, NoReturn, TypeAlias
+from typing import Annotated, Any, NoReturn
 
 import typer
 from typer import Argument, Option
@@ -16,19 +16,18 @@ from ..errors import OPTION, AfmcalcError, chosen_language, reason, unexpected
 from ..messages import deferred, did_you_mean, say, speaking, translate
 from ..units import table
 from .files import drop_output, prepare, tell
-from .names import Named, names_of
-from .options import COMMON
+from .options import COMMON, Named, names_of, with_common
 
-Context: TypeAlias = Any
+Context = Any
 """Context, formatter or error of the parser behind typer, which has no public types for them."""
 
 PANELS = {
-    "Everyday": table("init check = specs; torque = clutch; design = searches; report = report; serve = serve"),
+    "Everyday": table("init check = specs; torque = clutch; design = searches; report = documents; serve = serve"),
     "Questions": table("""\
 accuracy adjust overload life = clutch; tolerance solve = searches; compare = clutch; explain = papers;
-plot = plot"""),
+plot = documents"""),
     "Parts and drive": table("pocket springs layout simulate effects = hardware"),
-    "Theory and lists": table("papers = papers; handbook = report; list = papers; schema = specs"),
+    "Theory and lists": table("papers = papers; handbook = documents; list = papers; schema = specs"),
 }
 """Heading in the help → command → module of this package that has the function of the command."""
 COMMANDS = {name: module for panel in PANELS.values() for name, module in panel.items()}
@@ -125,7 +124,7 @@ def application(arguments: list[str]) -> Any:
     app.callback()(_afmcalc)
     for name in [called] if called else _MODULES:
         module = import_module(f".{_MODULES[name]}", __package__)
-        app.command(name)(getattr(module, f"{name}_" if name == "list" else name))
+        app.command(name)(with_common(getattr(module, f"{name}_" if name == "list" else name)))
     program: Any = typer.main.get_command(app)
     if called and not {"-h", "--help"} & {*arguments}:
         return program  # its help is not shown and therefore not translated
@@ -178,10 +177,11 @@ def _afmcalc(
     SPEC is a TOML or JSON file, - for standard input, or example:NAME; without it an example is calculated.
     afmcalc help options|keys|quantities|plots: options of every command, and names that can be given.
     Exit codes: 0 done, 1 a check failed, 2 wrong input or no answer, 3 a file cannot be read or written.
-    """  # noqa: D301
+    """
 
 
-TOPICS = ("options", "keys", "quantities", "plots")
+TOPICS = {"options": [], "keys": ["swept", "path"], "quantities": ["target"], "plots": ["plot"]}
+"""Topic of the help → kinds of names that it lists; the options are listed by themselves."""
 
 
 def help(
@@ -199,7 +199,7 @@ def help(
     \b
     afmcalc help options
     afmcalc help quantities
-    """  # noqa: D301
+    """
     if topic not in TOPICS:
         hint = did_you_mean(topic, [*TOPICS, *COMMANDS])
         raise AfmcalcError("no help on {topic!r:.80}{hint}; topics: {topics}", topic=topic, hint=hint, topics=[*TOPICS])
@@ -209,9 +209,8 @@ def help(
 
     from ..render.formats.table import columns
 
-    kinds = {"options": [], "keys": ["swept", "path"], "quantities": ["target"], "plots": ["plot"]}[topic]
     grid = Table.grid(padding=(0, 2))
-    for name, about in (row for kind in kinds for row in names_of(kind)) if kinds else _common_options():
+    for name, about in [row for kind in TOPICS[topic] for row in names_of(kind)] or _common_options():
         grid.add_row(Text(name, no_wrap=True), Text(about))
     Console(width=columns(terminal=True), height=1, highlight=False).print(grid)
 

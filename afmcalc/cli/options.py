@@ -1,4 +1,4 @@
-"""Common options of the commands; reading the spec, running the calculation, printing the output."""
+"""Names that can be given on a command line; common options; reading the spec, calculating, printing the output."""
 
 import inspect
 import os
@@ -14,16 +14,58 @@ from typer import Argument, Option
 from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, need
-from ..messages import is_unicode, say
+from ..messages import is_unicode, native, say, translate
 from ..progress import bar
 from .files import ending_of, format_of, refuse, tell, write
-from .names import completing
 
 if TYPE_CHECKING:
     from ..engines import Clutch
     from ..findings import Finding
-    from ..result import Output
     from ..spec import Spec
+
+Named = list[tuple[str, str]]
+"""Pairs of a name and its meaning."""
+
+
+def names_of(kind: str) -> Named:
+    """Names of a kind (plot, example, target, path, swept; any other kind: symbols), each with its meaning."""
+    from ..analysis.registry import PLOTS
+    from ..equations.terms import TERMS
+    from ..spec.keys import ALIASES, keys
+    from ..spec.parse import example_names
+
+    about = {path: translate(key.description) for path, key in keys().items()}
+    symbols = [(symbol, f"{path}, {about[path].partition(';')[0]}") for symbol, path in ALIASES.items()]
+    match kind:
+        case "plot":
+            return [(name, translate(plot.about)) for name, plot in PLOTS.items() if name not in DRAWINGS]
+        case "example":
+            return [(name, "") for name in example_names()]
+        case "target":
+            from ..analysis.solve import is_quantity
+
+            terms = {name: own for name, own in TERMS.items() if is_quantity(name)}
+            named = {name: f"{native(own.symbol)}, {translate(own.meaning)}" for name, own in terms.items()}
+            required = [key for key in keys().values() if key.path.startswith("requirements.")]
+            for key in required:
+                meaning = about[key.path].partition(",")[0]
+                named[key.path.partition(".")[2]] = f"{native(key.symbol or '')}, {meaning}"
+            return [*named.items()]
+        case "path":
+            return [*about.items()]
+        case "swept":
+            return [("zC", translate("reduced gain")), *symbols]
+    return symbols
+
+
+DRAWINGS = {"section": "layout", "layout": "layout", "pocket": "pocket", "synthesize": "pocket"}
+"""Drawing to scale, which is not a plot → the command that writes the drawing with --output."""
+
+
+def completing(kind: str, end: str = "") -> Callable[[str], Named]:
+    """Completion callback for a kind: names that begin with the typed text, each followed by ``end``."""
+    return lambda incomplete: [(name + end, about) for name, about in names_of(kind) if name.startswith(incomplete)]
+
 
 SpecArgument = Annotated[
     str | None,
@@ -147,10 +189,11 @@ class Common:
         self.keep(source, **others)
         return self.build(source)
 
-    def calculate(self, clutch: "Clutch", **options: object) -> "Output":
-        """Run the command's analysis on a clutch; print its output and return it."""
+    def calculate(self, clutch: "Clutch", **options: object) -> Any:
+        """Run the command's analysis on a clutch; print its output and return its result."""
         result, findings = self.ask(clutch, **options)
-        return self.emit(result, findings, clutch.spec)
+        self.emit(result, findings, clutch.spec)
+        return result
 
     def keep_without_clutch(self) -> None:
         """Check the output path of a command that reads no spec; ``--set`` is an error."""
@@ -169,18 +212,24 @@ class Common:
         with self.bar():
             return ANALYSES[self.command].function(*arguments, **options)
 
-    def emit(self, result: Any, findings: "list[Finding]", spec: "Spec | None" = None) -> "Output":
-        """Write a result in the chosen format to standard output or a file; return it as an output."""
+    def emit(self, result: Any, findings: "list[Finding]", spec: "Spec | None" = None) -> None:
+        """Write a result in the chosen format to standard output or a file; the heat of an event is a second table."""
+        from ..render import renderer
         from ..result import Output
         from ..spec import resolved
 
-        chosen = self.chosen_format
+        chosen, heat = self.chosen_format, getattr(result, "heat", None)
         if self.quiet and chosen != "json" and not result.findings_first:
             findings = [each for each in findings if each.level == "error" or each.code == "number-without-unit"]
-        output = Output(self.command, __version__, resolved(spec) if spec else None, result, findings)
-        text = self._rendered(output, chosen)
-        if self.default and chosen in ("table", "markdown"):
-            text = f"{_no_spec(self.default)}\n\n{text}"
+        outputs = [Output(self.command, __version__, resolved(spec) if spec else None, result, findings)]
+        text = ""
+        if chosen in ("table", "markdown"):
+            text = f"{_no_spec(self.default)}\n\n" if self.default else ""
+            if heat:
+                event = replace(outputs[0], result=result.model_copy(update={"heat": None}), findings=[])
+                outputs = [event, replace(outputs[0], command="heat", result=heat)]
+        terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+        text += "\n".join(renderer(chosen)(output, terminal) for output in outputs)
         if chosen == "json" and self.output in (None, "-") and not is_unicode(sys.stdout):
             from ..render.formats import in_ascii
 
@@ -191,18 +240,6 @@ class Common:
 
             for line in findings_lines(findings):
                 print(line, file=sys.stderr)
-        return output
-
-    def _rendered(self, output: "Output", chosen: str) -> str:
-        """Text of an output; the heat of an event follows it in a separate table."""
-        from ..render import renderer
-
-        terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
-        render, heat = renderer(chosen), getattr(output.result, "heat", None)
-        if chosen not in ("table", "markdown") or heat is None:
-            return render(output, terminal)
-        event = replace(output, result=output.result.model_copy(update={"heat": None}), findings=[])
-        return f"{render(event, terminal)}\n{render(replace(output, command='heat', result=heat), terminal)}"
 
     def save(self, content: bytes, path: str | None) -> None:
         """Write a document or picture to standard output, or to a file with a note about it."""
@@ -225,42 +262,44 @@ def _no_spec(default: str) -> str:
     return say("no SPEC given: this is {default} (afmcalc init writes a spec to start from)", default=default)
 
 
-def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a command the common options, which it receives as ``common``.
+_PAGES = "HTML file, or PDF by its name; without it HTML to standard output."
+_DOCUMENTS = {
+    "report": _PAGES,
+    "handbook": _PAGES,
+    "plot": "File, .png, .svg or .pdf; without it SVG to standard output.",
+}
+"""Command that writes a document, which has no formats and units → help of its ``--output``."""
 
-    ``output_help``: help of ``--output`` for a command that writes a document, which has no formats and units.
-    """
+
+def with_common(function: Callable[..., None]) -> Callable[..., None]:
+    """Command with the common options, which the function receives as ``common`` if it has such a parameter."""
+    own = inspect.signature(function, eval_str=True).parameters
+    if "common" not in own:
+        return function
+    name = function.__name__.rstrip("_")
     options = {option.name: (option.type, option.default) for option in fields(Common)[1:-1]}
-    if output_help:
-        options = {name: options[name] for name in ("set", "output", "force", "quiet")}
-        options["output"] = (Annotated[str | None, output_option(output_help)], None)
+    if name in _DOCUMENTS:
+        options = {each: options[each] for each in ("set", "output", "force", "quiet")}
+        options["output"] = (Annotated[str | None, output_option(_DOCUMENTS[name])], None)
+    parameters = [parameter for parameter in own.values() if parameter.name != "common"]
+    parameters += [
+        inspect.Parameter(each, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
+        for each, (annotation, default) in options.items()
+    ]
 
-    def decorate(function: Callable[..., None]) -> Callable[..., None]:
-        parameters = [p for p in inspect.signature(function, eval_str=True).parameters.values() if p.name != "common"]
-        parameters += [
-            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
-            for name, (annotation, default) in options.items()
-        ]
+    @wraps(function)
+    def command(**arguments: Any) -> None:
+        common = Common(name, **{each: arguments.pop(each) for each in options})
+        if common.units == "engineer":
+            return function(**arguments, common=common)
+        from ..render.amounts import shown_in
 
-        @wraps(function)
-        def command(**arguments: Any) -> None:
-            common = Common(function.__name__.rstrip("_"), **{name: arguments.pop(name) for name in options})
-            if common.units == "engineer":
-                return function(**arguments, common=common)
-            from ..render.amounts import shown_in
+        with shown_in(common.units):
+            return function(**arguments, common=common)
 
-            with shown_in(common.units):
-                return function(**arguments, common=common)
-
-        command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-        command.__annotations__ = {p.name: p.annotation for p in parameters}
-        del command.__wrapped__
-        return command
-
-    return decorate
-
-
-with_common = common_options()
+    command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    command.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+    return command
 
 
 def need_drawing(extra: str) -> None:

@@ -7,11 +7,11 @@ from typer import Argument, Option
 from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
 from .files import write
-from .options import Common, SpecArgument, with_common
+from .options import Common, SpecArgument
 
 
-@with_common
 def explain(
+    common: Common,
     command: Annotated[
         str,
         Argument(
@@ -21,8 +21,6 @@ def explain(
     ],
     spec: SpecArgument = None,
     model: Annotated[StressRule | None, Option(help="For life: the rule for the damaging stress.")] = None,
-    *,
-    common: Common,
 ) -> None:
     """A calculation step by step, or what the code of an error or warning means and which keys clear it.
 
@@ -30,7 +28,7 @@ def explain(
     afmcalc explain torque clutch.toml
     afmcalc explain overload --format markdown > overload.md
     afmcalc explain contact-force-exceeded clutch.toml
-    """  # noqa: D301
+    """
     from ..papers.handbook_text import sections
 
     if model and command != "life":
@@ -45,8 +43,8 @@ def explain(
     common.emit(result, findings, given)
 
 
-@with_common
 def papers(
+    common: Common,
     paper: Annotated[list[str] | None, Option(metavar="KEY", help="F11, S19, S21 or S22; repeatable.")] = None,
     id_: Annotated[
         list[str] | None, Option("--id", metavar="ID", help='A formula, e.g. "S21 (15)"; repeatable.')
@@ -60,8 +58,6 @@ def papers(
             help="With --claims: the points of a figure's curves, e.g. S22-3; repeatable.",
         ),
     ] = None,
-    *,
-    common: Common,
 ) -> None:
     """Every formula of the papers and what implements it; their misprints; their claims recomputed.
 
@@ -72,7 +68,7 @@ def papers(
     afmcalc papers --id "S21 (15)"
     afmcalc papers --misprints
     afmcalc papers --claims --paper S22 --format csv
-    """  # noqa: D301
+    """
     if figure and not claims:
         raise AfmcalcError("--figure belongs to --claims")
     if not claims:
@@ -83,8 +79,8 @@ def papers(
         common.without_clutch("claims", paper or [], figure)
 
 
-@with_common
 def list_(
+    common: Common,
     what: Annotated[
         Literal["materials", "examples", "discs", "balls"],
         Argument(metavar="WHAT", help="materials, examples, discs or balls."),
@@ -93,8 +89,6 @@ def list_(
         str | None,
         Argument(metavar="NAME", help="An example, to print its file; else a SPEC, for the lists of its [catalogues]."),
     ] = None,
-    *,
-    common: Common,
 ) -> None:
     """Lists that ship: friction materials, examples (SPEC may be example:NAME), disc springs, balls.
 
@@ -103,7 +97,7 @@ def list_(
     afmcalc list examples
     afmcalc list examples conveyor > conveyor.toml
     afmcalc list balls clutch.toml
-    """  # noqa: D301
+    """
     if what == "examples":
         if name is None:
             common.without_clutch("examples")

@@ -6,12 +6,11 @@ from typer import Argument, Option
 
 from ..errors import AfmcalcError
 from ..messages import say
-from .names import completing
-from .options import Common, SaveOption, SpecArgument, with_common
+from .options import Common, SaveOption, SpecArgument, completing
 
 
-@with_common
 def solve(
+    common: Common,
     target: Annotated[
         str,
         Argument(
@@ -32,8 +31,6 @@ def solve(
     ] = "C",
     save: SaveOption = None,
     beyond_limit: Annotated[bool, Option("--beyond-limit", help="Search beyond the gain limit.")] = False,
-    *,
-    common: Common,
 ) -> None:
     """Find the value of one key that gives a wanted quantity.
 
@@ -47,7 +44,7 @@ def solve(
     afmcalc solve --for F nominal_torque="250 N*m" clutch.toml --json | afmcalc torque -
     afmcalc solve --for z torque_max=300 clutch.toml --save solved.toml
     afmcalc solve --for F peak_torque=450 drive.toml
-    """  # noqa: D301
+    """
     from ..analysis.solve import parse_target
     from ..spec.edit import value_at
 
@@ -64,12 +61,7 @@ def solve(
         common.save_spec(clutch.spec, {result.path: value_at(solved.spec, result.path)}, save, solved.spec)
 
 
-@with_common
-def tolerance(
-    spec: SpecArgument = None,
-    *,
-    common: Common,
-) -> None:
+def tolerance(common: Common, spec: SpecArgument = None) -> None:
     """Scatter of the torque under tolerances: quantiles, risks, life, and which input causes most of it.
 
     The tolerances stand in the [tolerance] block of the spec; afmcalc init --kind tolerance writes an example.
@@ -77,12 +69,12 @@ def tolerance(
     \b
     afmcalc tolerance clutch.toml
     afmcalc tolerance clutch.toml --set tolerance.samples=2_000_000 --json
-    """  # noqa: D301
+    """
     common.calculate(common.clutch(spec))
 
 
-@with_common
 def design(
+    common: Common,
     spec: Annotated[str, Argument(metavar="SPEC", help="TOML or JSON file with a [search], - for standard input.")],
     pick: Annotated[
         str | None, Option(metavar="N|compromise", help="Take this clutch of the front; --save writes it.")
@@ -95,8 +87,6 @@ def design(
         str | None,
         Option(metavar="QUANTITY", help="Sort the front by a numeric column, by its name in JSON; smallest first."),
     ] = None,
-    *,
-    common: Common,
 ) -> None:
     """Best clutches for given requirements: the Pareto front of a grid.
 
@@ -109,7 +99,7 @@ def design(
     afmcalc design requirements.toml --sort accuracy_factor --all
     afmcalc design requirements.toml --pick compromise --save clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
-    """  # noqa: D301
+    """
     from ..analysis.design import picked, shown
 
     common.keep(spec, save=save)

@@ -11,21 +11,19 @@ from typer import Option
 
 from ..errors import AfmcalcError, FileError, reason
 from ..messages import say
-from .files import tell, write_file
-from .options import Common, SpecArgument, need_drawing, with_common
+from .files import tell, write
+from .options import Common, SpecArgument, need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
 
 
-@with_common
 def serve(
+    common: Common,
     spec: SpecArgument = None,
     port: Annotated[int, Option(min=0, max=65535, help="Port of this machine; 0: any that is free.")] = 0,
     browser: Annotated[bool, Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
     save: Annotated[str | None, Option(metavar="FILE", help="File that the page saves the spec to.")] = None,
-    *,
-    common: Common,
 ) -> None:
     """A page in the browser on which a clutch is designed live; Ctrl-C ends it.
 
@@ -36,7 +34,7 @@ def serve(
     afmcalc serve clutch.toml
     afmcalc serve clutch.toml --save changed.toml
     afmcalc serve clutch.toml --force --no-browser --port 8000
-    """  # noqa: D301
+    """
     need_drawing("web")
     import webbrowser
     from pathlib import Path
@@ -46,8 +44,7 @@ def serve(
     from uvicorn import Config, Server
 
     from ..render.amounts import shown_in
-    from ..web.app import Page, Target
-    from ..web.connections import protocol
+    from ..web.app import Page, Target, protocol
     from ..web.form import Base
 
     if common.output or common.json or common.format:
@@ -58,11 +55,11 @@ def serve(
     base = Base(source, source.text, spec, tuple(common.overrides), source.digest)
     target = save or (spec if common.force and spec and os.path.isfile(spec) else "")
 
-    def write(changed: "Spec", force: bool) -> None:  # noqa: FBT001
+    def rewrite(changed: "Spec", force: bool) -> None:
         common.force = force
         common.save_spec(changed, {}, target)
 
-    file = Target(target, write)
+    file = Target(target, rewrite)
     listening, token = _listen(port), token_urlsafe(24)
     port = listening.getsockname()[1]
 
@@ -72,7 +69,7 @@ def serve(
         sys.stderr.flush()
         if browser:
             start = os.path.join(folder, "afmcalc.html")
-            write_file(start, f'<meta http-equiv="refresh" content="0; url={url}">'.encode())
+            write(f'<meta http-equiv="refresh" content="0; url={url}">', start)
             # in a thread, because a browser that runs in the terminal blocks
             Thread(target=webbrowser.open, args=[Path(start).as_uri()], daemon=True).start()
 

@@ -1,6 +1,6 @@
 """Commands about the spec itself: init, check, schema."""
 
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal
 
 import typer
 from typer import Argument, Option
@@ -8,10 +8,9 @@ from typer import Argument, Option
 from ..errors import AfmcalcError, SpecError
 from ..messages import native, say, translate
 from .files import refuse, write
-from .names import completing
-from .options import Common, ForceOption, QuietOption, SpecArgument, output_option, with_common
+from .options import Common, ForceOption, QuietOption, SpecArgument, completing, output_option
 
-Kind: TypeAlias = Literal["machine", "clutch", "drive", "tolerance"]
+Kind = Literal["machine", "clutch", "drive", "tolerance"]
 _COMMAND = {"machine": "design", "clutch": "torque", "drive": "simulate", "tolerance": "tolerance"}
 """Kind of a template → the command that calculates it."""
 
@@ -45,7 +44,7 @@ def init(
     afmcalc init clutch.toml
     afmcalc init indirect.toml --from indirect
     afmcalc init driven.toml --kind drive
-    """  # noqa: D301
+    """
     from ..spec.parse import PREFIX, example_text
     from ..spec.write import annotated
 
@@ -67,20 +66,18 @@ def _described(part: dict[str, Any]) -> dict[str, Any]:
     return {name: said[name](each) if name in said and isinstance(each, str) else each for name, each in part.items()}
 
 
-@with_common
 def check(
+    common: Common,
     spec: SpecArgument = None,
     strict: Annotated[bool, Option("--strict", help="Warnings fail the check too.")] = False,
     verbose: Annotated[bool, Option("--verbose", "-v", help="Show every check and note; JSON and CSV do.")] = False,
-    *,
-    common: Common,
 ) -> None:
     """Verdict, requirements, limits and findings; exit code 1 if one is an error.
 
     \b
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
-    """  # noqa: D301
+    """
     from ..analysis.check import brief
     from ..render.document import with_details
 
@@ -117,7 +114,7 @@ def schema(
     \b
     afmcalc schema > clutch.schema.json
     afmcalc schema torque
-    """  # noqa: D301
+    """
     import json
 
     from ..analysis.registry import schema as schema_of

@@ -1,11 +1,10 @@
 """Engineer's units (or SI) and significant figures for people; JSON and CSV stay in SI."""
 
 import math
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from contextvars import ContextVar
 
-from ..messages import latin, localized, printable, spoken, translate, with_unit
+from ..messages import latin, localized, printable, spoken, translate, with_unit, within
 from ..units import ENGINEER, in_unit, per_si, typeset
 
 CHOICES: dict[str, dict[str, str]] = {"engineer": ENGINEER, "si": {}}
@@ -29,14 +28,9 @@ _IN_ENGLISH = {
 """Word that is a value in a spec or in JSON → words shown to people instead."""
 
 
-@contextmanager
-def shown_in(name: str) -> Iterator[None]:
-    """Show quantities in the units ``name``, a key of ``CHOICES``, until the end of the ``with`` block."""
-    before = _chosen.set(CHOICES[name])
-    try:
-        yield
-    finally:
-        _chosen.reset(before)
+def shown_in(name: str) -> AbstractContextManager[None]:
+    """Context in which quantities are shown in the units ``name``, a key of ``CHOICES``."""
+    return within(_chosen, CHOICES[name])
 
 
 def shown_unit(unit: str) -> str:

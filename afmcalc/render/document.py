@@ -1,27 +1,19 @@
 """Layout of a result: single values, triples, tables. All formats for people, CSV and the report write this layout."""
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from contextvars import ContextVar
+from functools import partial
 from itertools import chain
 from typing import Any, NamedTuple
 
-from ..messages import translate
+from ..messages import translate, within
 from ..result import OpenTriple, Result, Series, Shown, Triple, shown_as
 
 ENDS = {"min": "at f_min", "mean": "at mean f", "max": "at f_max"}
 """Field of a triple → its friction, in the words of a heading."""
 _with_details = ContextVar("with_details", default=False)
-
-
-@contextmanager
-def with_details(asked: bool) -> Iterator[None]:
-    """If ``asked``, include the columns of details in layouts made inside the ``with`` block."""
-    before = _with_details.set(asked)
-    try:
-        yield
-    finally:
-        _with_details.reset(before)
+with_details = partial(within, _with_details)
+"""Context in which layouts include the columns of details, if that is asked."""
 
 
 class Column(NamedTuple):

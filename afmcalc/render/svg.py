@@ -43,7 +43,7 @@ def picture(text: str, ending: str) -> bytes:
     """File of an SVG on white: the SVG itself, or PNG or PDF set by Typst with the fonts of matplotlib."""
     if ending == "svg":
         return text.encode()
-    need("pdf", "typst")
+    need("pdf")
     import typst
     from matplotlib import get_data_path
 

@@ -54,11 +54,6 @@ def replaced(spec: Spec, paths: Iterable[str]) -> dict[str, str]:
     }
 
 
-def without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
-    """Spec without the keys that ``paths`` replace; the friction of a replaced material stays as numbers."""
-    return with_values(spec, _instead(spec, paths))
-
-
 def _instead(spec: Spec, paths: Iterable[str]) -> dict[str, object]:
     """Values to set with the keys at ``paths``: None for replaced keys, numbers for the friction of a material."""
     values: dict[str, object] = dict.fromkeys(replaced(spec, paths))
@@ -84,13 +79,13 @@ def with_values(model: M, values: Mapping[str, object]) -> M:
 
 def with_key(spec: Spec, path: str, value: Values) -> Spec:
     """Copy of a spec with an unvalidated value (number or array) of a key, without the keys that the key replaces."""
-    return with_values(without_replaced(spec, [path]), {path: value})
+    return with_values(spec, {**_instead(spec, [path]), path: value})
 
 
 def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:
     """Validated spec with other values of some keys (None removes a key), without the keys that these replace."""
     given = [path for path, value in values.items() if value is not None]
-    data = without_replaced(spec, given).model_dump(exclude_none=True)
+    data = with_values(spec, _instead(spec, given)).model_dump(exclude_none=True)
     for path, value in values.items():
         put(data, path, value)
     return make_spec(data, spec.label.but(values))

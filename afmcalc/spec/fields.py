@@ -3,7 +3,7 @@
 from abc import abstractmethod
 from collections.abc import Iterable, Sequence
 from functools import cache
-from typing import Annotated, Any, Literal, NamedTuple, Self, TypeAlias, get_args, get_origin
+from typing import Annotated, Any, Literal, NamedTuple, Self, get_args, get_origin
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic.fields import FieldInfo
@@ -11,7 +11,7 @@ from pydantic.fields import FieldInfo
 from ..messages import say
 from .quantity import Quantity, positive
 
-Broken: TypeAlias = tuple[str, str]
+Broken = tuple[str, str]
 """Violation of a rule: dotted path of the key, relative to the table, and message."""
 
 

@@ -60,9 +60,26 @@ class Source(str):
         """Line of the key at a dotted path of a TOML text, or of its table if the key is missing; None if unknown."""
         if not path or is_json(self) or any(f"{path}.".startswith(f"{gone}.") for gone in self.overridden):
             return None
-        lines = self.text.split("\n")
-        number = _toml_line(lines, path)
-        return Place(number, lines[number - 1]) if number else None
+        best, found, table = "", None, ""
+        for number, line in enumerate(self.text.split("\n"), start=1):
+            if line.lstrip()[:1] == "[" and (head := line.split("#")[0].strip()).endswith("]"):
+                name = table = _bare(head.strip("[]"))
+            elif match := re.match(_KEY, line):
+                name = f"{table}.{_bare(match[1])}" if table else _bare(match[1])
+            else:
+                continue
+            if f"{path}.".startswith(f"{name}.") and len(name) > len(best):
+                best, found = name, Place(number, line)
+        return found
+
+
+_NAME = r"""(?:[\w-]+|"[^"]*"|'[^']*')"""
+_KEY = rf"\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*="
+"""Pattern of a key at the beginning of a line."""
+
+
+def _bare(key: str) -> str:
+    return re.sub(r"""["'\s]""", "", key)
 
 
 PREFIX = "example:"
@@ -124,12 +141,10 @@ def text_of(source: str | PathLike[str] | None) -> Source:
         else:
             with open(source, "rb") as file:
                 raw = file.read(LONGEST + 1)
-    except FileNotFoundError as error:
-        hint = _nearest(label)
-        raise FileError("{label}: cannot be read: {why}{hint}", label=label, why=reason(error), hint=hint) from None
     except (OSError, ValueError) as error:
         why = reason(error) if isinstance(error, OSError) else error
-        raise FileError("{label}: cannot be read: {why}", label=label, why=why) from None
+        hint = _nearest(label) if isinstance(error, FileNotFoundError) else ""
+        raise FileError("{label}: cannot be read: {why}{hint}", label=label, why=why, hint=hint) from None
     if len(raw) > LONGEST:
         raise _refused(label, say("is larger than {most} MiB, the most that is read", most=LONGEST >> 20))
     if raw.startswith(b"%PDF"):
@@ -158,8 +173,7 @@ def _at_line(source: Source, number: int, message: str) -> SpecError:
     """Error of a parser at a line number; 0 means the last line."""
     lines = source.text.rstrip().split("\n")
     number = number or len(lines)
-    text = lines[number - 1] if number <= len(lines) else ""
-    return SpecError(source, [Problem("", None, message, Place(number, text))])
+    return SpecError(source, [Problem("", None, message, Place(number, "".join(lines[number - 1 : number])))])
 
 
 def parse(source: Source) -> dict[str, object]:
@@ -198,19 +212,10 @@ def _toml_of(source: Source) -> dict[str, object]:
 
 
 def _json_of(source: Source) -> dict[str, object]:
-    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
-        data = dict(pairs)
-        if len(data) < len(pairs):
-            twice = next(key for place, (key, _) in enumerate(pairs) if key in dict(pairs[:place]))
-            raise _refused(source, say("is not a spec: key {key!r} stands twice in one JSON object", key=twice))
-        return data
-
     try:
-        data = json.loads(source.text, object_pairs_hook=unique)
+        data = json.loads(source.text)
     except json.JSONDecodeError as error:
         raise _at_line(source, error.lineno, say("is not valid JSON: {why}", why=error.msg)) from None
-    except AfmcalcError:
-        raise
     except ValueError:
         raise _refused(source, say("is not valid JSON: {why}", why=too_long())) from None
     if not isinstance(data, dict):
@@ -235,26 +240,3 @@ def check_size(data: object, label: str) -> None:
             left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
         elif isinstance(value, list):
             left += [(path, depth + 1, inner) for inner in value]
-
-
-_NAME = r"""(?:[\w-]+|"[^"]*"|'[^']*')"""
-_KEY = rf"\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*="
-
-
-def _toml_line(lines: Iterable[str], path: str) -> int:
-    """Line number of ``key =`` under its ``[table]``, else of the innermost enclosing table or key; 0 without any."""
-    best, number, table = "", 0, ""
-    for at, line in enumerate(lines, start=1):
-        if line.lstrip()[:1] == "[" and (head := line.split("#")[0].strip()).endswith("]"):
-            name = table = _bare(head.strip("[]"))
-        elif match := re.match(_KEY, line):
-            name = f"{table}.{_bare(match[1])}" if table else _bare(match[1])
-        else:
-            continue
-        if f"{path}.".startswith(f"{name}.") and len(name) > len(best):
-            best, number = name, at
-    return number
-
-
-def _bare(key: str) -> str:
-    return re.sub(r"""["'\s]""", "", key)

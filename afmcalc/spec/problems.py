@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Callable, Mapping
-from typing import TypeAlias
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
@@ -34,7 +33,7 @@ _SENTENCES = {
 }
 """Pydantic's type of an error → message, if the message needs no details."""
 
-Elsewhere: TypeAlias = Callable[[str], str]
+Elsewhere = Callable[[str], str]
 """Function from the name of an unknown key to a hint on other tables that have a key of this name."""
 
 

@@ -102,8 +102,7 @@ _RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
 def asked_unit(value: object, unit: str | None, path: str = "") -> Finding | None:
     """Warning about a number without a unit that is probably not meant in SI; None for any other value.
 
-    Raises:
-        ValueError: the number is too large to be meant in SI.
+    Raises ValueError if the number is too large to be meant in SI.
 
     >>> asked_unit(2, "N", "force").message, asked_unit("2 N", "N")
     ('force: a number without a unit is in SI, 2 N; 2 kN? Write "2 kN" or "2 N"', None)

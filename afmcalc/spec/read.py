@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Collection, Iterable, Mapping, MutableMapping
 from copy import deepcopy
 from os import PathLike
-from typing import Any, TypeAlias
+from typing import Any
 
 from pydantic import ValidationError
 
@@ -15,16 +15,15 @@ from ..findings import Finding
 from ..messages import did_you_mean, say
 from .catalogues import READ, Lists
 from .fields import Broken, names_in
-from .keys import elsewhere, key_of_number, names, path_of
+from .keys import OLD, elsewhere, key_of_number, moved_in, names, path_of
 from .models import Spec
 from .parse import PREFIX, Source, check_size, is_json, parse, text_of, too_deep, too_long
 from .problems import given_at, instead_of, problems_in
 from .quantity import asked_unit
-from .removed import OLD, moved_in
 from .rules import Table, given_in
 from .search import flat
 
-Overrides: TypeAlias = Collection[str] | Mapping[str, object]
+Overrides = Collection[str] | Mapping[str, object]
 """Texts ``path=value``, where an empty value removes the key; or path → value, where None removes it."""
 
 _SEARCH = "search."

@@ -1,14 +1,13 @@
 """Rules between the keys of a spec: exclusion, dependence, keys foreign to a variant."""
 
 from collections.abc import Iterator, Mapping
-from typing import TypeAlias
 
 from ..messages import filled, say
 from ..variants import VARIANTS, foreign_keys, special_keys
 from .fields import Broken
 from .quantity import is_number
 
-Table: TypeAlias = Mapping[str, object]
+Table = Mapping[str, object]
 """Table of a spec as plain data."""
 
 _TABLE = """\

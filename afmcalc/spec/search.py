@@ -1,7 +1,7 @@
 """Search space of ``design``: the [search] block of a spec, with the keys to vary and the values of each key."""
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, TypeAlias
+from typing import Annotated
 
 from pydantic import BaseModel, WithJsonSchema
 
@@ -19,8 +19,8 @@ _NOT_VARIED = ("search", "objectives", "name", "requirements.", "tolerance.", "c
 _DIGITS = 12
 """Significant digits of the inner values of a range."""
 
-Values: TypeAlias = tuple[int | float | str, ...]
-Axes: TypeAlias = dict[str, Values]
+Values = tuple[int | float | str, ...]
+Axes = dict[str, Values]
 """Path → values to try, numbers in SI."""
 _WRITTEN = {"anyOf": [{"type": name} for name in ("string", "number", "array", "object")]}
 Search = Annotated[Axes, WithJsonSchema({"type": "object", "additionalProperties": _WRITTEN})]

@@ -132,7 +132,7 @@ def _target(name: str) -> Key:
 
 
 def _pdf(state: State) -> bytes:
-    need("pdf", "typst")
+    need("pdf")
     return print_pdf(report(Subject(dossier(state.spec), state.overrides)))[0]
 
 

@@ -1,4 +1,4 @@
-"""HTTP server of the page: access, routes, and the worker that answers each request."""
+"""HTTP server of the page: connections, access, routes, and the worker that answers each request."""
 
 import asyncio
 import json
@@ -16,6 +16,7 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from .. import __version__
 from ..equations.terms import term_of
@@ -24,8 +25,8 @@ from ..messages import named, say, spoken, translate
 from ..spec import Spec
 from ..spec.edit import saved
 from ..spec.parse import PREFIX, example_names, example_text, parse
-from .filled import template
 from .form import RESULTS, TUNED, Base, State, form_of, refusal, refused, search_of
+from .fragments import template
 from .worker import Worker
 
 HERE = Path(__file__).parent
@@ -55,19 +56,31 @@ _OPENED = ("navigate", "document")
 """Values of Sec-Fetch-Mode and Sec-Fetch-Dest when the page is opened in a browser tab."""
 
 
-class Gate:
-    """Middleware that passes only requests of our own page, with the right host and token, and none of other sites."""
+def gate(app: ASGIApp, port: int, token: str) -> ASGIApp:
+    """Middleware that passes only requests of our own page, with the right host and token, and none of other sites.
 
-    def __init__(self, app: ASGIApp, port: int, token: str) -> None:
-        """Guard ``app``, served at ``port`` under the path ``/token/``."""
-        self._app, self._token = app, token.encode()
-        names = ("127.0.0.1", "localhost")
-        # a browser leaves out the default port of HTTP
-        self._hosts = [*(f"{name}:{port}" for name in names), *(names if port == 80 else ())]
+    ``app`` is served at ``port`` under the path ``/token/``; every response carries the security headers.
+    """
+    names = ("127.0.0.1", "localhost")
+    # a browser leaves out the default port of HTTP
+    hosts = [*(f"{name}:{port}" for name in names), *(names if port == 80 else ())]
 
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request on, or refuse it; every response carries the security headers."""
+    def barred(request: Request) -> Response | None:
+        """Response 403 or 404 that refuses a request; None if the request may pass."""
+        headers, parts = request.headers, request.scope["path"].encode().split(b"/", 2)
+        own = len(headers.getlist("host")) == 1 and headers["host"] in hosts
+        # programs other than browsers send neither of these headers; a browser sends Origin with every POST
+        own = own and all(origin == f"http://{headers['host']}" for origin in headers.getlist("origin"))
+        sites = ("same-origin", "none") if request.method in ("GET", "HEAD") else ("same-origin",)
+        # the file that opens the page in a browser belongs to no site
+        opened = request.method == "GET" and (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == _OPENED
+        if not own or not (opened or headers.get("sec-fetch-site", "same-origin") in sites):
+            return PlainTextResponse("Forbidden", 403)
+        if len(parts) != 3 or not secrets.compare_digest(parts[1], token.encode()):
+            return PlainTextResponse("Not Found", 404)
+        return None
 
+    async def guarded(scope: Scope, receive: Receive, send: Send) -> None:
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
                 # the body of a refused request is not read
@@ -76,26 +89,53 @@ class Gate:
             await send(message)
 
         if scope["type"] != "http":
-            await self._app(scope, receive, send)
-        elif refused := self._refused(Request(scope)):
-            await refused(scope, receive, send_with_headers)
+            await app(scope, receive, send)
+        elif response := barred(Request(scope)):
+            await response(scope, receive, send_with_headers)
         else:
-            await self._app({**scope, "path": f"/{scope['path'].split('/', 2)[2]}"}, receive, send_with_headers)
+            await app({**scope, "path": f"/{scope['path'].split('/', 2)[2]}"}, receive, send_with_headers)
 
-    def _refused(self, request: Request) -> Response | None:
-        """Response 403 or 404 that refuses a request; None if the request may pass."""
-        headers, parts = request.headers, request.scope["path"].encode().split(b"/", 2)
-        own = len(headers.getlist("host")) == 1 and headers["host"] in self._hosts
-        # programs other than browsers send neither of these headers; a browser sends Origin with every POST
-        own = own and all(origin == f"http://{headers['host']}" for origin in headers.getlist("origin"))
-        sites = ("same-origin", "none") if request.method in ("GET", "HEAD") else ("same-origin",)
-        # the file that opens the page in a browser belongs to no site
-        opened = request.method == "GET" and (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == _OPENED
-        if not own or not (opened or headers.get("sec-fetch-site", "same-origin") in sites):
-            return PlainTextResponse("Forbidden", 403)
-        if len(parts) != 3 or not secrets.compare_digest(parts[1], self._token):
-            return PlainTextResponse("Not Found", 404)
-        return None
+    return guarded
+
+
+def protocol(seconds: float = 10.0, most: int = 100) -> type[H11Protocol]:
+    """Protocol of which at most ``most`` connections may wait, each at most ``seconds``, for the head of a request."""
+    waiting: dict[H11Protocol, asyncio.TimerHandle] = {}
+
+    class Patient(H11Protocol):
+        """Connection that is closed if no request has come in time."""
+
+        def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+            """Wait for the first request; if too many connections wait, close the one that has waited longest."""
+            super().connection_made(transport)
+            self._wait()
+            if len(waiting) > most:
+                next(iter(waiting)).transport.abort()
+
+        def data_received(self, data: bytes) -> None:
+            """Stop waiting if the head of the request is now complete."""
+            super().data_received(data)
+            if self.cycle and not self.cycle.response_complete:
+                self._stop()
+
+        def on_response_complete(self) -> None:
+            super().on_response_complete()
+            self._wait()
+
+        def connection_lost(self, exc: Exception | None) -> None:
+            super().connection_lost(exc)
+            self._stop()
+
+        def _wait(self) -> None:
+            self._stop()
+            if not self.transport.is_closing():
+                waiting[self] = self.loop.call_later(seconds, self.transport.abort)
+
+        def _stop(self) -> None:
+            if timer := waiting.pop(self, None):
+                timer.cancel()
+
+    return Patient
 
 
 class Target:
@@ -106,7 +146,7 @@ class Target:
         self.path, self._write = path, write
         self.begun = _digest(path) if path else ""
 
-    def save(self, spec: Spec, known: str, anyway: bool) -> dict[str, Any]:  # noqa: FBT001
+    def save(self, spec: Spec, known: str, anyway: bool) -> dict[str, Any]:
         """Write a spec; return a message and the file's new digest, or only a message if it changed since ``known``."""
         if not self.path:
             raise AfmcalcError("nothing to save to: start with --save FILE, or with --force to save to SPEC")
@@ -139,7 +179,7 @@ class Page:
         self._tabs, self._check = (Worker(units, _LONG, newest=True) for _ in range(2))
 
     def app(self, port: int, token: str, ready: Callable[[], None]) -> ASGIApp:
-        """ASGI application behind a ``Gate``; it calls ``ready`` as soon as it serves."""
+        """ASGI application behind a ``gate``; it calls ``ready`` as soon as it serves."""
 
         @asynccontextmanager
         async def lifespan(app: Starlette) -> AsyncIterator[None]:
@@ -158,7 +198,7 @@ class Page:
         handlers: dict[Any, Any] = {Exception: _fault, AfmcalcError: _refusal}
         served = Starlette(routes=routes, lifespan=lifespan, exception_handlers=handlers)
         served.router.redirect_slashes = False
-        return Gate(served, port, token)
+        return gate(served, port, token)
 
     async def _page(self, request: Request) -> Response:
         asked = request.query_params.get("base", "0")

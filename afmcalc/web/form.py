@@ -56,10 +56,11 @@ class State(NamedTuple):
     @property
     def overrides(self) -> list[str]:
         """Overrides, as for ``--set``, that give this state; raises AfmcalcError for a key not in the form."""
+        known = {path: key_at(path) for path in self.fields}
         texts = self._of_base
         changed = {path: text.strip() for path, text in self.fields.items() if text.strip() != texts.get(path, "")}
         gone = _emptied(texts, changed)
-        left = (f"{path}={as_spec(key_at(path), text)}" for path, text in changed.items() if not path.startswith(gone))
+        left = (f"{path}={as_spec(known[path], text)}" for path, text in changed.items() if not path.startswith(gone))
         return [*self.base.overrides, *(table.removesuffix(".") + "=" for table in gone), *left]
 
     @property

@@ -34,10 +34,9 @@ from ..spec import make_spec, resolved, to_toml
 from ..spec.edit import candidate
 from ..spec.parse import Source, parse
 from .aids import FILES, formulas, held, mendings, now, sketch
-from .curve import curve
 from .entered import unit_shown
-from .filled import template
 from .form import Base, State, editable, key_at, refused
+from .fragments import curve, template
 from .strip import tiles, values
 
 Job = Mapping[str, Any]
@@ -124,8 +123,8 @@ def _help(state: State, job: Job) -> Answer:
 
 def _mend(state: State, job: Job) -> Answer:
     """Answer with the keys that clear a finding."""
-    options = job["options"]
-    return {"html": fragment("mend", [*mendings(state.spec, options.get("code", ""), options.get("path", ""))])}
+    code, path = (job["options"].get(name, "") for name in ("code", "path"))
+    return {"html": fragment("mend", [*mendings(state.spec, code, path)])}
 
 
 def _file(state: State, job: Job) -> Answer:
@@ -167,7 +166,7 @@ def _drawn(sheet: Sheet, number: int, pinned: Sequence[Line] = ()) -> tuple[Mark
     if isinstance(sheet.panels[0], Chart):
         charts = (fragment("curve", sheet.title, curve(chart, pinned)) for chart in sheet.panels)
         return Markup("").join(map(Markup, charts)), sheet.below
-    return Markup(drawing(inline_svg(sheet.panels[0]), native(sheet.title), number)), sheet.below  # noqa: S704
+    return Markup(drawing(inline_svg(sheet.panels[0]), native(sheet.title), number)), sheet.below
 
 
 def _analysed(state: State, job: Job) -> Answer:

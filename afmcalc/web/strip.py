@@ -54,13 +54,13 @@ def tiles(
         now, before = known.get(about.symbol), pinned.get(about.symbol)
         tile = Tile(translate(about.name), about.symbol, waits=now is None)
         if now and now[-1] is not None:
-            called = [(row, {row.code, (row.path or "").removeprefix("requirements.")}) for row in checked.checks]
-            rows = [row for row, names in called if names & {*about.rows.split()}]
+            own = {*about.rows.split()}
+            rows = [row for row in checked.checks if own & {row.code, (row.path or "").removeprefix("requirements.")}]
             remarks = answers.ask("layout")[1] if about.needs == "layout" else []
-            missing = [each.message for each in remarks if each.code == "layout-without"]
+            missing = next((each.message for each in remarks if each.code == "layout-without"), "")
             tile = tile._replace(
                 value=_shown(about, now), unit="" if about.unit == "1" else display_unit(about.unit),
-                note=missing[0] if missing else _note(about, checked, rows),
+                note=missing or _note(about, checked, rows),
                 grade=min((row.grade for row in rows), key=_GRADES.index, default=""),
             )  # fmt: skip
         elif now:

@@ -93,11 +93,7 @@ class Worker:
             async with self._lock:
                 if await gone():
                     return
-                try:
-                    process = await asyncio.shield(self.start())
-                except OSError as error:
-                    yield refusal(say("the calculation could not be started: {why}", why=reason(error)))
-                    return
+                process = await asyncio.shield(self.start())
                 if not self._newest or turn == self._latest.get(page):
                     self._busy = page
                     async with aclosing(self._lines(process, job)) as lines:
@@ -111,6 +107,8 @@ class Worker:
                     yield refusal(say("a newer change has taken the place of this one"))
         except TimeoutError:
             yield refusal(say("the calculation takes longer than {limit:g} s: it was ended", limit=self._limit))
+        except OSError as error:
+            yield refusal(say("the calculation could not be started: {why}", why=reason(error)))
         finally:
             if self._latest.get(page) == turn:
                 del self._latest[page]

@@ -20,9 +20,8 @@ from afmcalc.analysis.design import picked
 from afmcalc.analysis.design_grid import unbeaten
 from afmcalc.engines import build
 from afmcalc.spec import make_spec
-from afmcalc.spec.keys import keys
+from afmcalc.spec.keys import MOVED, keys
 from afmcalc.spec.read import put
-from afmcalc.spec.removed import MOVED
 
 DIRECT = ["conventional", "differentiated", "all-driving"]
 BALLS = [0.008, 0.012, 0.016, 0.022, 0.03, 0.045]

@@ -20,7 +20,7 @@ import pytest
 from conftest import CONFIGS, ROOT, slow
 from sources import REFUSED, table
 
-from afmcalc.cli.files import write_file
+from afmcalc.cli.files import write
 from afmcalc.errors import AfmcalcError
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import respecified, saved
@@ -78,15 +78,15 @@ def test_of_two_files_neither_is_lost(line, names, afmcalc, tmp_path, monkeypatc
 def test_of_many_threads_that_write_one_file_one_does(tmp_path):
     start = threading.Barrier(8)
 
-    def write(number):
+    def rival(number):
         for at in range(10):
             start.wait()
             with contextlib.suppress(AfmcalcError):
-                write_file(str(tmp_path / f"{at}"), b"%d" % number)
+                write(b"%d" % number, str(tmp_path / f"{at}"))
                 yield at, b"%d" % number
 
     with ThreadPoolExecutor(8) as pool:
-        written = [each for many in pool.map(lambda number: [*write(number)], range(8)) for each in many]
+        written = [each for many in pool.map(lambda number: [*rival(number)], range(8)) for each in many]
     assert sorted(written) == [(at, (tmp_path / f"{at}").read_bytes()) for at in range(10)]
 
 

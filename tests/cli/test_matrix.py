@@ -9,7 +9,7 @@ from conftest import CONFIGS, PICKED, WANTED
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
 from afmcalc.cli.main import COMMANDS
-from afmcalc.cli.names import DRAWINGS
+from afmcalc.cli.options import DRAWINGS
 from afmcalc.spec.keys import keys
 
 EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)

@@ -122,7 +122,7 @@ def test_a_browser_leaves_port_80_out():
     """A browser leaves port 80 out of host and origin."""
     from starlette.applications import Starlette
 
-    from afmcalc.web.app import Gate
+    from afmcalc.web.app import gate
 
     async def status(port, host):
         async def send(message):
@@ -130,7 +130,7 @@ def test_a_browser_leaves_port_80_out():
 
         got, headers = [], [(b"host", host.encode()), (b"origin", f"http://{host}".encode())]
         scope = {"type": "http", "method": "GET", "path": "/token/x", "headers": headers, "query_string": b""}
-        await Gate(Starlette(), port, "token")(scope, None, send)
+        await gate(Starlette(), port, "token")(scope, None, send)
         return got[0]
 
     for port, host, wanted in (

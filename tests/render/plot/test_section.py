@@ -221,4 +221,4 @@ def test_an_svg_needs_no_library(afmcalc, tmp_path, monkeypatch):
     texts = ["".join(text.itertext()) for text in ElementTree.parse(target).iter(named("text"))]
     assert "<script>alert(1)</script> a_b" in texts
     run = afmcalc("layout", "-o", tmp_path / "s.pdf")
-    assert (run.code, "afmcalc[plot]" in run.err) == (2, True)
+    assert (run.code, "afmcalc[pdf]" in run.err) == (2, True)
