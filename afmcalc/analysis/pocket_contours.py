@@ -70,7 +70,6 @@ def shop_drawing(clutch: Clutch, unit: SynthesisResult) -> ShopDrawing:
     """
     wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
     if not wall.can_be_cut:
-        assert wall.undercut_radius is not None
         raise CalculationError(
             "no pocket to draw: a ball of {ball:.5g mm} undercuts its curved wall, as does every one from "
             "{limit:.5g mm} on (afmcalc pocket says what makes it possible)",

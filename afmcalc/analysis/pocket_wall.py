@@ -33,6 +33,8 @@ class Wall(NamedTuple):
     """Gap between the sleeves at the stop, s, m."""
     ball_radius: float
     """Radius of the ball, r_ш, m."""
+    undercut_radius: float = math.inf
+    """Smallest ball radius at which the wall is undercut, ρ_0, m; infinite for a straight wall."""
 
     @property
     def sleeves(self) -> int:
@@ -40,16 +42,9 @@ class Wall(NamedTuple):
         return 1 if self.steepening > 0 else 2
 
     @property
-    def undercut_radius(self) -> float | None:
-        """Smallest ball radius at which the wall is undercut, m; None for a straight wall."""
-        if self.steepening == 0:
-            return None
-        return float(law.undercut_radius(self.steepening, math.cos(math.atan(self.tangent))))
-
-    @property
     def can_be_cut(self) -> bool:
         """True if the ball does not undercut the wall."""
-        return self.undercut_radius is None or self.ball_radius < self.undercut_radius
+        return self.ball_radius < self.undercut_radius
 
     def at(self, depth: float) -> WallPoint:
         """Place of the ball when its centre has moved by ``depth`` (ξ, m) along the axis from the stop."""
@@ -79,4 +74,5 @@ class Wall(NamedTuple):
 
 def wall_of(clutch: Clutch, face_gap: float, ball_radius: float = 0.0) -> Wall:
     """Return the wall of a clutch's pockets for a ball radius, m, which may be 0 if only the wall's shape matters."""
-    return Wall(clutch["tan_wall_angle"], clutch.get("path_steepening", 0.0), face_gap, ball_radius)
+    shape = clutch["tan_wall_angle"], clutch.get("path_steepening", 0.0)
+    return Wall(*shape, face_gap, ball_radius, clutch.get("undercut_radius", math.inf))

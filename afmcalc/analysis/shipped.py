@@ -69,20 +69,14 @@ class MaterialsResult(Answer):
 def materials(listed: Mapping[str, Material] | None = None) -> tuple[MaterialsResult, list[Finding]]:
     """List the friction materials that ship, or the materials of a user's catalogue."""
     entries = (friction_materials() if listed is None else listed).values()
-    rows = [
-        _row(
-            MaterialRow, entry, also=", ".join(entry.also), temperature_min=_kelvin(entry.temperature_min),
-            temperature_max=_kelvin(entry.temperature_max),
-        )
-        for entry in entries
-    ]  # fmt: skip
+    rows = []
+    for entry in entries:
+        ends = {name: getattr(entry, name) for name in ("temperature_min", "temperature_max")}
+        kelvin = {name: None if end is None else end + float(ZEROS["degC"]) for name, end in ends.items()}
+        rows.append(_row(MaterialRow, entry, also=", ".join(entry.also), **kelvin))
     return MaterialsResult(
         materials=rows, sources=list(dict.fromkeys(entry.citation or entry.source for entry in entries))
     ), []
-
-
-def _kelvin(celsius: float | None) -> float | None:
-    return None if celsius is None else celsius + float(ZEROS["degC"])
 
 
 def _row(kind: type[R], entry: object, **values: Any) -> R:

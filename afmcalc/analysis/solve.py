@@ -337,10 +337,14 @@ def _crossed(gap: Floats) -> NDArray[np.intp]:
 
 
 def _root(function: Function, wanted: float, low: float, high: float, close: float) -> float:
-    """Argument between two others at which a function passes a wanted value, or jumps past it."""
+    """Argument between two others at which a function passes a wanted value, jumps past it, or has no value."""
     from scipy.optimize import brentq
 
-    return float(brentq(lambda x: function(np.array([x]))[0] - wanted, low, high, xtol=close * high, rtol=close))
+    def gap(at: float) -> float:
+        value = float(function(np.array([at]))[0]) - wanted
+        return 0.0 if math.isnan(value) else value
+
+    return float(brentq(gap, low, high, xtol=close * (high - low), rtol=close))
 
 
 def _with_extremes(function: Function, wanted: float, at: Floats) -> Floats:

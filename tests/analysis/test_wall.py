@@ -34,7 +34,8 @@ def walls(draw):
     """A wall that a ball can run on, the ball touching it below the face at the stop."""
     tangent, radius = draw(st.floats(0.1, 2)), draw(st.floats(2e-3, 30e-3))
     limit = (1 + tangent**2) ** 1.5
-    wall = Wall(tangent, draw(st.floats(0.01, 0.95)) * limit / radius, draw(st.floats(0, 3e-3)), radius)
+    steepening = draw(st.floats(0.01, 0.95)) * limit / radius
+    wall = Wall(tangent, steepening, draw(st.floats(0, 3e-3)), radius, limit / steepening)
     assume(wall.clearance(0.0) > 1e-4)
     return wall
 
