@@ -51,13 +51,15 @@ class Dossier(NamedTuple):
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
     """Run every analysis that applies to a clutch, once; ``explained`` adds the derivations."""
     answers, derived = Answers(noting(spec) if explained else build(spec), model=model), dict[str, list[NotedStep]]()
-    applying = [each for each in ANALYSES.values() if each.section and each.applies(answers.clutch)]
-    for analysis in applying:
-        if explained and analysis.explained:  # it notes its steps; a formula is shown where it is first used
+    sections = [each for each in ANALYSES.values() if each.section]
+    for analysis in sections:
+        # what ``applies`` asks is noted too; a formula is shown where it is first used
+        if explained and analysis.explained and analysis.applies(answers.clutch):
             before = len(steps_of(answers.clutch))
             answers.ask(analysis.name)
             derived[analysis.name] = steps_of(answers.clutch)[before:]
-    applying, shown = [each for each in applying if each.reported(answers.clutch)], derivations(derived)
+    shown = derivations(derived)
+    applying = [each for each in sections if each.applies(answers.clutch) and each.reported(answers.clutch)]
     verdict, findings = answers.ask("check")
     findings = [*findings, *(finding for analysis in applying for finding in answers.ask(analysis.name)[1])]
     findings = list(dict.fromkeys(findings))

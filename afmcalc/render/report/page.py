@@ -282,9 +282,7 @@ class _Parts:
         for symbol, words in shown:
             if symbol:
                 meanings.setdefault(native(symbol), words)
-        of_papers = [key.symbol or "" for key in keys().values()]
-        of_papers += [column.symbol for each in tables if each.source for column in each.source.columns]
-        of_papers += [symbol for symbol, _ in shown]
+        of_papers = [*(key.symbol or "" for key in keys().values()), *(symbol for symbol, _ in shown)]
         printed = {own: symbol for symbol in of_papers if (own := native(symbol)) != symbol and spoken() == "en"}
         items = [
             (text(said(own, False), when(own in printed, " (", said(printed.get(own, ""), False), ")")), said(words))
