@@ -195,7 +195,7 @@ class Page:
         posts = {"live": self._answer, "tab/{name}": self._answer, "open": self._open, "save": self._write}
         routes = [Route("/", self._page), Route("/page.css", _file), Route("/page.js", _file)]
         routes += [Route(f"/{path}", endpoint, methods=["POST"]) for path, endpoint in posts.items()]
-        handlers: dict[Any, Any] = {Exception: _fault, AfmcalcError: _refusal}
+        handlers: dict[Any, Any] = dict.fromkeys((Exception, AfmcalcError), _failed)
         served = Starlette(routes=routes, lifespan=lifespan, exception_handlers=handlers)
         served.router.redirect_slashes = False
         return gate(served, port, token)
@@ -328,12 +328,10 @@ def _json(answer: Mapping[str, Any], status: int = 200) -> Response:
     return Response(json.dumps(answer), status, media_type="application/json")
 
 
-async def _fault(request: Request, error: Exception) -> Response:
+async def _failed(request: Request, error: Exception) -> Response:
+    if isinstance(error, AfmcalcError):
+        return _json(refused(error))
     return _json(refusal(*unexpected(error)[1]), 500)
-
-
-async def _refusal(request: Request, error: AfmcalcError) -> Response:
-    return _json(refused(error))
 
 
 async def _file(request: Request) -> Response:
