@@ -165,12 +165,17 @@ _LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
 def chosen_language(lang: str, environment: Mapping[str, str]) -> Language:
     """Language of the option ``lang``, else of AFMCALC_LANG, else of the system, else English.
 
+    That of the system is the variable LANGUAGE, unless the locale is C, else the locale.
     Raises AfmcalcError if the language is unknown, or its texts are missing.
     """
     by, asked = (OPTION, lang) if lang else (VARIABLE, environment.get(VARIABLE, ""))
     if asked and asked not in LANGUAGES:
         raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=asked, languages=LANGUAGES)
-    name = asked or _system_language(environment)
+    locale = next(filter(None, map(environment.get, _LOCALE)), "")
+    others = "" if re.match(r"(C|POSIX)\b", locale) else environment.get("LANGUAGE", "")
+    wanted = f"{others}:{locale}".strip(":") or getlocale()[0] or ""  # on Windows getlocale says Russian_Russia
+    known = (name for each in wanted.split(":") if (name := each[:2].lower()) in LANGUAGES)
+    name = asked or next(known, ENGLISH.name)
     try:
         return language(name)
     except Exception as error:  # the file may be missing, empty or cut off
@@ -179,11 +184,3 @@ def chosen_language(lang: str, environment: Mapping[str, str]) -> Language:
             "or ask for --lang en",
             name=name, folder=FOLDER, file=f"{name}.mo",
         ) from error  # fmt: skip
-
-
-def _system_language(environment: Mapping[str, str]) -> str:
-    """Language of the system: by the variable LANGUAGE unless the locale is C, else by the locale, else English."""
-    locale = next(filter(None, map(environment.get, _LOCALE)), "")
-    others = "" if re.match(r"(C|POSIX)\b", locale) else environment.get("LANGUAGE", "")
-    wanted = f"{others}:{locale}".strip(":") or getlocale()[0] or ""  # on Windows getlocale says Russian_Russia
-    return next((name for each in wanted.split(":") if (name := each[:2].lower()) in LANGUAGES), ENGLISH.name)

@@ -141,8 +141,6 @@ class Output:
 class Answer(Result):
     """Base class of results of commands; in Python, a result also has the other parts of the command's output."""
 
-    findings_first: ClassVar[bool] = False
-    """True if the findings are the purpose of the command, so that ``--quiet`` keeps them."""
     of_several: ClassVar[bool] = False
     """True if the result is about several clutches, not only the clutch of the spec."""
     many_lists: ClassVar[bool] = False

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Collection, Iterator, Mapping
-from typing import Any, ClassVar, Literal
+from typing import Any, Literal
 
 from ..engines import Clutch
 from ..engines.checks import Beside, Check, Known, Part, checks_of, failures
@@ -75,8 +75,6 @@ class Verdict(Result):
 
 class CheckResult(Asking, Answer):
     """The verdict on a clutch, and every check."""
-
-    findings_first: ClassVar[bool] = True
 
     passed: bool = described("whether the check passed")
     errors: int = described("findings that must be put right", details=True)

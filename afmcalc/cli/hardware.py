@@ -12,7 +12,6 @@ from .files import ending_of, is_drawing, picture_of, refuse, write
 from .options import Common, SaveOption, SpecArgument
 
 if TYPE_CHECKING:
-    from ..analysis.torque import Pair
     from ..engines import Clutch
 
 
@@ -189,21 +188,17 @@ def simulate(
         return
     result = common.calculate(clutch, friction=points, sweeps=axes_of(sweep, clutch), heated=not sweep)
     if history:
-        _write_history(clutch, points, history, common)
+        from .. import __version__
+        from ..analysis.simulate import history as moments
+        from ..render import renderer
+        from ..result import Output
+
+        with common.bar():
+            output = Output("history", __version__, None, moments(clutch, points), [])
+        write(renderer("csv")(output, False), history, force=common.force)
+        common.note(say("wrote the history to {output}", output=history))
     if save:
         common.save_spec(clutch.spec, {"drive.dynamic_factor": result.largest_dynamic_factor}, save)
-
-
-def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Common) -> None:
-    from .. import __version__
-    from ..analysis.simulate import history
-    from ..render import renderer
-    from ..result import Output
-
-    with common.bar():
-        output = Output("history", __version__, None, history(clutch, points), [])
-    write(renderer("csv")(output, False), path, force=common.force)
-    common.note(say("wrote the history to {output}", output=path))
 
 
 def effects(common: Common, spec: SpecArgument = None) -> None:

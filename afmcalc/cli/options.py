@@ -219,7 +219,7 @@ class Common:
         from ..spec import resolved
 
         chosen, heat = self.chosen_format, getattr(result, "heat", None)
-        if self.quiet and chosen != "json" and not result.findings_first:
+        if self.quiet and chosen != "json" and self.command != "check":  # whose purpose the findings are
             findings = [each for each in findings if each.level == "error" or each.code == "number-without-unit"]
         outputs = [Output(self.command, __version__, resolved(spec) if spec else None, result, findings)]
         text = ""

@@ -44,7 +44,7 @@ def serve(
     from uvicorn import Config, Server
 
     from ..render.amounts import shown_in
-    from ..web.app import Page, Target, protocol
+    from ..web.app import Page, protocol
     from ..web.form import Base
 
     if common.output or common.json or common.format:
@@ -59,7 +59,6 @@ def serve(
         common.force = force
         common.save_spec(changed, {}, target)
 
-    file = Target(target, rewrite)
     listening, token = _listen(port), token_urlsafe(24)
     port = listening.getsockname()[1]
 
@@ -73,7 +72,7 @@ def serve(
             # in a thread, because a browser that runs in the terminal blocks
             Thread(target=webbrowser.open, args=[Path(start).as_uri()], daemon=True).start()
 
-    page = Page(base, common.units, file).app(port, token, ready)
+    page = Page(base, common.units, target, rewrite).app(port, token, ready)
     # no log, since the page itself shows errors, and no waiting for open connections at the end
     how: dict[str, Any] = {"log_config": None, "log_level": "critical", "access_log": False, "server_header": False}
     how |= {"http": protocol(), "ws": "none", "loop": "asyncio", "lifespan": "on", "timeout_graceful_shutdown": 0}

@@ -10,7 +10,7 @@ from ..errors import Problem
 from ..messages import deferred, did_you_mean, say, translate
 from ..variants import VARIANTS
 from .fields import block_at, names_in, words_of
-from .rules import Table
+from .rules import Table, given_in
 
 _MOST_TOLD = 100
 """Largest number of problems listed; other problems are only counted."""
@@ -54,18 +54,13 @@ def instead_of(path: str) -> str:
     return say(" since 0.4: {instead}", instead=translate(REMOVED[path])) if path in REMOVED else ""
 
 
-def given_at(path: str, data: object) -> str | None:
-    """Value at a path as written, in JSON; None for a table or a missing key. Keys may contain dots."""
-    if not isinstance(data, Mapping):
+def given_at(path: str, data: Table) -> str | None:
+    """Value at a path as written, in JSON; None for a table or a missing key."""
+    value = given_in(data).get(path)
+    if value is None or isinstance(value, Mapping):
         return None
-    if path in data:
-        if isinstance(data[path], Mapping):
-            return None
-        text = json.dumps(data[path], ensure_ascii=False, default=str)
-        return text if len(text) <= 60 else text[:57] + "..."
-    parts = path.split(".")
-    splits = ((".".join(parts[:depth]), ".".join(parts[depth:])) for depth in range(1, len(parts)))
-    return next((given_at(below, data[block]) for block, below in splits if block in data), None)
+    text = json.dumps(value, ensure_ascii=False, default=str)
+    return text if len(text) <= 60 else text[:57] + "..."
 
 
 def _message(detail: ErrorDetails, location: tuple[str, ...], root: type[BaseModel], elsewhere: Elsewhere) -> str:

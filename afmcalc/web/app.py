@@ -138,25 +138,6 @@ def protocol(seconds: float = 10.0, most: int = 100) -> type[H11Protocol]:
     return Patient
 
 
-class Target:
-    """File that the page saves to; ``begun``: digest of its content when serve began, empty if there was no file."""
-
-    def __init__(self, path: str, write: Callable[[Spec, bool], None]) -> None:
-        """Save to ``path`` by ``write``, which is told if it may overwrite; if it is empty, the page cannot save."""
-        self.path, self._write = path, write
-        self.begun = _digest(path) if path else ""
-
-    def save(self, spec: Spec, known: str, anyway: bool) -> dict[str, Any]:
-        """Write a spec; return a message and the file's new digest, or only a message if it changed since ``known``."""
-        if not self.path:
-            raise AfmcalcError("nothing to save to: start with --save FILE, or with --force to save to SPEC")
-        before = _digest(self.path)
-        if known and known != before and not anyway:
-            return {"message": say("{path} was changed by another program: nothing is written", path=self.path)}
-        self._write(spec, bool(known and before) or anyway)
-        return {"saved": self.path, "message": say("wrote {output}", output=self.path), "known": _digest(self.path)}
-
-
 def _digest(path: str) -> str:
     """SHA-256 of a file; empty if there is no file."""
     if not os.path.exists(path):
@@ -169,12 +150,17 @@ def _digest(path: str) -> str:
 class Page:
     """State of the server: its first clutch, and clutches of designs and files; the page's forms hold all changes."""
 
-    def __init__(self, base: Base, units: str, target: Target) -> None:
-        """Serve a page that starts from ``base`` and saves to ``target``."""
+    def __init__(self, base: Base, units: str, path: str, rewrite: Callable[[Spec, bool], None]) -> None:
+        """Serve a page that starts from ``base`` and saves to ``path`` by ``rewrite``, told if it may overwrite.
+
+        If ``path`` is empty, the page cannot save.
+        """
         self._bases, self._made = {0: base}, 1
         self._others = set[int]()
         """Numbers of those bases that are other clutches than the clutch of the command line."""
-        self._target = target
+        self._path, self._rewrite = path, rewrite
+        self._begun = _digest(path) if path else ""
+        """Digest of the file when serve began; empty if there was no file."""
         self._live = Worker(units, _SLOWEST, newest=False)
         self._tabs, self._check = (Worker(units, _LONG, newest=True) for _ in range(2))
 
@@ -195,7 +181,7 @@ class Page:
         posts = {"live": self._answer, "tab/{name}": self._answer, "open": self._open, "save": self._write}
         routes = [Route("/", self._page), Route("/page.css", _file), Route("/page.js", _file)]
         routes += [Route(f"/{path}", endpoint, methods=["POST"]) for path, endpoint in posts.items()]
-        handlers: dict[Any, Any] = {Exception: _fault, AfmcalcError: _refusal}
+        handlers: dict[Any, Any] = dict.fromkeys((Exception, AfmcalcError), _failed)
         served = Starlette(routes=routes, lifespan=lifespan, exception_handlers=handlers)
         served.router.redirect_slashes = False
         return gate(served, port, token)
@@ -207,7 +193,7 @@ class Page:
         results = {name: translate(term_of(name).meaning) for name in RESULTS}
         page = template("page.html").render(
             language=spoken(), version=__version__, name=named(state.spec.name), source=state.base.label,
-            target=self._target.path, known=self._target.begun, groups=form_of(state), base=number,
+            target=self._path, known=self._begun, groups=form_of(state), base=number,
             requirements=search_of(state.spec), examples=example_names(), files=_FILES, results=results, tuned=TUNED,
             swept="C" if state.spec.control_unit else "f_max",
         )  # fmt: skip
@@ -261,18 +247,28 @@ class Page:
 
     async def _write(self, request: Request) -> Response:
         body = await _body(request)
-        state, known = self._state(body), str(body.get("known", self._target.begun))
-        anyway, path = body.get("anyway") is True, self._target.path
+        state, known = self._state(body), str(body.get("known", self._begun))
+        anyway, path = body.get("anyway") is True, self._path
         if body.get("download") is True:
             text = saved(spec := state.spec, {}, spec, "clutch.toml")
             return _json({"text": text, "message": say("The spec is in the downloads.")})
         if path and body["base"] in self._others and not anyway:
             return _json({"message": say("{path} holds another clutch: nothing is written", path=path)})
         # in a thread, so that a slow disk does not delay other requests
-        answer = await asyncio.to_thread(self._target.save, state.spec, known, anyway)
+        answer = await asyncio.to_thread(self._save, state.spec, known, anyway)
         if "saved" in answer:
             self._others.discard(body["base"])
         return _json(answer)
+
+    def _save(self, spec: Spec, known: str, anyway: bool) -> dict[str, Any]:
+        """Write a spec; return a message and the file's new digest, or only a message if it changed since ``known``."""
+        if not (path := self._path):
+            raise AfmcalcError("nothing to save to: start with --save FILE, or with --force to save to SPEC")
+        before = _digest(path)
+        if known and known != before and not anyway:
+            return {"message": say("{path} was changed by another program: nothing is written", path=path)}
+        self._rewrite(spec, bool(known and before) or anyway)
+        return {"saved": path, "message": say("wrote {output}", output=path), "known": _digest(path)}
 
     async def _open(self, request: Request) -> Response:
         """Form of a clutch, and its heading, for the number of a base, an example, or the text of a file."""
@@ -328,12 +324,10 @@ def _json(answer: Mapping[str, Any], status: int = 200) -> Response:
     return Response(json.dumps(answer), status, media_type="application/json")
 
 
-async def _fault(request: Request, error: Exception) -> Response:
+async def _failed(request: Request, error: Exception) -> Response:
+    if isinstance(error, AfmcalcError):
+        return _json(refused(error))
     return _json(refusal(*unexpected(error)[1]), 500)
-
-
-async def _refusal(request: Request, error: AfmcalcError) -> Response:
-    return _json(refused(error))
 
 
 async def _file(request: Request) -> Response:
