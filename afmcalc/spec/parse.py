@@ -212,10 +212,19 @@ def _toml_of(source: Source) -> dict[str, object]:
 
 
 def _json_of(source: Source) -> dict[str, object]:
+    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        data = dict(pairs)
+        if len(data) < len(pairs):
+            twice = next(key for place, (key, _) in enumerate(pairs) if key in dict(pairs[:place]))
+            raise _refused(source, say("is not a spec: key {key!r} stands twice in one JSON object", key=twice))
+        return data
+
     try:
-        data = json.loads(source.text)
+        data = json.loads(source.text, object_pairs_hook=unique)
     except json.JSONDecodeError as error:
         raise _at_line(source, error.lineno, say("is not valid JSON: {why}", why=error.msg)) from None
+    except AfmcalcError:
+        raise
     except ValueError:
         raise _refused(source, say("is not valid JSON: {why}", why=too_long())) from None
     if not isinstance(data, dict):
