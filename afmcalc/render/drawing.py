@@ -160,6 +160,7 @@ class Angle(NamedTuple):
 
 Simple: TypeAlias = Region | Stroke | Circle | Inscription
 Shape: TypeAlias = Simple | Length | Diameter | Angle
+Shapes: TypeAlias = Iterator[Shape]
 
 
 class Drawing(NamedTuple):

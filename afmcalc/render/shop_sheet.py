@@ -7,7 +7,7 @@ the drawing.
 import math
 import re
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from ..analysis.assembly import ClutchSection
@@ -15,21 +15,8 @@ from ..analysis.pocket_contours import ShopDrawing
 from ..messages import filled, localized, named, say, translate
 from ..spec import Spec
 from ..spec.models import ShopNotes, TitleBlock
+from . import drawing as draw
 from .amounts import display
-from .drawing import (
-    Angle,
-    Circle,
-    Diameter,
-    Drawing,
-    Inscription,
-    Length,
-    Point,
-    Region,
-    Shape,
-    Stroke,
-    leader,
-    rectangle,
-)
 from .plot import pocket_drawing as pockets
 from .plot.section_drawing import section as laid_out
 
@@ -80,7 +67,7 @@ class ShopSheet:
         """Millimetres of the drawing for one millimetre of paper."""
         return 1 / self.scale
 
-    def at(self, x: float, y: float) -> Point:
+    def at(self, x: float, y: float) -> draw.Point:
         """Point of the paper, mm, in drawing coordinates."""
         return (x - self.origin[0]) * self.unit, (y - self.origin[1]) * self.unit
 
@@ -93,12 +80,12 @@ class ShopSheet:
         """Calculated length (m) as text in mm, with as many decimals as the tolerance in the spec, else to a tenth."""
         return localized(f"{round(1e3 * value, self.places):.9g}")
 
-    def drawing(self, shapes: Sequence[Shape]) -> Drawing:
+    def drawing(self, shapes: Sequence[draw.Shape]) -> draw.Drawing:
         """Drawing of the shapes with frame, title block and notes."""
         frame = *self.at(0, 0), *self.at(_WIDE, _HIGH)
-        return Drawing([*shapes, *self._surround()], frame, _WIDE)
+        return draw.Drawing([*shapes, *self._surround()], frame, _WIDE)
 
-    def _surround(self) -> Iterator[Shape]:
+    def _surround(self) -> draw.Shapes:
         spec, block = self.spec, self.spec.report or TitleBlock()
         roles = map(translate, ("Approved", "Standards", "Checked", "Drawn"))
         names = block.approved, block.norm_control, block.checked, block.author
@@ -119,16 +106,16 @@ class ShopSheet:
             if text:
                 size = min(_TITLE_TEXT, 0.7 * height, (width - 2) / (_LETTER * len(text)))
                 middle = self.at(x + left + width / 2, _EDGE + low + height / 2 - 0.35 * size)
-                yield Inscription(text, middle, size * self.unit, "middle", ours=False)
+                yield draw.Inscription(text, middle, size * self.unit, "middle", ours=False)
         for row, note in enumerate(self.notes, 1):
-            yield Inscription(note, self.at(_LEFT + 4, self.low - _LINE * row), _SMALL * self.unit, ours=False)
+            yield draw.Inscription(note, self.at(_LEFT + 4, self.low - _LINE * row), _SMALL * self.unit, ours=False)
 
-    def _box(self, layer: str, left: float, low: float, width: float, height: float) -> Region:
+    def _box(self, layer: str, left: float, low: float, width: float, height: float) -> draw.Region:
         corner, (right, top) = self.at(left, low), self.at(left + width, low + height)
-        return rectangle(layer, (corner[0], right, corner[1], top))
+        return draw.rectangle(layer, (corner[0], right, corner[1], top))
 
 
-def largest_scale(size: Point, free: Point) -> float:
+def largest_scale(size: draw.Point, free: draw.Point) -> float:
     """Largest standard scale at which ``size`` fits into ``free``, both in mm; else the smallest standard scale."""
     fits = (scale for scale in _SCALES if all(a * scale <= b for a, b in zip(size, free, strict=True)))
     return next(fits, _SCALES[-1])
@@ -186,7 +173,7 @@ def _said(drawing: ShopDrawing) -> list[Any]:
     ]  # fmt: skip
 
 
-def pocket(drawing: ShopDrawing) -> Drawing:
+def pocket(drawing: ShopDrawing) -> draw.Drawing:
     """Draw both sleeves in section at the ball circle (origin: the ball's centre), and the first sleeve in end view."""
     unit, sleeve = drawing.synthesis, drawing.sleeve
     back, side = (1e3 * end for end in drawing.extent)
@@ -202,28 +189,30 @@ def pocket(drawing: ShopDrawing) -> Drawing:
     middle = (sheet.low + _HIGH - _EDGE) / 2 - 4
     sheet.origin = (left + _WIDE - 18) / 2, middle
 
-    shapes: list[Shape] = [Circle("ball", (0.0, 0.0), unit.ball_diameter * 500)]
+    shapes: list[draw.Shape] = [draw.Circle("ball", (0.0, 0.0), unit.ball_diameter * 500)]
     *closed, path = pockets.contours(drawing).items()
-    shapes += [Region(name.lower(), (points,)) for name, points in closed[2:]]  # sleeves are drawn with their hatches
-    shapes.append(Stroke("path", path[1]))
+    shapes += [
+        draw.Region(name.lower(), (points,)) for name, points in closed[2:]
+    ]  # sleeves are drawn with their hatches
+    shapes.append(draw.Stroke("path", path[1]))
     for name, hand in (("SLEEVE_1", 1), ("SLEEVE_2", -1)):
         shapes += pockets.sleeve(drawing, name)
         place = hand * back / 2, -side - 9 * sheet.unit
-        shapes.append(Inscription(name[-1], place, _TITLE_TEXT * sheet.unit, "middle"))
+        shapes.append(draw.Inscription(name[-1], place, _TITLE_TEXT * sheet.unit, "middle"))
     shapes += pockets.dimensions(drawing, sheet.unit, sheet.text, lambda _, length: sheet.length(length))
     for x, y in ((back + 3 * sheet.unit, 0.0), (0.0, side + 3 * sheet.unit)):
-        shapes.append(Stroke("centre", ((-x, -y), (x, y))))
+        shapes.append(draw.Stroke("centre", ((-x, -y), (x, y))))
     shapes += _roughness(sheet, drawing)
     x = _LEFT + 52 + own * outer / 2
     shapes += _end_view(sheet, drawing, sheet.at(x, middle), own / sheet.scale)
     title = say("A–A ({scale}), unrolled", scale=_stated(sheet.scale))
-    shapes.append(Inscription(title, (0.0, side + 30 * sheet.unit), _TITLE_TEXT * sheet.unit, "middle"))
+    shapes.append(draw.Inscription(title, (0.0, side + 30 * sheet.unit), _TITLE_TEXT * sheet.unit, "middle"))
     title = filled("Sleeve 1 ({scale})" if unit.wall else "Sleeve 1, sleeve 2 alike ({scale})", {"scale": _stated(own)})
-    shapes.append(Inscription(title, sheet.at(_LEFT + 8, _HIGH - 15), _TITLE_TEXT * sheet.unit))
+    shapes.append(draw.Inscription(title, sheet.at(_LEFT + 8, _HIGH - 15), _TITLE_TEXT * sheet.unit))
     return sheet.drawing(shapes)
 
 
-def _roughness(sheet: ShopSheet, drawing: ShopDrawing) -> Iterator[Shape]:
+def _roughness(sheet: ShopSheet, drawing: ShopDrawing) -> draw.Shapes:
     """Draw the roughness symbol of the pocket walls, if the spec gives their roughness."""
     unit, k, groove = drawing.synthesis, sheet.unit, drawing.sleeve.groove * 500
     floor, (back, side) = 1e3 * (unit.face_gap / 2 + unit.pocket_depth_cut), (1e3 * end for end in drawing.extent)
@@ -231,14 +220,14 @@ def _roughness(sheet: ShopSheet, drawing: ShopDrawing) -> Iterator[Shape]:
         wall = pockets.contours(drawing)["POCKET_1"]
         x, y = next(point for point in wall[1:] if -point[1] > groove + 1e-9)
         tip, knee = ((x + floor) / 2, (y - groove) / 2), (back + 4 * k, -side - 12 * k)
-        yield from leader("", tip, knee, sheet.text)
+        yield from draw.leader("", tip, knee, sheet.text)
         sign = (1.0, 3.5), (3.0, 0.0), (7.0, 7.0), (16.0, 7.0)
         for line in (sign, ((0.0, 0.0), (3.0, 0.0)), ((1.0, 3.5), (5.0, 3.5))):
-            yield Stroke("dimensions", tuple((knee[0] + a * k, knee[1] + b * k) for a, b in line))
-        yield Inscription(rough, (knee[0] + 7 * k, knee[1] + 2.5 * k), sheet.text, ours=False)
+            yield draw.Stroke("dimensions", tuple((knee[0] + a * k, knee[1] + b * k) for a, b in line))
+        yield draw.Inscription(rough, (knee[0] + 7 * k, knee[1] + 2.5 * k), sheet.text, ours=False)
 
 
-def _end_view(sheet: ShopSheet, drawing: ShopDrawing, centre: Point, shrunk: float) -> Iterator[Shape]:
+def _end_view(sheet: ShopSheet, drawing: ShopDrawing, centre: draw.Point, shrunk: float) -> draw.Shapes:
     """Draw the first sleeve seen from its pockets, at the scale ``shrunk`` relative to the section."""
     unit, sleeve, k, given = drawing.synthesis, drawing.sleeve, sheet.unit, drawing.spec.control_unit
     count, circle, text = (given and given.balls) or 1, unit.ball_circle_radius, sheet.text
@@ -249,37 +238,37 @@ def _end_view(sheet: ShopSheet, drawing: ShopDrawing, centre: Point, shrunk: flo
     up, step = math.pi / 2, 2 * math.pi / count
     wide, groove = unit.pocket_width / 2 / circle, sleeve.groove / 2 / circle
 
-    def at(radius: float, angle: float) -> Point:
+    def at(radius: float, angle: float) -> draw.Point:
         return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
 
     for layer, radius in (("end_view", rim), ("end_view", bore), ("centre", pitch)):
-        yield Circle(layer, centre, radius)
+        yield draw.Circle(layer, centre, radius)
     for turn in (up - number * step for number in range(count)):
         floor = (at(end, turn + wide * (1 - share / 8)) for share in range(17))
-        yield Stroke("end_view", (at(rim, turn + wide), *floor, at(rim, turn - wide)))
+        yield draw.Stroke("end_view", (at(rim, turn + wide), *floor, at(rim, turn - wide)))
         for side in (-groove, groove):
-            yield Stroke("end_view", (at(end, turn + side), at(rim, turn + side)))
-        yield Stroke("centre", (at(end - 3 * k, turn), at(rim + 4 * k, turn)))
-        yield Circle("ball", at(pitch, turn), ball)
+            yield draw.Stroke("end_view", (at(end, turn + side), at(rim, turn + side)))
+        yield draw.Stroke("centre", (at(end - 3 * k, turn), at(rim + 4 * k, turn)))
+        yield draw.Circle("ball", at(pitch, turn), ball)
     for turn in (0.0, up):
-        yield Stroke("centre", (at(-bore - 4 * k, turn), at(bore + 4 * k, turn)))
+        yield draw.Stroke("centre", (at(-bore - 4 * k, turn), at(bore + 4 * k, turn)))
     hole = sheet.length(sleeve.bore) + "*" if "bore" in sleeve.assumed else display(sleeve.bore, "m")
-    yield Diameter(f"Ø{hole}", text, centre, bore, 30.0, shrunk)
+    yield draw.Diameter(f"Ø{hole}", text, centre, bore, 30.0, shrunk)
     left = centre[0] - rim
     depth = sheet.length(sleeve.outer_diameter / 2 - sleeve.pocket_end)
-    yield Length(depth, text, at(end, up), at(rim, up), left - 8 * k, upright=True, shrunk=shrunk)
+    yield draw.Length(depth, text, at(end, up), at(rim, up), left - 8 * k, upright=True, shrunk=shrunk)
     sizes = (pitch, display(2 * circle, "m")), (rim, sheet.length(sleeve.outer_diameter) + "*")
     for away, (radius, said) in zip((17, 26), sizes, strict=True):
         ends = at(-radius, up), at(radius, up)
-        yield Length(f"Ø{said}", text, *ends, left - away * k, upright=True, shrunk=shrunk)
+        yield draw.Length(f"Ø{said}", text, *ends, left - away * k, upright=True, shrunk=shrunk)
     if count > 2:
         division = localized(f"{count}×{360 / count:.6g}°")
-        yield Angle(division, text, centre, at(rim, up - step), at(rim, up), rim + 9 * k)
+        yield draw.Angle(division, text, centre, at(rim, up - step), at(rim, up), rim + 9 * k)
     tip = at(pitch, -up + step / 2 if count > 1 else -up)
-    yield from leader("A–A", tip, at(1.2 * rim, -0.3 * math.pi), text)
+    yield from draw.leader("A–A", tip, at(1.2 * rim, -0.3 * math.pi), text)
 
 
-def section(clutch: ClutchSection, spec: Spec) -> Drawing:
+def section(clutch: ClutchSection, spec: Spec) -> draw.Drawing:
     """Draw the whole clutch, laid out by ``plot.section_drawing``."""
     page = laid_out(clutch)
     drawing = page.panels[0]

@@ -1,7 +1,7 @@
 """Section through a ball and its two pockets (A–A in the papers), to scale: a figure, and part of a shop drawing."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 from ...analysis.pocket_contours import ShopDrawing
 from ...analysis.synthesize import SynthesisResult
@@ -48,7 +48,7 @@ def pocket(drawing: ShopDrawing) -> Sheet:
     return Sheet(title, [draw.Drawing(shapes, frame)], _caption(found), drawing.name)
 
 
-def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> Iterator[draw.Shape]:
+def sleeve(drawing: ShopDrawing, name: str, x: float = 0.0, y: float = 0.0) -> draw.Shapes:
     """Draw one of the sleeves with its pocket, displaced by ``x`` and ``y`` (mm) from its place at the stop."""
     contour = tuple((along + x, around + y) for along, around in contours(drawing)[name])
     yield draw.Region("hatch", (contour,), hatch=45.0 if name == "SLEEVE_1" else 135.0)
@@ -60,7 +60,7 @@ def contours(drawing: ShopDrawing) -> dict[str, draw.Polyline]:
     return {each.layer: tuple((1e3 * x, 1e3 * y) for x, y in each.points) for each in drawing.contours}
 
 
-def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> Iterator[draw.Shape]:
+def dimensions(drawing: ShopDrawing, k: float, text: float, label: Label) -> draw.Shapes:
     """Draw dimensions of pockets and sleeves at the stop; ``k``: millimetres of the drawing for one on paper."""
     unit, shop = drawing.synthesis, drawing.sleeve
     points = contours(drawing)

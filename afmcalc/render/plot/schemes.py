@@ -1,7 +1,7 @@
 """The papers' schemes, drawn anew: clutches in half section with the numbers of their parts, and a ball in pockets."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import NamedTuple
 
 from ...messages import translate
@@ -38,7 +38,7 @@ def _half_section(parts: tuple[Part, ...], length: float, top: float) -> draw.Dr
     return draw.Drawing(shapes, (0.0, -0.5, length, top))
 
 
-def _shapes(kind: str, box: draw.Rectangle) -> Iterator[draw.Shape]:
+def _shapes(kind: str, box: draw.Rectangle) -> draw.Shapes:
     left, right, low, high = box
     if kind == "ball":
         yield draw.Circle("balls", draw.middle(box), (high - low) / 2)

@@ -1,7 +1,7 @@
 """The whole clutch in longitudinal section and in end view, to scale, with dimensions and part list."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from ...analysis.assembly import Box, ClutchSection, DrawnPart, MainDimension
 from ...findings import finding
@@ -82,7 +82,7 @@ def _rectangles(boxes: Iterable[Box], hand: int) -> list[draw.Rectangle]:
     return [(box.left * _MM, box.right * _MM, low * _MM, high * _MM) for box, (low, high) in both]
 
 
-def _along(section: ClutchSection, length: float) -> Iterator[draw.Shape]:
+def _along(section: ClutchSection, length: float) -> draw.Shapes:
     """Draw the section along the axis, on both sides of the axis."""
     yield draw.Stroke("centre", ((-0.03 * length, 0.0), (1.03 * length, 0.0)))
     for hand in (1, -1):
@@ -96,7 +96,7 @@ def _along(section: ClutchSection, length: float) -> Iterator[draw.Shape]:
                 yield draw.rectangle("overlap", box, f"{one}/{other}")
 
 
-def _part(section: ClutchSection, part: DrawnPart, hand: int) -> Iterator[draw.Shape]:
+def _part(section: ClutchSection, part: DrawnPart, hand: int) -> draw.Shapes:
     boxes = _rectangles(part.boxes, hand)
     left, right, low, high = boxes[0]
     if part.name == "balls":
@@ -117,7 +117,7 @@ def _part(section: ClutchSection, part: DrawnPart, hand: int) -> Iterator[draw.S
         yield from _cut(part, boxes, _rectangles(part.pockets, hand))
 
 
-def _cut(part: DrawnPart, boxes: list[draw.Rectangle], pockets: list[draw.Rectangle]) -> Iterator[draw.Shape]:
+def _cut(part: DrawnPart, boxes: list[draw.Rectangle], pockets: list[draw.Rectangle]) -> draw.Shapes:
     outline, holes = draw.outlines(boxes), draw.outlines(pockets)
     inside_out = (hole[::-1] for hole in holes)
     yield draw.Region("hatch", (*outline, *inside_out), hatch=_HATCH.get(part.name, 135.0))
@@ -129,7 +129,7 @@ def _ball(box: draw.Rectangle, layer: str, part: str = "") -> draw.Circle:
     return draw.Circle(layer, draw.middle(box), (box[1] - box[0]) / 2, part)
 
 
-def _spring(part: DrawnPart, box: draw.Rectangle) -> Iterator[draw.Shape]:
+def _spring(part: DrawnPart, box: draw.Rectangle) -> draw.Shapes:
     """Draw a spring: the wire of a single coil spring, or a zigzag for disc springs and coil springs on a circle."""
     (left, right, low, high), layer = box, "assumed" if part.assumed else "springs"
     wire, long = high - low, right - left
@@ -144,7 +144,7 @@ def _spring(part: DrawnPart, box: draw.Rectangle) -> Iterator[draw.Shape]:
         yield draw.Stroke(layer, tuple(points))
 
 
-def _from_the_end(section: ClutchSection, middle: float, size: float) -> Iterator[draw.Shape]:
+def _from_the_end(section: ClutchSection, middle: float, size: float) -> draw.Shapes:
     """Draw the view along the axis: housing, friction faces, hub, feather key, balls on their circle."""
     radii = {name: measure.high * _MM for name, measure in section.measures.items() if measure.low < 0}
     yield draw.Circle("faces", (middle, 0.0), radii["outer_diameter"], hole=radii["inner_diameter"])
@@ -169,7 +169,7 @@ def _from_the_end(section: ClutchSection, middle: float, size: float) -> Iterato
         yield draw.Stroke("dimensions", ((at[0], at[1] + ball), (corner[0] - wide / 2, corner[1] - 0.3 * size)))
 
 
-def _numbers(section: ClutchSection, length: float, y: float, size: float) -> Iterator[draw.Shape]:
+def _numbers(section: ClutchSection, length: float, y: float, size: float) -> draw.Shapes:
     """Write the numbers of the parts below the section, each with a line to its part."""
     places = []
     for part in section.parts.values():
