@@ -94,21 +94,24 @@ VARIANTS: dict[str, Variant] = {
     )
 }
 """Name in a spec → its record."""
-SPECIAL = {
-    key: tuple(name for name, variant in VARIANTS.items() if key in variant.keys)
-    for special in VARIANTS.values()
-    for key in special.keys
-}
-"""Path of a key that only some variants have → names of these variants."""
+
+
+def special_keys() -> dict[str, tuple[str, ...]]:
+    """Path of a key that only some variants have → names of these variants."""
+    special: dict[str, tuple[str, ...]] = {}
+    for variant in VARIANTS.values():
+        for key in variant.keys:
+            special[key] = (*special.get(key, ()), variant.name)
+    return special
 
 
 def variants_of(path: str) -> tuple[str, ...]:
     """Names of the variants that have the key at a dotted path; empty if all variants have the key."""
-    having = [variants for key, variants in SPECIAL.items() if f"{path}.".startswith(f"{key}.")]
+    having = [variants for key, variants in special_keys().items() if f"{path}.".startswith(f"{key}.")]
     return min(having, key=len) if having else ()
 
 
 def foreign_keys(given: Container[str], variant: str) -> list[str]:
     """Given paths of keys that a variant lacks; for a block that the variant lacks, only the path of the block."""
-    foreign = [path for path, having in SPECIAL.items() if path in given and variant not in having]
+    foreign = [path for path, having in special_keys().items() if path in given and variant not in having]
     return [path for path in foreign if "." not in path or path.partition(".")[0] not in foreign]

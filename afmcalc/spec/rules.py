@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from ..messages import filled, say
-from ..variants import SPECIAL, VARIANTS, foreign_keys
+from ..variants import VARIANTS, foreign_keys, special_keys
 from .fields import Broken
 from .quantity import is_number
 
@@ -129,7 +129,7 @@ def _variant(given: Table) -> Iterator[Broken]:
     if not isinstance(name, str) or name not in VARIANTS:
         return
     for path in foreign_keys(given, name):
-        only = ", ".join(SPECIAL[path])
+        only = ", ".join(special_keys()[path])
         yield path, say("not for variant {variant!r}; only for {only}", variant=name, only=only)
     for path in VARIANTS[name].needs + VARIANTS[name].requires:
         table = path.partition(".")[0]
