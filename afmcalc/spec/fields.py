@@ -102,8 +102,8 @@ def keys_below(model: type[BaseModel], prefix: str = "") -> dict[str, Key]:
     keys: dict[str, Key] = {}
     for name, field in model.model_fields.items():
         path = prefix + name
-        extra: Any = field.json_schema_extra or {}
-        symbol = extra.get("symbol")
+        extra = field.json_schema_extra
+        symbol: Any = extra.get("symbol") if isinstance(extra, dict) else None
         if not (block := _block_of(field)):
             keys[path] = Key(path, symbol, field.description or "", _quantity(field))
             continue
