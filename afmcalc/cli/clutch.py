@@ -63,7 +63,7 @@ def accuracy(
     \b
     afmcalc accuracy --sweep C
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
-    afmcalc accuracy clutch.toml --sweep R --columns closing_force,torque_at_f_max
+    afmcalc accuracy clutch.toml --sweep C --columns closing_force,torque_at_f_max
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """
     if columns and not sweep:

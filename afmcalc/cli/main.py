@@ -42,8 +42,8 @@ FORMER_OPTIONS = {
     **{f"--{name}": f"--set catalogues.{name}=FILE" for name in ("materials", "discs", "balls")},
     "--excel": "--format csv --lang ru",
     "--pdf": "-o FILE.pdf",
-    "--top": "--all",
-    "--variant": "--from EXAMPLE, --set variant=NAME",
+    "--top": "design --all",
+    "--variant": "init --from EXAMPLE, --set variant=NAME",
     "--yes": deferred("a progress bar, and Ctrl-C to stop"),
     "--symbols": deferred("the language of the report, --lang"),
 }
