@@ -420,15 +420,15 @@ def _sticks_on(motion: Motion, motor: Any, peak: Any, step: Any) -> Any:
     """
     train, pack, until = motion.train, motion.pack, motion.time + _BLOCK * step
     inertia = train.front * (motion.tool - train.led(until)) / (_BLOCK * step)
-    # within the block the motor pulls most at the speed nearest to that of its breakdown
-    breakdown = train.engine.synchronous * (1 - (0.0 if train.engine.slip is None else train.engine.slip))
-    most = train.engine.at(np.clip(breakdown, train.led(until), motion.tool)) * (motor != 0)
-    now, then = motor + inertia, most + inertia
+    # beyond its breakdown a motor feeds every swing
+    breakdown = 0.0 if train.engine.slip is None else train.engine.synchronous * (1 - train.engine.slip)
+    slowest = train.led(until)
+    now, then = motor + inertia, train.engine.at(slowest) * (motor != 0) + inertia
     swing = np.hypot(motion.elastic - now, motion.twisting * (train.stiffness * train.front) ** 0.5)
     top = np.maximum(np.abs(now), np.abs(then)) + swing
     limit = np.minimum(pack.breakaway, pack.lift) if pack.travels else np.where(pack.lag > 0, 0.0, pack.breakaway)
     sticks = (motion.slip == 0) & (motion.rate == 0) & (motion.turn == 0) & (top < limit * (1 - CLOSE))
-    return sticks & ((swing < _QUIET * np.abs(now)) | (top <= peak * (1 + _QUIET)))
+    return sticks & (slowest >= breakdown) & ((swing < _QUIET * np.abs(now)) | (top <= peak * (1 + _QUIET)))
 
 
 def horizon(train: Train, pack: DirectPack | Sleeve) -> Values:
