@@ -174,10 +174,13 @@ def test_a_slow_stop_is_stepped_no_longer_than_its_swings_last():
     assert event.settled
     assert event.time > 100.0
     assert len(event.rows) < 5000
-    # a motor past its breakdown feeds swings, which no long step may make or hide
+
+
+@pytest.mark.slow
+def test_a_motor_past_its_breakdown_feeds_swings_which_no_long_step_may_make_or_hide():
     motor = Engine(300.0, 0.2, 15.5)
     event = case(400.0, time=20.0, load=float(motor.at(15.0)), engine=motor).run()
-    assert event.peak == pytest.approx(300.0 + own.train.front * 15.0 / 20.0, rel=1e-4)
+    assert event.peak == pytest.approx(300.0 + TRAIN.front * 15.0 / 20.0, rel=1e-4)
     assert event.slip_time == 0
 
 
